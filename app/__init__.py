@@ -8,4 +8,5 @@ __version__ = "0.1.0"
 if sys.version_info < (3, 11):  # noqa: UP036
     here = f"{sys.version_info[0]}.{sys.version_info[1]}"
     sys.stderr.write(f"frustum-lab: this is Python {here} ({sys.executable}); 3.11 is needed\n")
+    sys.stderr.write("frustum-lab: https://www.python.org/downloads has it for every system\n")
     raise SystemExit(3)

@@ -6,7 +6,7 @@ import os
 import sys
 from collections.abc import Sequence
 
-if not __package__:  # started by the path of its folder
+if not __package__ and not hasattr(sys, "frozen"):  # started by the path of its folder
     sys.path[0] = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 
 TYPE_CHECKING = False  # as in `typing`, which is not imported here: Ctrl-C could interrupt that
@@ -19,6 +19,7 @@ NEEDS: dict[str, system_packages.Need] = {
     "matrices": "numbers",
     "export": "picture",
     "measure": "picture",
+    "bundle": "numbers",
 }
 HELP = frozenset({"-h", "--help", "--version"})
 
@@ -38,6 +39,12 @@ def main() -> int:
 
             bootstrap.again(sys.executable)
         arguments = sys.argv[1:]
+        if modules.FROZEN and arguments[:1] == ["-m"]:  # a process of `modules.command`
+            import runpy
+
+            del sys.argv[:2]
+            runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)
+            return 0
         if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
             from app.commands import terminal  # which takes its time
 

@@ -12,7 +12,8 @@
             | fails, and the former .venv still has all that is imported
             +-----------------------------------------> the same, and say what is not up to date
 
-A .venv that another program made is never changed: it is used if it has everything.
+``.venv`` is beside the code or, where nobody may write or Windows' paths would be too long, in the
+user's data folder. One that another program made is never changed: it is used if it has everything.
 
 The packages and their bounds are in ``pyproject.toml`` (`app.python_packages`), the tested exact
 versions in ``constraints.txt``, the system libraries in `app.system_packages`. This module imports
@@ -23,90 +24,93 @@ command.
 from __future__ import annotations
 
 import contextlib
-import ctypes
-import gc
 import hashlib
-import importlib.util
 import os
+import platform
 import re
 import shlex
 import shutil
-import signal
 import subprocess
 import sys
-import threading
+import tempfile
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import IO, NoReturn, Self
+from typing import NoReturn
 
 from app import modules
-from app.python_packages import Requirement, are_importable, requirements, unmet
+from app.held_lock import HeldLock, lock, log
+from app.python_packages import Requirement, are_importable, pins, requirements, unmet
 from app.system_packages import (
-    APT_INSTALL,
     Need,
-    System,
-    advice,
-    apt_command,
-    is_root,
+    SetupError,
+    install,
+    last_line,
     missing_system,
-    packages_of,
     venv_module,
 )
 
 ROOT = Path(modules.ROOT)
 #: The command that starts the program: an installed one has no checkout around it.
-PROGRAM = "python3 -m app" if os.path.exists(ROOT / "pyproject.toml") else "frustum-lab"
+PROGRAM = f"{'py' if sys.platform == 'win32' else 'python3'} -m app"
+if not os.path.exists(ROOT / "pyproject.toml"):
+    PROGRAM = "frustum-lab"
 EXIT_NOT_SET_UP = 3
 #: Space for a fresh environment with the tests' packages, 1.15 GB, and pip's temporary files.
 SPACE_GB = 1.5
-#: Interval at which a terminal's line of progress counts its seconds.
-TICK_S = 0.5
+#: Longest path beside which Windows, which takes 260 characters, has room for all of ``.venv``.
+LONGEST_ROOT = 83
+#: In the folder of the code, the wheels that ``bundle --wheels`` collected: no network is needed.
+WHEELS = "wheels"
 
 _UNFINISHED = "setting up\n"
 _UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
+_PIN = r"(?:No matching distribution found for|user requested \(constraint\)) ([\w.-]+)"
 _NO_ANSWER = r"Retrying \("
-_HELD = r"OSError: \[WinError (5|32)\]"
-_FULL = (
-    r"\[Errno (28|122)\]|\[WinError 112\]|No space left on device|quota exceeded|"
-    "No usable temporary directory"
+_REMEDIES = (
+    (_NO_ANSWER, "check the network and run again: {again}"),
+    (
+        r"\[Errno (28|122)\]|WinError 112\b|No space left|quota exceeded|No usable temporary",
+        "too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of "
+        "temporary files is full, and run again: {again}",
+    ),
+    (r"WinError (5|32)\b", "close all windows of Frustum Lab and run again: {again}"),
+    (
+        r"WinError (1260|4551)\b",
+        "this machine's rules forbid programs in {folder}; ask who set it up",
+    ),
+    (
+        r"WinError (3|206)\b|Errno 36\b",
+        "the path {folder} is too long: move the folder of the code nearer to the drive's root",
+    ),
+    (_UNOBTAINABLE, "no version fits {python} on this machine; use another Python"),
+    (
+        r"Permission|Read-only|Errno (13|21|30)\b",
+        "put Frustum Lab into a folder that you may write to",
+    ),
+    ("", "check the network and run again: {again}"),
 )
+"""What helps, by a pattern of what pip or the system says; the first that fits."""
 _INSTALLING = "Installing collected packages: "
 _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 _AS_IT_IS = "as it is"
 
 
-class SetupError(Exception):
-    """One sentence that says what is missing and which command helps."""
+def _failure(what: str, said: Iterable[str], why: str, folder: Path) -> SetupError:
+    """Return a sentence of what failed, why, and what helps."""
+    said = [*said, why]
+    remedy = next(text for pattern, text in _REMEDIES if _shows(said, pattern))
+    if remedy is _REMEDIES[0][1]:
+        why = "no package server could be reached"  # whatever pip's own conclusion
+    bits = 64 if sys.maxsize > 2**32 else 32
+    python = f"Python {platform.python_version()}, {bits} bits, {platform.machine()},"
+    again = _command_again()
+    helps = remedy.format(again=again, folder=folder, space=SPACE_GB, python=python)
+    return SetupError(f"{what} ({why}); {helps}")
 
 
-# --- the operating system's part ------------------------------------------------------------------
-
-
-def _ensure_system(missing: Sequence[System]) -> None:
-    """Install what is missing with apt-get if running as root; otherwise say how."""
-    if not is_root() or shutil.which("apt-get") is None:
-        raise SetupError(advice(missing))
-    packages = packages_of(missing)
-    _log(f"installing system packages: {' '.join(packages)}")
-    with _stoppable():
-        # An unreachable repository is no reason to stop: the necessary one may be reachable.
-        for command in (["apt-get", "update"], [*APT_INSTALL, *packages]):
-            done = subprocess.run(
-                command,
-                env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
-                capture_output=True,
-                text=True,
-                errors="replace",
-                check=False,
-            )
-    if done.returncode != 0:
-        why = _last_line(done.stderr.splitlines(), "E:") or f"exit status {done.returncode}"
-        raise SetupError(f"apt-get failed ({why}); try: {apt_command(packages)}")
-    importlib.invalidate_caches()
-    left = [item for item in missing if not item.is_here()]
-    if left:
-        raise SetupError(advice(left))
+def _shows(output: Iterable[str], pattern: str) -> bool:
+    return any(re.search(pattern, line) for line in output)
 
 
 # --- the virtual environment ----------------------------------------------------------------------
@@ -123,7 +127,7 @@ if python_packages.are_importable(wanted):
 
 
 class Environment:
-    """The ``.venv`` beside the code, which is trusted only according to its stamp.
+    """The ``.venv``, which is trusted only according to its stamp.
 
     The stamp has one line for each group of packages that was installed completely: the program's,
     and the program's with extras. A line names the Python, the platform and the exact
@@ -135,9 +139,10 @@ class Environment:
     def __init__(self, root: Path, extras: Sequence[str] = ()) -> None:
         self.root, self.extras = root, tuple(extras)
         self.folder = root / ".venv"
-        self.python = self.folder / (
-            "Scripts/python.exe" if sys.platform == "win32" else "bin/python"
-        )
+        if not os.path.lexists(self.folder) and not _has_room(root):
+            self.folder = data_folder() / ".venv"
+        windows = sys.platform == "win32"
+        self.python = self.folder / ("Scripts/python.exe" if windows else "bin/python")
         self.stamp = self.folder / "frustum-lab.stamp"
         self.constraints = root / "constraints.txt"
 
@@ -171,22 +176,24 @@ class Environment:
                 f"{_command_again()}"
             )
         started = time.monotonic()
-        with _stoppable(), _lock(self.root / ".venv.lock") as held:
+        self.folder.parent.mkdir(parents=True, exist_ok=True)
+        with _stoppable(), lock(self.folder.parent / ".venv.lock") as held:
             if self.is_complete():  # another start has just finished it
                 return
-            if self.can_be_kept():
+            if (self.read_stamp() or "").startswith(_here()):  # machines may share a folder
                 held.show(f"bringing {self.folder} up to date")
             else:
-                if shutil.disk_usage(self.root).free < SPACE_GB * 1e9:
-                    raise _no_space(self.root)
-                held.show(f"first start: setting up {self.folder} (once; needs the network)")
+                if shutil.disk_usage(self.folder.parent).free < SPACE_GB * 1e9:
+                    raise _failure("there is no room", (), "No space left", self.folder)
+                network = "" if os.path.exists(self.root / WHEELS) else "; needs the network"
+                held.show(f"first start: setting up {self.folder} (once{network})")
                 self._make_anew(held)
             self._install(held)
             lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("".join(lines), encoding="utf-8")
             fresh.replace(self.stamp)
-        _log(f"set up in {time.monotonic() - started:.0f} s")
+        log(f"set up in {time.monotonic() - started:.0f} s")
 
     def _make_anew(self, held: HeldLock) -> None:
         try:
@@ -197,23 +204,16 @@ class Environment:
                 f"{self.folder} could not be removed ({error}); close the programs that run in it "
                 f"and run again: {_command_again()}"
             ) from None
-        self.folder.mkdir(parents=True)
+        self.folder.mkdir()
         self.mark_unfinished()
         output: list[str] = []
-        status = held.run([sys.executable, "-I", "-m", "venv", str(self.folder)], output.append)
-        if status != 0:
-            raise self._failure(
-                status, output, "",
-                "Python could not make a virtual environment ({}); try it with: "
-                + command_line([sys.executable, "-m", "venv", "--clear", str(self.folder)]),
-            )  # fmt: skip
+        command = [sys.executable, "-I", "-m", "venv", str(self.folder)]
+        if status := held.run(command, output.append):
+            what = f"{command_line(command)} failed"
+            raise _failure(what, output, last_line(output) or f"status {status}", self.folder)
 
     def mark_unfinished(self) -> None:
         self.stamp.write_text(_UNFINISHED, encoding="utf-8")
-
-    def can_be_kept(self) -> bool:
-        """Whether pip can complete the environment; otherwise it has to be made anew."""
-        return (self.read_stamp() or "").startswith(_here())  # machines may share a folder
 
     def is_foreign(self) -> bool:
         """Whether another program, such as ``uv venv``, made it."""
@@ -232,35 +232,30 @@ class Environment:
         return done.stdout.strip() if done.stdout else None
 
     def _install(self, held: HeldLock) -> None:
-        """Install the tested versions or, if they are not available here, newer ones."""
+        """Install the tested versions and, of those that do not exist here, others."""
         wanted = [requirement.text for requirement in requirements(self.root, self.extras)]
         # -I: a package on PYTHONPATH must not pass for an installed one. Wheels only: building VTK
         # or numpy from source is no fallback for a teaching program. The user's own PIP_...
         # settings (index, proxy, certificate) still apply.
         pip = [str(self.python), "-I", "-m", "pip", "install", "--disable-pip-version-check"]
         pip += ["--no-input", "--progress-bar", "off", "--only-binary", ":all:"]
-        status, output = self._pip(held, [*pip, "-c", str(self.constraints), *wanted])
-        if status != 0 and _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-            held.show("the tested versions cannot be installed on this machine: trying others")
-            status, output = self._pip(held, [*pip, *wanted])
+        if os.path.exists(wheels := self.root / WHEELS):
+            pip += ["--no-index", "--find-links", str(wheels)]
+        tested = pins(self.root)
+        kept = self.folder / self.constraints.name
+        while True:
+            kept.write_text("\n".join(tested), encoding="utf-8")
+            status, output = self._pip(held, [*pip, "-c", str(kept), *wanted])
+            names = {_plain(name) for name in re.findall(_PIN, "\n".join(output))}
+            others = [pin for pin in tested if _plain(re.split("[= ]", pin)[0]) not in names]
+            if status == 0 or len(others) == len(tested) or _shows(output, _NO_ANSWER):
+                break
+            held.show(f"no tested version of {', '.join(sorted(names))} here: trying others")
+            tested = others
         if status != 0:
-            to_do = f"check the network and run again: {_command_again()}"
-            if _shows(output, _HELD) and not _shows(output, _NO_ANSWER):
-                to_do = f"close all windows of Frustum Lab and run again: {_command_again()}"
-            elif _shows(output, _UNOBTAINABLE) and not _shows(output, _NO_ANSWER):
-                here = ".".join(map(str, sys.version_info[:2]))
-                to_do = f"no version fits Python {here} on this machine; use another Python"
-            what = "the Python packages could not be installed ({}); "
-            raise self._failure(status, output, "ERROR:", what + to_do)
-
-    def _failure(self, status: int, output: list[str], start: str, what: str) -> SetupError:
-        """Return a sentence that says why a command failed, from its output."""
-        if _shows(output, _FULL):
-            return _no_space(self.folder)
-        why = _last_line(output, start) or f"exit status {status}"
-        if _shows(output, _NO_ANSWER):
-            why = "no package server could be reached"  # whatever pip's own conclusion
-        return SetupError(what.replace("{}", why, 1))
+            why = last_line(output, "ERROR:") or f"exit status {status}"
+            what = "the Python packages could not be installed"
+            raise _failure(what, output, why, self.folder)
 
     def _pip(self, held: HeldLock, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
@@ -282,148 +277,40 @@ def _here() -> str:
     return f"{sys.implementation.cache_tag} {sys.platform} "
 
 
+def _plain(name: str) -> str:
+    return name.lower().replace("_", "-")
+
+
+def data_folder() -> Path:
+    """The folder for an environment that cannot be beside the code."""
+    home = Path.home()
+    places = {"win32": home / "AppData" / "Local", "darwin": home / "Library/Application Support"}
+    place = os.environ.get("LOCALAPPDATA" if sys.platform == "win32" else "XDG_DATA_HOME")
+    return Path(place or places.get(sys.platform, home / ".local" / "share")) / "frustum-lab"
+
+
+def _has_room(root: Path) -> bool:
+    """Whether an environment in this folder can be written, and read by Windows."""
+    if sys.platform == "win32" and len(str(root)) > LONGEST_ROOT:
+        return False
+    try:
+        tempfile.TemporaryFile(dir=root).close()
+    except OSError as error:
+        return not isinstance(error, PermissionError) and error.errno != 30  # a read-only disk
+    return True
+
+
 def _progress(line: str) -> str | None:
     """Return the progress message for a line of pip's output; None for most lines."""
     match = re.match(
-        r"\s*(?:Downloading|Using cached|Processing) (?:\S*/)?([^/\s]+)\.whl(.*)", line
+        r"\s*(?:Downloading|Using cached|Processing) (?:\S*[/\\])?([^/\\\s]+)\.whl(.*)", line
     )
     if match and not match[2].startswith(".metadata"):
         name, version = match[1].split("-")[:2]
         return f"{name} {version}{match[2].rstrip()}"
-    if re.search(_NO_ANSWER, line):
-        return "the package server does not answer; trying again"
-    return None
-
-
-def _no_space(environment: Path) -> SetupError:
-    """Say which folder is full: the environment's, or that of pip's temporary files."""
-    import tempfile
-
-    try:
-        temporary = Path(tempfile.gettempdir())
-    except FileNotFoundError:  # there, not even an empty file could be written
-        temporary = Path(os.environ.get("TMPDIR", "/tmp"))
-    folders = [folder for folder in (environment, temporary) if os.path.exists(folder)] or [ROOT]
-    full = min(folders, key=lambda folder: shutil.disk_usage(folder).free)
-    also = " or set TMPDIR to a folder that has it" if full == temporary else ""
-    return SetupError(
-        f"too little space is left in {full}; free {SPACE_GB} GB there{also}, and run again: "
-        f"{_command_again()}"
+    return (
+        "the package server does not answer; trying again" if _shows([line], _NO_ANSWER) else None
     )
-
-
-def _shows(output: Iterable[str], pattern: str) -> bool:
-    return any(re.search(pattern, line) for line in output)
-
-
-def _last_line(lines: Iterable[str], start: str = "") -> str:
-    last = [line.strip() for line in lines if line.strip().startswith(start)]
-    return last[-1].removeprefix(start).strip().rstrip(".") if last else ""
-
-
-# --- one set-up at a time -------------------------------------------------------------------------
-
-
-class HeldLock:
-    """A held lock with its progress. Programs that run under it hold the lock too.
-
-    If a set-up is killed, its pip may continue for a while (on Linux it is killed too). Because pip
-    inherited the open lock file, the lock is free only when pip has ended. On a terminal the line
-    of progress counts the seconds.
-    """
-
-    def __init__(self, file: IO[bytes]) -> None:
-        self._file = file
-        self._live = sys.stderr is not None and sys.stderr.isatty()
-        self._over = threading.Event()
-        self._thread = threading.Thread(target=self._tick, daemon=True)
-        self._text, self._since = "", 0.0
-
-    def __enter__(self) -> Self:
-        if self._live:
-            self._thread.start()
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        self._over.set()
-        if self._live:
-            self._thread.join()
-            print(file=sys.stderr, flush=True)
-
-    def show(self, text: str) -> None:
-        self._text, self._since = text, time.monotonic()
-        if not self._live:
-            _log(text)
-
-    def _tick(self) -> None:
-        while not self._over.wait(TICK_S):
-            room = max(0, shutil.get_terminal_size().columns - 1)
-            seconds = f", {time.monotonic() - self._since:.0f} s"
-            line = f"frustum-lab: {self._text}"[: max(0, room - len(seconds))] + seconds
-            print(f"\r{line.ljust(room)}", end="", file=sys.stderr, flush=True)
-
-    def run(self, command: Sequence[str], follow: Callable[[str], object]) -> int:
-        """Run a command, pass each line of its output to `follow`, and return its exit status."""
-        unwanted = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PYTHONHOME")
-        environment = {key: value for key, value in os.environ.items() if key not in unwanted}
-        with subprocess.Popen(
-            command,
-            env=environment | {"PYTHONUNBUFFERED": "1"},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
-            pass_fds=() if sys.platform == "win32" else (self._file.fileno(),),
-            preexec_fn=None if sys.platform == "win32" else die_with_parent,
-        ) as process:
-            assert process.stdout is not None
-            try:
-                for line in process.stdout:
-                    follow(line.rstrip("\n"))
-            except BaseException:
-                process.kill()
-                raise
-        return process.returncode
-
-
-def die_with_parent() -> None:
-    """Make a child process end when its parent is killed; called before it runs another program."""
-    if sys.platform.startswith("linux"):  # only Linux has this call
-        pr_set_pdeathsig = 1
-        ctypes.CDLL(None).prctl(pr_set_pdeathsig, signal.SIGTERM)
-
-
-@contextlib.contextmanager
-def _lock(path: Path) -> Iterator[HeldLock]:
-    """Hold a lock that the operating system releases if the process dies."""
-
-    def without_waiting(name: str, flags: int) -> int:  # for the reader of a pipe
-        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0), 0o666)
-
-    with open(path, "ab", opener=without_waiting) as file:
-        if not _try_lock(file):
-            _log("another start is setting up Frustum Lab; waiting for it to finish")
-            while not _try_lock(file):
-                time.sleep(0.2)
-        with HeldLock(file) as held:
-            yield held
-
-
-def _try_lock(file: IO[bytes]) -> bool:
-    try:
-        if sys.platform == "win32":
-            import msvcrt
-
-            file.seek(0)
-            msvcrt.locking(file.fileno(), msvcrt.LK_NBLCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except (BlockingIOError, PermissionError):
-        return False
-    return True
 
 
 # --- the start ------------------------------------------------------------------------------------
@@ -444,7 +331,8 @@ def start(
             _set_up(need, Environment(ROOT, tuple(extras)))
         if missing := missing_system(need):
             before()
-            _ensure_system(missing)
+            with _stoppable():
+                install(missing)
 
 
 def enter() -> bool:
@@ -474,9 +362,11 @@ def _has_packages(extras: tuple[str, ...] = ()) -> bool:
 
 def damage(error: ImportError) -> str:
     """Name the package that lacks a module, and what to do; empty if no package is to blame."""
+    if not isinstance(error, ModuleNotFoundError) or PROGRAM == "frustum-lab":
+        return ""
     name = (error.name or "").partition(".")[0]
     of_package = next((each for each in requirements(ROOT) if each.import_name == name), None)
-    if of_package is None or not isinstance(error, ModuleNotFoundError):
+    if of_package is None:
         return ""
     environment = Environment(ROOT)
     words = [sys.executable, "-m", "pip", "install", "--force-reinstall", of_package.text]
@@ -520,7 +410,8 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
             f"and start again: {_remove(environment.folder)}"
         )
     if missing := [*venv_module(), *missing_system(need)]:
-        _ensure_system(missing)
+        with _stoppable():
+            install(missing)
     how = "made"
     try:
         environment.make()
@@ -528,8 +419,8 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         lacking = environment.lacks()
         if lacking is None:
             raise
-        _log(f"{error}")
-        _log(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
+        log(f"{error}")
+        log(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
         how = _AS_IT_IS
     os.environ[_AGAIN] = how
     again(environment.python)
@@ -542,12 +433,7 @@ def _in_one_sentence() -> Iterator[None]:
     except SetupError as error:
         fail(str(error))
     except OSError as error:
-        if _shows([str(error)], _FULL):
-            fail(str(_no_space(ROOT)))
-        fail(
-            f"the set-up failed ({error}); put Frustum Lab into a folder that you may write to, "
-            f"with {SPACE_GB} GB of space, and run again: {_command_again()}"
-        )
+        fail(str(_failure("the set-up failed", (), str(error), ROOT)))
     except KeyboardInterrupt:  # whichever process was setting up has reported it
         raise SystemExit(130) from None
 
@@ -558,13 +444,13 @@ def _stoppable() -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        _log(f"the set-up was stopped; to go on: {_command_again()}")
+        log(f"the set-up was stopped; to go on: {_command_again()}")
         raise
 
 
 def fail(sentence: str) -> NoReturn:
     """End the set-up, and say what the user can do."""
-    _log(sentence)
+    log(sentence)
     raise SystemExit(EXIT_NOT_SET_UP)
 
 
@@ -598,25 +484,3 @@ def _remove(folder: Path) -> str:
 
 def _command_again() -> str:
     return command_line([Path(sys.executable).name, *sys.orig_argv[1:]])
-
-
-def _log(text: str) -> None:
-    if sys.stderr is not None:
-        print(f"frustum-lab: {text}", file=sys.stderr, flush=True)
-
-
-@contextlib.contextmanager
-def for_good() -> Iterator[None]:
-    """Import permanent modules without garbage collection, and exempt them from later collection.
-
-    Otherwise Python collects some 500 times while it imports VTK and Qt, which is a tenth of the
-    time to the first frame, and later in the middle of a drag, for the duration of three frames.
-    """
-    is_on = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        gc.freeze()
-        if is_on:
-            gc.enable()

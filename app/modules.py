@@ -13,6 +13,8 @@ ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
 PACKAGES = ("app", "widgets")
 SET_ASIDE = "FRUSTUM_LAB_SET_ASIDE"
 """Variable of the environment that names the variables that are not followed, for `doctor`."""
+FROZEN = getattr(sys, "frozen", False)
+"""Whether this is the program of ``bundle``, which has its own Python and modules inside."""
 
 
 def prefer_own() -> bool:
@@ -20,6 +22,8 @@ def prefer_own() -> bool:
 
     Return whether code from PYTHONPATH may already have run, so that a fresh start is better.
     """
+    if FROZEN:
+        return False
     if not sys.flags.safe_path:
         del sys.path[0]
     sys.path.insert(0, ROOT)
@@ -48,6 +52,8 @@ def set_aside(name: str) -> bool:
 
 def command(module: str, *arguments: str) -> list[str]:
     """Return the command that runs a module in a process of its own, with this one's modules."""
+    if FROZEN:  # `app.__main__` takes it
+        return [sys.executable, "-m", module, *arguments]
     code = (
         f"import sys; sys.path[:] = [{ROOT!r}]; import {', '.join(PACKAGES)}; "
         f"sys.path[:] = {sys.path!r}; "

@@ -5,13 +5,15 @@ It imports the standard library only, like `app.bootstrap`, which installs them.
 
 from __future__ import annotations
 
+import contextlib
+import gc
 import importlib.util
 import operator
 import os
 import re
 import sys
 import tomllib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -87,20 +89,34 @@ def _within(version: tuple[int, ...], bounds: Bounds) -> bool:
     return all(_HOLDS[sign](version, bound) for sign, bound in bounds)
 
 
-def requirements(root: Path, extras: Sequence[str] = ()) -> list[Requirement]:
-    """Return the requirements in ``pyproject.toml`` for this Python, with these optional groups."""
+def requirements(root: Path, extras: Sequence[str] = (), python: str = "") -> list[Requirement]:
+    """Return the requirements in ``pyproject.toml`` with these optional groups.
+
+    They are for this Python, or for another one such as ``"3.12"``.
+    """
     project = tomllib.loads((root / "pyproject.toml").read_text(encoding="utf-8"))["project"]
     texts = list(project["dependencies"])
     for extra in extras:
         texts += project["optional-dependencies"][extra]
-    here, needed = _release(f"{sys.version_info[0]}.{sys.version_info[1]}"), []
-    for text in texts:
-        asked, _, marker = text.partition(";")
-        if _within(here, _bounds(marker)):
-            name = re.match(r"[\w.-]+", asked)
-            assert name is not None
-            needed.append(Requirement(text, name[0], _bounds(asked)))
+    needed = []
+    for asked in _for(texts, python):
+        name = re.match(r"[\w.-]+", asked)
+        assert name is not None
+        needed.append(Requirement(asked, name[0], _bounds(asked)))
     return needed
+
+
+def pins(root: Path, python: str = "") -> list[str]:
+    """Return the tested versions in ``constraints.txt``, for this Python or another one."""
+    lines = (root / "constraints.txt").read_text(encoding="utf-8").splitlines()
+    return _for((line for line in lines if not line.startswith("#")), python)
+
+
+def _for(texts: Iterable[str], python: str) -> list[str]:
+    """Return what has no marker or fits it, without markers."""
+    version = _release(python or f"{sys.version_info[0]}.{sys.version_info[1]}")
+    parts = (text.partition(";") for text in texts)
+    return [asked.strip() for asked, _, marker in parts if _within(version, _bounds(marker))]
 
 
 def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
@@ -110,3 +126,20 @@ def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
 
 def are_importable(wanted: Iterable[Requirement]) -> bool:
     return all(each.is_importable() for each in wanted)
+
+
+@contextlib.contextmanager
+def for_good() -> Iterator[None]:
+    """Import permanent modules without garbage collection, and exempt them from later collection.
+
+    Otherwise Python collects some 500 times while it imports VTK and Qt, which is a tenth of the
+    time to the first frame, and later in the middle of a drag, for the duration of three frames.
+    """
+    is_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        gc.freeze()
+        if is_on:
+            gc.enable()

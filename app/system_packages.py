@@ -1,6 +1,6 @@
 """The libraries and programs of the operating system: what is missing, and what installs it.
 
-This module imports the standard library only; `app.bootstrap` installs what is missing.
+This module imports the standard library only.
 """
 
 from __future__ import annotations
@@ -11,16 +11,23 @@ import importlib.util
 import os
 import shlex
 import shutil
+import subprocess
 import sys
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Literal
+
+from app.held_lock import log
 
 #: What a command needs of the machine: no graphics, pictures without a window, a window, or a
 #: window on a virtual display.
 Need = Literal["numbers", "picture", "window", "tests"]
 _PICTURE: tuple[Need, ...] = ("picture", "window", "tests")
 _WINDOW: tuple[Need, ...] = ("window", "tests")
+
+
+class SetupError(Exception):
+    """One sentence that says what is missing and which command helps."""
 
 
 @dataclass(frozen=True)
@@ -166,3 +173,33 @@ def apt_command(packages: Sequence[str]) -> str:
 
 def is_root() -> bool:
     return sys.platform != "win32" and os.geteuid() == 0
+
+
+def install(missing: Sequence[System]) -> None:
+    """Install what is missing with apt-get if running as root; otherwise say how."""
+    if not is_root() or shutil.which("apt-get") is None:
+        raise SetupError(advice(missing))
+    packages = packages_of(missing)
+    log(f"installing system packages: {' '.join(packages)}")
+    # An unreachable repository is no reason to stop: the necessary one may be reachable.
+    for command in (["apt-get", "update"], [*APT_INSTALL, *packages]):
+        done = subprocess.run(
+            command,
+            env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
+            capture_output=True,
+            text=True,
+            errors="replace",
+            check=False,
+        )
+    if done.returncode != 0:
+        why = last_line(done.stderr.splitlines(), "E:") or f"exit status {done.returncode}"
+        raise SetupError(f"apt-get failed ({why}); try: {apt_command(packages)}")
+    importlib.invalidate_caches()
+    if left := [item for item in missing if not item.is_here()]:
+        raise SetupError(advice(left))
+
+
+def last_line(lines: Iterable[str], start: str = "") -> str:
+    """Return the last line that begins so, without that."""
+    last = [line.strip() for line in lines if line.strip().startswith(start)]
+    return last[-1].removeprefix(start).strip().rstrip(".") if last else ""

@@ -30,7 +30,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import FrameType
 
-from app import bootstrap, system_packages
+from app import bootstrap, held_lock, system_packages
 from app.python_packages import requirements
 
 MOST_SCREENS = 4
@@ -92,7 +92,7 @@ def own_screen() -> Iterator[str]:
             pass_fds=(writing,),
             stdout=said,
             stderr=said,
-            preexec_fn=bootstrap.die_with_parent,
+            preexec_fn=held_lock.die_with_parent,
         )
         try:
             os.close(writing)
@@ -133,7 +133,7 @@ def main() -> int:
     processes = min(os.cpu_count() or 1, MOST_SCREENS)
     if sys.platform.startswith("linux") and processes > 1:
         command += ["--numprocesses", str(processes), "--dist", "worksteal"]
-    before = None if sys.platform == "win32" else bootstrap.die_with_parent
+    before = None if sys.platform == "win32" else held_lock.die_with_parent
     # Otherwise every process that a test starts compiles the program anew.
     environment = {**os.environ}
     environment.pop("PYTHONDONTWRITEBYTECODE", None)

@@ -42,8 +42,7 @@ class Format:
     name: str
     bits: int  # stored bits of one number
     digits: int | None  # significant bits of a number of ordinary size; None for fixed point
-    step: float
-    """The distance between neighbours near 0, and for fixed point everywhere; a power of 2."""
+    step: float  # distance of neighbours near 0, and for fixed point everywhere; a power of 2
     largest: float
 
     @property

@@ -13,7 +13,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from app import bootstrap, system_packages
+from app import bootstrap, python_packages, system_packages
 from app.commands.options import check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
@@ -182,7 +182,7 @@ atexit.register(_load_once.cache_clear)
 def importing() -> Iterator[None]:
     """Import libraries in this block, or raise a `CliError` with what is missing."""
     try:
-        with bootstrap.for_good():
+        with python_packages.for_good():
             yield
     except ImportError as error:
         missing = system_packages.missing_system("window")

@@ -22,8 +22,7 @@ SLIDE_PX, SLIDE_HIGH_PX = (1920, 1080), 910
 """A screen of a class, and the height that title and formula leave of it for the picture."""
 BESIDE_EQUATION = 0.3  # width of a picture beside an equation, relative to the screen's
 SLIDE_EM_PX = 0.034 * SLIDE_PX[1]
-PANE_PX, PANE_EM_PX = (580, 660), 15.5
-"""The large pane of a window of 1366 by 768 pixels, and the letters there."""
+PANE_PX, PANE_EM_PX = (580, 660), 15.5  # large pane of a 1366 by 768 window, and the letters there
 
 Measure = Callable[[Document, str, tuple[int, int], float], "list[ComposedPicture]"]
 

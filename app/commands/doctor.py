@@ -79,6 +79,7 @@ def _packages() -> Iterator[Finding]:
     from importlib import metadata  # slow, and every command imports this file
 
     if os.path.exists(bootstrap.ROOT / "pyproject.toml"):
+        yield Finding("Environment", sys.prefix)
         for requirement in requirements(bootstrap.ROOT):
             bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()
             try:

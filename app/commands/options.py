@@ -27,6 +27,7 @@ SUMMARIES = {  # the commands and their summaries
     "measure": "measure, on this machine, what speed costs in accuracy",
     "lesson": "check or list lessons and talks, print tests of exercises, mark results",
     "talk": "draw every step of a talk, or print it with its notes",
+    "bundle": "make a folder to carry to machines without a network or an administrator",
     "doctor": "report what this machine has, what is missing and how to get it",
 }
 
@@ -40,6 +41,7 @@ SPACES = ("world", "object")
 CONVENTIONS = ("opengl", "direct3d", "vulkan", "unity", "opencv")
 MATRIX_FORMATS = ("text", "json", "latex")
 LETTERS = ("own", "000", "001", "002", "003", "004")
+WHEEL_PLATFORMS = ("linux-x86_64", "linux-arm64", "macos-x86_64", "macos-arm64", "windows-x86_64")
 FULL_TURN = 360.0  # of an orbit, in degrees
 TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
 WIDTHS_PT = 200.0, 1500.0  # of a text or a column, for LaTeX; 72.27 of its points are an inch
@@ -508,6 +510,24 @@ def _talk() -> Parser:
     return parser
 
 
+def _bundle() -> Parser:
+    text = (
+        "where to put the folder frustum-lab, with the program and all that it needs, for machines "
+        "like this one without Python; and an archive of it"
+    )
+    parser = Parser("bundle", "OUT", text)
+    parser.add_flag("--wheels", "instead: the code and its packages, for machines with Python")
+    parser.add_choice(
+        "--platform", WHEEL_PLATFORMS, "of --wheels; may be repeated (default: all of them)",
+        action="append",
+    )  # fmt: skip
+    parser.add(
+        "--python", "VERSION", "of --wheels, such as 3.12; may be repeated (default: this one's)",
+        action="append", default=[],
+    )  # fmt: skip
+    return parser
+
+
 _PARSERS: dict[str, Callable[[], Parser]] = {
     "": _window,
     "export": _export,
@@ -516,6 +536,7 @@ _PARSERS: dict[str, Callable[[], Parser]] = {
     "measure": _measure,
     "lesson": _lesson,
     "talk": _talk,
+    "bundle": _bundle,
     "doctor": partial(Parser, "doctor", "", argparse.SUPPRESS),
 }
 

@@ -23,8 +23,7 @@ COLUMNS = (
     "file", "student", "time", "lesson", "exercise", "variant", "typed", "mark", "idea", "hints",
     "right", "note",
 )  # fmt: skip
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
-"""A cell that begins so would be computed by a spreadsheet."""
+_FORMULA = ("=", "+", "-", "@", "\t", "\r")  # spreadsheets compute a cell that begins so
 
 
 def results(options: argparse.Namespace, files: Sequence[str]) -> int:

@@ -25,7 +25,7 @@ from app.commands.arguments import (
 )
 from app.commands.options import FULL_TURN
 from app.commands.terminal import CliError
-from app.document.document import Document
+from app.document.document import Document, fields_of
 from app.lecture.stages import IMAGE
 from app.model.numerals import numbers
 from app.model.projection import Camera
@@ -33,8 +33,7 @@ from app.model.projection import Camera
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
 
-MOTIONS = ("sweep", "orbit", "stages", "transition")
-"""The options that make a picture move; one at a time."""
+MOTIONS = ("sweep", "orbit", "stages", "transition")  # options that move a picture, one at a time
 FRAMES = {"sweep": 48, "orbit": 48, "stages": 120, "transition": 24}
 FPS = 12.0  # frames, and frames a second, unless others are asked for
 _RESTING = 0.5  # of the time, at the stops of the stages
@@ -96,11 +95,15 @@ def states(options: argparse.Namespace, file: str | None) -> list[Document]:
         values = [f"view.stage={_position(part)!r}" for part in parts]
     else:
         path, first, last = _ends(options.sweep)
+        start = with_values(before, options.set)
+        fields = fields_of(start.scene, start.projection.lens.kind)
+        is_whole = any(each.path == path and each.whole for each in fields)
         values = []
         for part in parts:
             ends = zip(first, last, strict=True)
-            numbers = [repr(a * (1.0 - part) + b * part).removesuffix(".0") for a, b in ends]
-            values.append(f"{path}={','.join(numbers)}")
+            between = [a * (1.0 - part) + b * part for a, b in ends]
+            texts = [repr(float(round(x)) if is_whole else x).removesuffix(".0") for x in between]
+            values.append(f"{path}={','.join(texts)}")
     return [with_values(before, [*options.set, value]) for value in values]
 
 

@@ -85,10 +85,8 @@ _OTHER_KEYS = {
     "img_name": "Gaussian Splatting", "class_name": "Open3D",
 }  # fmt: skip
 MOST_SKEW_PX = 0.5
-_TURNED = 3e-3
-"""Most that the axes of a pose may miss right angles: three digits are enough to be read."""
-_MIDDLE = 0.3, 0.7
-"""Where the principal point is in an image of the right size, in widths and heights."""
+_TURNED = 3e-3  # most that a pose's axes may miss right angles: three digits are enough to be read
+_MIDDLE = 0.3, 0.7  # where an image of the right size has its principal point, in its sides
 
 _K = ("cameramatrix", "k", "m", "mtx", "intrinsics", "intrinsic", "intrinsicmatrix")
 _P = ("p", "projectionmatrix", "cameraprojectionmatrix")

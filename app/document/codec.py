@@ -64,10 +64,8 @@ VERSION = len(MIGRATIONS) + 1  # version of the documents that are written
 
 MOST_VALUES = 100_000
 """Most values in a document, estimated from its commas and brackets: one takes microseconds."""
-SHORTEST = 1e-100
-"""Shortest distance and shortest up vector of a pane's own camera: VTK squares them."""
-DEEPEST = 50
-"""Most levels of brackets in a document, far below what Python's recursion can write again."""
+SHORTEST = 1e-100  # shortest distance and up vector of a pane's own camera: VTK squares them
+DEEPEST = 50  # most levels of brackets in a document, far below what Python's recursion can write
 LONGEST_SHOWN = 60  # most characters of a key in a refusal
 
 MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")

@@ -17,8 +17,7 @@ from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.phenomena.words import FEW, digits_apart
 
-MOST_PICTURES = 4
-"""As many as the lectures show side by side: the four cases of an edge and the eye plane."""
+MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane
 
 SOME_PICTURES = QT_TRANSLATE_NOOP(
     "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"
@@ -39,8 +38,7 @@ ON, OFF = QT_TRANSLATE_NOOP("phenomena", "on"), QT_TRANSLATE_NOOP("phenomena", "
 ARROW = " \u2192 "
 _NAMING = ("settings", "lens", "camera", "image", "object", "depth")
 """The parts whose values name a picture, the most telling ones first."""
-_WITHOUT_NAME = ("lens.kind", "image", "depth")
-"""Fields whose values need no field name beside them."""
+_WITHOUT_NAME = ("lens.kind", "image", "depth")  # fields whose values need no name beside them
 _ALONG = 1e-9  # sine of the angle between two camera axes that count as equal
 
 

@@ -150,6 +150,7 @@ class Field(NamedTuple):
     kind: FieldKind | None  # None if ``--set`` cannot set the field
     required: bool = False  # whether its section must have it
     unit: str = ""  # may be typed after each of its numbers, as the window shows it
+    whole: bool = False
 
     @property
     def path(self) -> str:
@@ -224,7 +225,7 @@ NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name
 # --------------------------------------------------------------------------- the table
 
 _BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
-_BY_DEFAULT = {bool: SWITCH, str: TEXT, tuple: VECTOR}
+_KINDS = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 
 
 def _fields(
@@ -243,7 +244,7 @@ def _fields(
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
 OBJECT = _fields("object", ObjectTransform, required=False)
 CAMERA = _fields("camera", Camera, required=True)
-IMAGE = tuple(Field("image", side.name, PIXELS, True, "px") for side in (WIDTH, HEIGHT))
+IMAGE = tuple(Field("image", side.name, PIXELS, True, "px", True) for side in (WIDTH, HEIGHT))
 QUALITY = _fields("quality", Quality, required=False)
 VIEW = _fields(
     "view", View, required=False,
@@ -266,8 +267,8 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     return (
         *TOP,
         *(
-            Field(
-                "settings", each.name, _BY_DEFAULT.get(type(each.default), NUMBER), False, each.unit
+            Field("settings", each.name, _KINDS.get(type(each.default), NUMBER))._replace(
+                unit=each.unit, whole=each.whole
             )
             for each in settings
         ),

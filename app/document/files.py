@@ -29,14 +29,12 @@ if sys.platform != "win32":
 if TYPE_CHECKING:
     from app.document.camera_files import Views
 
-LARGEST_DOCUMENT = 2**20
-"""Most bytes read as a document; one with a thousand unknown keys has 100 000."""
+LARGEST_DOCUMENT = 2**20  # most bytes of a document; one with a thousand unknown keys has 100 000
 LARGEST_CAMERAS = 2**26
 """Most bytes read as cameras; a thousand images of COLMAP, with their points, may have that."""
 MOST_NAMED = 12  # most views that a refusal names
 LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
-STALE_S = 60.0
-"""On Windows, the age at which an unfinished file is considered left by a killed program."""
+STALE_S = 60.0  # on Windows, the age at which an unfinished file counts as left by a killed program
 
 NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not text")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")

@@ -8,8 +8,7 @@ from typing import NamedTuple
 DPI = 300
 """Pixels an inch of a figure at scale 1, as its file says: three panes of 640 pixels are 163 mm
 wide, the text of a page; a scale makes it no larger, but finer."""
-PX_PER = {"mm": DPI / 25.4, "cm": DPI / 2.54, "in": float(DPI), "px": 1.0}
-"""Pixels of a figure, by unit."""
+PX_PER = {"mm": DPI / 25.4, "cm": DPI / 2.54, "in": float(DPI), "px": 1.0}  # pixels by unit
 _SIZE = re.compile(r"([0-9.]{1,12})([a-z]*) *[xX×] *([0-9.]{1,12})([a-z]*)")
 
 

@@ -21,8 +21,7 @@ OPENED_LIMIT = 3  # how many openings can be undone: their scenes stay in memory
 class Origin:
     """Where a document came from; opening anything creates a new origin."""
 
-    saved: Document | None
-    """The document as in its file, or as it was opened; None if it is in no file."""
+    saved: Document | None  # as in the document's file, or as it was opened; None if in no file
     path: Path | None = None  # the path of its file
     written: object = None  # the state of that file when it was last read or written here
     is_work: bool = True  # whether it must not get lost. A student's trials at a lesson's step may.

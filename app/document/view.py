@@ -69,12 +69,10 @@ class View:
     large: str = ""  # the pane in the large slot; empty for the one that the scene chooses
     stage: float = float(NDC)  # position on the stage strip; a whole number at each of `STAGES`
     frame_step: str = STEPS[0]  # the step up to which the camera's frame is built
-    panel: str | None = None
-    """The open panel of the drawer; empty for none, None for the scene's default."""
+    panel: str | None = None  # the drawer's open panel; empty for none, None for the scene's
     letters: Letters = LETTERS[0]  # the lecture whose letters the formulas use
     layers: frozenset[str] = frozenset()  # the hidden `LAYERS`
-    fixed: str | None = None
-    """The viewpoint of the world; empty for a free one, None for the scene's own."""
+    fixed: str | None = None  # the world's viewpoint; empty for a free one, None for the scene's
     names: tuple[str, ...] | None = None
     """The ids of the things that the pictures name, or `EVERYTHING`; None for the scene's own
     list."""
@@ -87,8 +85,7 @@ class View:
     side."""
     slide: tuple[str, ...] = ()
     """The `SLIDES` that a class sees: one, or two beside each other; empty for the large pane."""
-    controls: tuple[str, ...] = ()
-    """The values that a class sees being changed, by their paths, or `STRIP`."""
+    controls: tuple[str, ...] = ()  # paths of the values that a class sees changing, or `STRIP`
     equation: str = ""  # the matrices of an equation that is a slide; see `app.lecture.equation`
     panes: dict[str, Camera] = field(default_factory=dict, hash=False)
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""

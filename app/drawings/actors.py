@@ -15,6 +15,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Sequence
+from functools import lru_cache
 from typing import Any
 from weakref import WeakKeyDictionary
 
@@ -36,7 +37,7 @@ from vtkmodules.vtkRenderingCore import (
 from app.drawings.names import QUIET
 from app.drawings.style import Style, rgb
 from app.model.projection import Array, Projection
-from app.scenes.poly_mesh import PolyMesh
+from app.scenes.poly_mesh import PolyMesh, cells_from
 from app.scenes.scene import Scene
 
 CUBE_CORNERS = np.array(
@@ -79,6 +80,7 @@ _LIFT = 2e-3  # of the distance
 _LIFT_FREE = 2e-4  # of NDC's depth, under a free matrix
 _LIFT_STEP = 6e-4  # in NDC of the pane's own camera
 _AT_THE_END = 0.99999  # of the same
+_MOST_SHARED = 64  # points of a mesh that is made once for all drawings
 
 
 class Space:
@@ -187,6 +189,11 @@ def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
     return actor
 
 
+@lru_cache(maxsize=64)
+def _cells_in_order(cells: int, points: int) -> vtkCellArray:
+    return cells_from(np.arange(0, cells * points + 1, points), np.arange(cells * points))
+
+
 class ScreenCells:
     """Cells in the plane of the screen, in one array of pixels that a step writes.
 
@@ -195,13 +202,11 @@ class ScreenCells:
 
     def __init__(self, cells: int, points: int) -> None:
         self.px = np.zeros((cells, points, 3), dtype=np.float32)
-        self._points, array = vtkPoints(), vtkCellArray()
+        self._points = vtkPoints()
         self._points.SetData(numpy_to_vtk(self.px.reshape(-1, 3)))  # type: ignore[no-untyped-call]
-        for first in range(0, cells * points, points):
-            array.InsertNextCell(points, range(first, first + points))
         self.mesh = vtkPolyData()
         self.mesh.SetPoints(self._points)
-        (self.mesh.SetLines if points == 2 else self.mesh.SetPolys)(array)
+        (self.mesh.SetLines if points == 2 else self.mesh.SetPolys)(_cells_in_order(cells, points))
         self.actor = actor_2d(self.mesh)
 
     def changed(self) -> None:
@@ -412,7 +417,7 @@ def line_actor(
     points: ArrayLike, lines: Sequence[Sequence[int]], colour: str, width: float
 ) -> vtkActor:
     """Polylines in one colour: points (n, 3), each line's indices, and the width in pixels."""
-    actor = _coloured(points, colour, lines=lines)
+    actor = _coloured(points, colour, "lines", lines)
     actor.GetProperty().SetLineWidth(width)
     _after_position(actor, _KEEP_OFF_ZERO)
     _cut_behind(actor)
@@ -423,7 +428,7 @@ def face_actor(
     points: ArrayLike, faces: Sequence[Sequence[int]], colour: str, opacity: float = 1.0
 ) -> vtkActor:
     """Polygons in one colour, seen from both sides: points (n, 3) and each face's indices."""
-    actor = _coloured(points, colour, faces=faces)
+    actor = _coloured(points, colour, "faces", faces)
     actor.GetProperty().SetOpacity(opacity)
     return actor
 
@@ -436,10 +441,21 @@ def point_actor(points: ArrayLike, colour: str, size: float) -> vtkActor:
     return actor
 
 
-def _coloured(points: ArrayLike, colour: str, **cells: Any) -> vtkActor:
-    actor = unlit_actor(PolyMesh.of(np.array(points, dtype=np.float64), **cells))
+def _coloured(
+    points: ArrayLike, colour: str, kind: str = "", cells: Sequence[Sequence[int]] = ()
+) -> vtkActor:
+    array = np.array(points, dtype=np.float64)
+    make = _mesh_of if len(array) <= _MOST_SHARED else _mesh_of.__wrapped__
+    actor = unlit_actor(make(array.tobytes(), kind, tuple(map(tuple, cells))))
     actor.GetProperty().SetColor(*rgb(colour))
     return actor
+
+
+@lru_cache(maxsize=512)
+def _mesh_of(points: bytes, kind: str, cells: Sequence[Sequence[int]]) -> PolyMesh:
+    """Return the one mesh of these points: to make a mesh takes longer than to make its actor."""
+    array = np.frombuffer(points).reshape(-1, 3).copy()
+    return PolyMesh.of(array, **({kind: cells} if kind else {}))
 
 
 def make_pale(actors: Iterable[vtkActor], style: Style) -> None:

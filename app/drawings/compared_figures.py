@@ -28,8 +28,7 @@ class Compared:
     """Several pictures that a pane shows: side by side, or as strips of one picture."""
 
     pictures: list[PanePicture]  # each has its name as its caption
-    places: list[tuple[int, int, int, int]]
-    """Left, top, width and height of each, if they are side by side."""
+    places: list[tuple[int, int, int, int]]  # left, top, width, height of each, if side by side
     dividers: tuple[float, ...]
     live: int
     size: tuple[int, int]

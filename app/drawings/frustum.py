@@ -47,8 +47,7 @@ _NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""
 _VOLUME = (*ENDS, "fov")  # what the edges of the volume belong to
 _EDGES = [pair for line in actors.CUBE_EDGES for pair in pairwise(line)]
-_ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])
-"""Where on a side of the window its name may stand."""
+_ON_SIDE = np.array([0.5, 0.3, 0.7, -0.05, 1.05])  # where on a window's side its name may stand
 _ONE_OVER_THE_OTHER = {"side": frozenset("lr"), "top": frozenset("bt")}
 """Sides of the window that cover each other in a flat view, all along it: named only if asked for.
 """

@@ -12,6 +12,7 @@ import importlib.util
 import json
 import logging
 import os
+import sys
 import zlib
 from base64 import b64decode, b64encode
 from pathlib import Path
@@ -20,6 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from app import modules
 from app.document.files import write_bytes_atomically
 from app.drawings import label
 from app.lecture import typesetting
@@ -88,7 +90,8 @@ def tree_of(without: set[str]) -> dict[str, dict[str, Any]]:
 def _made_by() -> list[str]:
     """What the labels depend on: the modules that set them, by size and time."""
     specs = map(importlib.util.find_spec, ("matplotlib", typesetting.__name__, label.__name__))
-    files = [(path, path.stat()) for path in (Path(spec.origin or "") for spec in specs if spec)]
+    paths = [sys.executable] if modules.FROZEN else [spec.origin or "" for spec in specs if spec]
+    files = [(path, os.stat(path)) for path in paths]
     return [f"{path} {stat.st_size} {stat.st_mtime_ns}" for path, stat in files]
 
 

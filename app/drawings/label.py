@@ -147,8 +147,14 @@ class LabelText(NamedTuple):
     halo: str
     opacity: float
     underlined: bool
-    anchor: int = 0
-    """The part that keeps its place in another font: -1 left end, 0 middle, 1 right end."""
+    anchor: int = 0  # what keeps its place in another font: -1 left end, 0 middle, 1 right end
+
+
+_QUAD = vtkCellArray()
+_QUAD.InsertNextCell(4, (0, 1, 2, 3))
+_ON_IMAGE: Any = numpy_to_vtk(  # type: ignore[no-untyped-call]
+    np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=np.float32), deep=True
+)
 
 
 class LabelActor(vtkTexturedActor2D):
@@ -182,7 +188,7 @@ class SceneLabel:
         self._place = 0.0, 0.0, 0.0
         self._text, self._tone = text, style.tone(colour)
         self.size_px = size_px(text, self.em, **self._how)
-        """Width and height of the letters, without the halo."""
+        """Width and height of the letters without halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
         self._image, self._texture = vtkImageData(), vtkTexture()
@@ -190,12 +196,10 @@ class SceneLabel:
         self._texture.SetColorModeToDirectScalars()
         self._corners = vtkPoints()
         self._corners.SetNumberOfPoints(4)
-        quad, cells = vtkPolyData(), vtkCellArray()
-        cells.InsertNextCell(4, (0, 1, 2, 3))
+        quad = vtkPolyData()
         quad.SetPoints(self._corners)
-        quad.SetPolys(cells)
-        on_image = np.array([(0, 0), (1, 0), (1, 1), (0, 1)], dtype=np.float32)
-        quad.GetPointData().SetTCoords(numpy_to_vtk(on_image, deep=1))  # type: ignore[no-untyped-call]
+        quad.SetPolys(_QUAD)
+        quad.GetPointData().SetTCoords(_ON_IMAGE)
         mapper = vtkPolyDataMapper2D()
         mapper.SetInputData(quad)
         self.actor = LabelActor()

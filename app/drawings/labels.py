@@ -63,8 +63,7 @@ class Board:
         """Whether labels that are placed afresh fade to their new places, by `pass_time`."""
         self._asked: tuple[list[Wish], Ground, int] | None = None
         """What was settled last, while time matters, and how many boxes were taken before."""
-        self._waits: dict[Hashable, float] = {}
-        """The labels whose places are not free, and for how many seconds."""
+        self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
         self._fades: dict[Hashable, tuple[float, KeptSpot | None]] = {}
         """The labels on the way to other places, and for how many seconds."""
         self.left_out: list[str] = []  # the texts of the labels that were wanted, and have no place

@@ -137,8 +137,7 @@ class PaneState:
     """What the layers of one pane share: where they draw, and what the pane shows."""
 
     pane: ClassVar[str]  # one of `app.document.view.PANES`
-    objects = NO_POINTS
-    """The corners of the box round the objects, in the coordinates of the pane's actors."""
+    objects = NO_POINTS  # corners of the box round the objects, in the coordinates of the actors
     written: frozenset[str] = frozenset()  # the names that lengths write, and no other layer has to
 
     def __init__(
@@ -289,9 +288,9 @@ class Layers:
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False) -> bool:
-        """Place the labels; return whether one has changed its place."""
+        """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
-        if not state.places_labels:
+        if not (state.places_labels and state.canvas.is_laid_out):
             return False
         ground = self.ground()
         for layer in self._layers:

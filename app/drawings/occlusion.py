@@ -34,8 +34,7 @@ class ScreenCell:
     low: tuple[float, float, float] = (0.0, 0.0, 0.0)
     high: tuple[float, float, float] = (0.0, 0.0, 0.0)
     flat: list[tuple[float, float]] = field(default_factory=list)
-    is_tangled: bool = False
-    """Whether it is one of too many crossing faces: only its visible parts are drawn."""
+    is_tangled: bool = False  # one of too many crossing faces: only its visible parts are drawn
 
     @property
     def is_opaque(self) -> bool:

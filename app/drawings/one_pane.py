@@ -34,7 +34,7 @@ _DRAWINGS: dict[str, type[WorldDrawing] | type[StageDrawing] | type[ImageDrawing
 _LARGEST_DRAWN_PX = 8192  # largest side before averaging; every driver can draw it
 _MOST_DRAWN_PX = 40_000_000  # of one pane before averaging: about 0.5 GB with depth and copies
 Ends: TypeAlias = tuple[float, float]
-"""Where a picture begins and ends in the width of its pane, in pixels."""
+"""Where a picture begins and ends in its pane's width, in pixels."""
 _GREY = 0.55  # of the background in the colour of hidden lines
 
 

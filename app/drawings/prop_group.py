@@ -97,6 +97,11 @@ class PropGroup:
         """Ask for a layout before the next rendering."""
         self._laid_out = None
 
+    @property
+    def is_laid_out(self) -> bool:
+        """Whether the next rendering needs no layout."""
+        return bool(self._laid_out == self.window.GetSize())
+
     def remove(self) -> None:
         if self._observer is not None:
             self.window.RemoveObserver(self._observer)
@@ -115,3 +120,4 @@ class PropGroup:
             return
         self._laid_out = now
         layout(width_px, height_px)
+        self._laid_out = now  # labels that it has made are in their places

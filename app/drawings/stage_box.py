@@ -85,8 +85,7 @@ class StageState(PaneState):
         self.own = StageView(canvas, scene.start.camera, scene.cube_side)
         self.position = float(NDC)
         self.stop, self.display_from_box = NDC, np.zeros((4, 4))
-        self.is_gliding = False
-        """Whether `glide` will show and place everything, once for each frame."""
+        self.is_gliding = False  # whether `glide` will show and place everything, once a frame
         self._morph: Morph | None = None
 
     def take(self, projection: Projection, illustration: Illustration | None) -> None:

@@ -51,8 +51,7 @@ class StageView(PaneCamera):
         self._start, self._cube_side = start, cube_side
         self._stands = False
         self._pane: Array = np.zeros((4, 4))
-        self._pane_of: object = None
-        """The camera's state and the pane's size that `pane_from_display` is of."""
+        self._pane_of: object = None  # camera's state and pane's size of `pane_from_display`
 
     def _looked_from(self, stop: float) -> tuple[float, float]:
         if stop == NDC and self._cube_side is not None:

@@ -19,8 +19,7 @@ from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextS
 from app.lecture.typesetting import FUNCTIONS, GREEK
 from app.strangers import printable
 
-LARGEST = 1_500_000
-"""Most bytes of a file: in a document without much else, pdfTeX's memory ends at 2.2 MB."""
+LARGEST = 1_500_000  # most bytes of a file: pdfTeX's memory, with little else, ends at 2.2 MB
 _BP_PER_PX = 72.0 / DPI
 _PT_PER_BP = 72.27 / 72.0
 _FONT_PT = 10.0  # of the font that is scaled: TeX's own smaller ones are wider than a label's place

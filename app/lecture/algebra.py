@@ -20,8 +20,7 @@ Monomial: TypeAlias = tuple[tuple[str, int], ...]
 Polynomial: TypeAlias = tuple[tuple[Monomial, Fraction], ...]
 """Monomials and their coefficients, none of them 0, sorted."""
 
-_PLANES = ("r", "l", "t", "b", "f", "n")
-"""The order of these letters in textbooks: ``r + l``, ``f - n``."""
+_PLANES = ("r", "l", "t", "b", "f", "n")  # their order in textbooks: ``r + l``, ``f - n``
 
 
 @dataclass(frozen=True)

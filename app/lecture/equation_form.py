@@ -8,8 +8,7 @@ from app.lecture.equation import Equation, Term, latex_cell
 from app.lecture.letters import Letters
 from app.lecture.typesetting import line_of
 
-DIGITS, FEWER_DIGITS = 4, 3
-"""Of the numbers of one matrix, and of a product."""
+DIGITS, FEWER_DIGITS = 4, 3  # of the numbers of one matrix, and of a product
 PAD_EM, GAP_EM, BRACKET_EM, APART_EM = 0.45, 0.35, 0.3, 1.5
 ROW_EM = 0.4
 """Gaps beside a cell, between matrices, inside a bracket, and between matrices that are no product;

@@ -28,7 +28,7 @@ NOTHING: Highlight = frozenset()
 AXES = ("u", "v", "n")
 ENDS = NEAR.name, FAR.name  # the planes across the view direction
 OBJECT_AXES = ("object_x", "object_y", "object_z", "object_origin")
-"""The columns of `world_from_object`."""
+"""Columns of `world_from_object`."""
 CORNERS = tuple(  # corners in the order of the drawings
     f"{depth}_{corner}"
     for depth in ENDS

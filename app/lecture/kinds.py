@@ -27,8 +27,7 @@ class ProjectionKind(NamedTuple):
     name: str
     parent: str  # empty for the root
     title: str
-    condition: str
-    """Its name, and its condition in addition to the parent's; marked for translation."""
+    condition: str  # its name, and its condition besides the parent's; marked for translation
     orbit: Orbit | None = None
     """The camera's place, with distance 1 for the present distance. None for any camera."""
     receding: float | None = None  # the scale of edges along the view in an oblique drawing

@@ -12,6 +12,7 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache, lru_cache, partial
 from typing import NamedTuple, TypeAlias
@@ -96,10 +97,8 @@ class WrittenMatrix(NamedTuple):
     formulas: Formulas  # in our own names; see `written`
     fields: tuple[tuple[tuple[str, ...], ...], ...]
     """The fields of the document that change the cell (`app.lecture.dependence`)."""
-    factors: tuple[WrittenMatrix, ...] = ()
-    """In the order of the product; empty if there is only one."""
-    product: tuple[str, ...] = ()
-    """The stages whose product this matrix is, in the order of the product."""
+    factors: tuple[WrittenMatrix, ...] = ()  # in the product's order; empty if there is only one
+    product: tuple[str, ...] = ()  # the stages whose product this matrix is, in that order
     note: str = ""  # as in `Stage`
     called: str = ""  # the lecture's name and chain: ``P_obl = P_ort H``; empty if it has none
     chain: tuple[str, ...] = ()  # `product` with the lecture's name of each stage that has one
@@ -318,8 +317,10 @@ def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _Fi
     A cell also depends on the depth range if another range gives it another formula, and likewise
     on an infinite far.
     """
-    own, moved = _formulas(lens, letters), lens._replace(order=lens.order or "trs")
-    # An object that is not moved can be moved.
+    own = _formulas(lens, letters)
+    # An object that is not moved can be moved; no lens matters for that.
+    no_lens = replace(lens.table, steps=())
+    moved = lens._replace(table=no_lens, order=lens.order or "trs")
     own = {**own, FROM_OBJECT: _formulas(moved, letters)[FROM_OBJECT]}
     others = [
         (field, _formulas(lens._replace(table=table), letters))
@@ -461,7 +462,8 @@ def _formulas(lens: _WrittenForm, letters: Letters) -> _Table:
             table[f"{target}_from_view"] = running
             table[f"{target}_from_world"] = _product(running, view["view_from_world"])
 
-    step_by_step(_steps(lens.table, letters))
+    if (of_lecture := _steps(lens.table, letters)) is not steps:
+        step_by_step(of_lecture)
     own = [PipelineStep(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
     step_by_step((*own, *steps, VIEWPORT))
     if steps:

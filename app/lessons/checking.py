@@ -20,8 +20,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
 from app.scenes.mesh import Progress, report
 
 MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
-MOST_WORDS = 150
-"""Most words of a step's text or of a note, because the reader also looks at the pictures."""
+MOST_WORDS = 150  # most words of a step's text or of a note: the reader also looks at the pictures
 
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")

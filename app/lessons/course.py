@@ -25,8 +25,7 @@ from app.lessons.quantities import Quantities
 from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
-CONTENT = Path(__file__).with_name("content")
-"""The lessons, talks and wrong ideas that come with the program."""
+CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
 _ALONG = {"frame_step": "panel", "probes": "pinned", "compare": "dividers"}
 """Fields of the view that are set together with another one."""
 

@@ -43,8 +43,7 @@ ENDINGS = (".md", ".markdown")  # endings of lesson files
 VERSION = 1  # version of the format; a file may state the one it needs (``version: 1``)
 LARGEST = 2 * 2**20  # largest file in bytes
 MOST_STEPS = 500  # most steps of a talk
-_MOST_READ = 20_000
-"""Most lines of a block whose faults are all found; of a longer block only the first is."""
+_MOST_READ = 20_000  # most lines of a block whose faults are all found; of a longer one, the first
 
 TOP = QT_TRANSLATE_NOOP(
     "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
@@ -119,8 +118,7 @@ class Lesson:
     lecture: str = ""
     topics: tuple[str, ...] = ()  # ``L1`` to ``L27``
     language: str = "en"
-    letters: Letters | None = None
-    """The lecture whose letters the formulas use; None for the window's choice."""
+    letters: Letters | None = None  # whose letters the formulas use; None for the window's choice
     minutes: float = 0.0  # planned duration of the talk
 
     @property

@@ -55,8 +55,7 @@ class PlayedBlock:
         if player.sheet is not None:
             self.variant = player.sheet.items[player.place].variant
         """The question with its numbers; None before an exercise begins."""
-        self.hints_read, self.answer = 0, ""
-        """As in a sample, or `REVEALED` or `DONE`; empty while it is open."""
+        self.hints_read, self.answer = 0, ""  # a sample's, `REVEALED` or `DONE`; empty while open
         self.now = at.document  # the window's current state, with its view
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""

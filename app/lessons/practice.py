@@ -201,8 +201,7 @@ def _first_suitable(placed: PlacedExercise, seeds: Iterable[int]) -> SheetItem |
 class Waiting(NamedTuple):
     """What is to be practised again."""
 
-    due: tuple[PlacedExercise, ...]
-    """The exercises that have come back, the longest waiting ones first."""
+    due: tuple[PlacedExercise, ...]  # exercises that have come back, the longest waiting ones first
     minutes: int  # how long a review of them will take, of `MOST` at once
     following: date | None  # when the next ones come back
 

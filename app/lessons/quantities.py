@@ -71,8 +71,7 @@ NO_CONDITION = QT_TRANSLATE_NOOP(
     "must be a condition: two formulas with =, !=, <, >, <= or >= between them, or NAME = WORD",
 )
 
-WITHIN = 0.01
-"""Tolerance of ``=`` and ``!=`` in a condition: of the larger value, or of 1 if one is 0."""
+WITHIN = 0.01  # tolerance of ``=`` and ``!=`` in a condition: of the larger value, or 1 if one is 0
 
 XYZ = ("x", "y", "z")
 _SPACES = {  # the spaces of a probe, and its coordinates there

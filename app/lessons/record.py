@@ -79,8 +79,7 @@ def attempt_from(tree: object) -> Attempt:
 
 
 _LARGEST_OF = {"when": LATEST, "seed": LARGEST_SEED, "hints": 100}
-_FARTHEST = 40
-"""How far the seed of a review is at most from one that was seen; a test draws any seed."""
+_FARTHEST = 40  # how far a review's seed is at most from one that was seen; a test draws any seed
 
 
 def _checked(name: str, value: object) -> object:

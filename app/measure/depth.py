@@ -22,8 +22,7 @@ from app.precision.levels import Prediction
 
 PAIRS = 10_000  # number of pairs of neighbours at even distances from near to far (N. Reed, 2015).
 FARTHEST = 1e4  # the pairs' largest distance for an infinite far, in units of near
-_EDGES = 4
-"""Edges of a surface's code and the next two, because wide and narrow codes may alternate."""
+_EDGES = 4  # edges of a surface's code and the next two: wide and narrow codes may alternate
 
 NOTHING_APART = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
 BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")

@@ -4,6 +4,7 @@ The mesh is drawn whole and with ever fewer triangles, or a sphere where the sce
 outlines are exact: they follow from the projected triangles, not from pixels.
 """
 
+import math
 import time
 from collections.abc import Callable
 from contextlib import ExitStack
@@ -11,8 +12,10 @@ from dataclasses import replace
 from typing import Any, TypeAlias
 
 import numpy as np
-import pyvista as pv
 from numpy.typing import NDArray
+from vtkmodules.vtkCommonCore import mutable
+from vtkmodules.vtkCommonDataModel import vtkStaticCellLocator
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from app.measure.results import ChartPoint, Trade
 from app.measure.run import Watch, part_of, timed, unwatched
@@ -22,6 +25,7 @@ from app.model.limits import vector
 from app.model.projection import Array, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
 from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, can_be_reduced, reduced
+from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
 from app.scenes.shapes import distinct_rows
 
@@ -86,7 +90,15 @@ def sphere(projection: Projection) -> Scene:
     """Return a sphere of many triangles at the target, a third of the picture's height in size."""
     camera, (_, _, bottom, top) = projection.camera, projection.window
     radius = float(projection.lens.enlarged(np.array(camera.distance))) * (top - bottom) / 3.0
-    mesh = pv.Sphere(radius=radius, theta_resolution=_RINGS, phi_resolution=_RINGS)
+    source = vtkSphereSource()
+    source.SetRadius(radius)
+    source.SetThetaResolution(_RINGS)
+    source.SetPhiResolution(_RINGS)
+    source.Update()
+    mesh = PolyMesh.sharing(source.GetOutput())
+    mesh.points = mesh.points[:, [2, 1, 0]] * np.array(
+        [1, 1, -1], np.float32
+    )  # poles left and right
     mesh.cell_data["rgb"] = np.full((mesh.n_cells, 3), 200, dtype=np.uint8)
     ends = [vector(np.array(camera.target) + side * radius) for side in (-1.0, 1.0)]
     return Scene(
@@ -134,8 +146,8 @@ def outline(scene: Scene, projection: Projection, size: tuple[int, int]) -> Piec
     beside = _flat(pieces.mean(axis=1) + _BESIDE_PX * away)
     if not len(covering) or not len(beside):
         return pieces
-    covered = pv.PolyData(_flat(covering), faces=_cells(len(covering), 3))
-    return pieces[np.asarray(covered.find_containing_cell(beside)) < 0]
+    covered = _locator(PolyMesh.of(_flat(covering), faces=_cells(len(covering), 3)))
+    return pieces[[covered.FindCell(place) < 0 for place in beside]]
 
 
 def _placed(clip: Array, size: tuple[int, int]) -> Array:
@@ -160,8 +172,15 @@ def _flat(places: Array) -> Array:
 
 
 def _cells(count: int, corners: int) -> NDArray[np.int_]:
-    """VTK's list of cells, each of which has the next corners."""
-    return np.insert(np.arange(count * corners).reshape(-1, corners), 0, corners, axis=1).ravel()
+    """Cells each of which has the next corners."""
+    return np.arange(count * corners).reshape(-1, corners)
+
+
+def _locator(mesh: PolyMesh) -> Any:
+    locator = vtkStaticCellLocator()
+    locator.SetDataSet(mesh)
+    locator.BuildLocator()
+    return locator
 
 
 def apart(one: Pieces, other: Pieces) -> float | None:
@@ -175,7 +194,10 @@ def apart(one: Pieces, other: Pieces) -> float | None:
 
 def _farthest(one: Pieces, other: Pieces) -> float:
     """Return the largest distance of a piece's begin in one outline from the other outline."""
-    mesh = pv.PolyData(_flat(other), lines=_cells(len(other), 2))
-    begins = _flat(one[:, 0])
-    nearest = np.asarray(mesh.find_closest_cell(begins, return_closest_point=True)[1])  # type: ignore[index]
-    return float(np.linalg.norm(nearest - begins, axis=1).max())
+    locator = _locator(PolyMesh.of(_flat(other), lines=_cells(len(other), 2)))
+    nearest, farthest = [0.0, 0.0, 0.0], 0.0
+    said: list[Any] = [mutable(0), mutable(0), mutable(0.0)]
+    for begin in _flat(one[:, 0]):
+        locator.FindClosestPoint(begin, nearest, *said)
+        farthest = max(farthest, math.dist(begin, nearest))
+    return farthest

@@ -10,7 +10,6 @@ from dataclasses import replace
 from datetime import UTC, datetime
 
 import numpy as np
-import pyvista as pv
 import vtkmodules
 
 from app import __version__
@@ -123,5 +122,4 @@ def versions() -> dict[str, str]:
         "python": platform.python_version(),
         "numpy": np.__version__,
         "vtk": vtkmodules.__version__,
-        "pyvista": pv.__version__,
     }

@@ -72,8 +72,7 @@ SWEEP_NOTES = {  # what a sweep changes besides its parameter, because near must
     NEAR.formula: QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
     FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
 }
-OVER_DISTANCE = "gap"
-"""The sweep of the smallest gap over the distance of a surface, for all formats."""
+OVER_DISTANCE = "gap"  # sweep of the smallest gap over the distance of a surface, for all formats
 SWEPT = (*(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT)), OVER_DISTANCE)
 """The parameters that can be swept."""
 GAPS = (NEAR.formula, FAR.formula, OVER_DISTANCE)

@@ -18,8 +18,7 @@ from app.model.refusal import Cancelled
 _SHORTEST = 1e-3  # least duration of one timing in seconds; shorter runs are repeated and averaged
 LEAST_ROUNDS = 7  # also the number of rounds whose least time must repeat that of all before
 MOST_ROUNDS = 2000
-_LEAST_PART = 0.2
-"""Of the time that is given: load that lasts for less than that is no part of the result."""
+_LEAST_PART = 0.2  # of the given time: load that lasts for less is no part of the result
 
 Watch: TypeAlias = Callable[[float], None]
 """Called with the finished fraction before every timing.

@@ -25,8 +25,7 @@ REFERENCE = 4  # sixteen samples per pixel, by far the finest picture here
 LARGEST_PX = 640  # longer side of the timed picture, about that of a pane
 
 OTHER_SAMPLES = "this OpenGL gives {0} samples"
-SAME_PICTURE = "the same picture"
-"""This follows the names of the choices that draw the same picture."""
+SAME_PICTURE = "the same picture"  # follows the names of choices that draw the same picture
 
 
 class Smoothing(NamedTuple):

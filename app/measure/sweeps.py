@@ -37,8 +37,7 @@ class Range:
     high: float
     usual: tuple[float, float]
     set: Callable[[Projection, float], tuple[Projection, Array]]
-    from_top: bool = False
-    """Whether the steps also shrink towards the upper end: 179.9, 179.99, ..."""
+    from_top: bool = False  # whether steps also shrink towards the upper end: 179.9, 179.99, ...
 
 
 _STILL = np.zeros(3)

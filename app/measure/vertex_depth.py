@@ -22,8 +22,7 @@ PIECES = 1, 4, 16, 64, 256, 1024
 NO_EARLY_TEST = QT_TRANSLATE_NOOP(
     "Measure", "this also switches off the early depth test, whose loss is not in this time"
 )
-_ROUNDINGS = 4.0 * 2.0**-53
-"""Bound of what float64 loses, in parts of the distance, times far over near."""
+_ROUNDINGS = 4.0 * 2.0**-53  # bound of float64's loss in parts of the distance, times far over near
 
 
 def per_pixel(near: float, far: float, s: Array) -> Callable[[], Array]:

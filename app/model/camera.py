@@ -77,12 +77,10 @@ def _unit(exact: Whole) -> tuple[Fraction, ...]:
 class Orbit(NamedTuple):
     """The camera's position relative to its target."""
 
-    azimuth_deg: float
-    """Angle about the world's y axis; 0 puts the eye on the +z side, 90 on the +x side."""
+    azimuth_deg: float  # angle about the world's y axis; 0 puts the eye at +z, 90 at +x
     elevation_deg: float  # angle above the target's horizon, from -90 to 90
     distance: float
-    roll_deg: float = 0.0
-    """Rotation about the view direction, clockwise as the photographer sees it."""
+    roll_deg: float = 0.0  # turn about the view direction, clockwise as the photographer sees it
 
 
 @dataclass(frozen=True)

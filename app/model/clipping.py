@@ -36,7 +36,7 @@ LARGEST_CLIP = 1e307  # largest clip coordinate: sums and differences of four of
 NOT_CUT = -1  # in `ClippedSegments.planes`: the end is the segment's own
 
 EYE_Z = -0.01
-"""z of lecture 004's cut in view space: "a near negative number" instead of the eye plane's 0."""
+"""z of lecture 004's cut in view space: "a near negative number", not the eye plane's 0."""
 
 # Coordinate and factor of each plane's equation, coordinate = factor * w.
 _SIDES = {"left": (0, -1.0), "right": (0, 1.0), "bottom": (1, -1.0), "top": (1, 1.0)}

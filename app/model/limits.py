@@ -44,12 +44,11 @@ SMALLEST_FIELD = 1e-90
 SMALLEST_OPENING = 1e-98
 """Smallest side of a frustum's window in units of near; less than that of `SMALLEST_FIELD`."""
 SMALLEST_CELL = 1e-75
-"""Smallest nonzero cell of a typed matrix: a product of two is far from underflow."""
+"""Smallest nonzero cell of a typed matrix: products of two are far from underflow."""
 LARGEST_INVERSE = 10**150  # largest cell of the inverse of a typed matrix, for the same reason
 BEYOND = 1e250
-"""Coordinates from which a point counts as infinitely far: double-double would overflow."""
-LARGEST_SHEAR = 1e6
-"""Largest cotangent of the angles of an oblique lens, which start at 5.8e-5 degrees."""
+"""Coordinates from which points count as infinitely far: double-double would overflow."""
+LARGEST_SHEAR = 1e6  # largest cotangent of an oblique lens's angles, which start at 5.8e-5 degrees
 SMALLEST_UP_ANGLE = 1e-15
 """Least angle in radians between up and the view direction.
 

@@ -33,8 +33,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
     "Stage", "a scale of 0 flattens the object: it has no inverse and no normals"
 )
 
-LARGEST_SCALE = 1e30
-"""Largest scale: its product with a coordinate up to `LARGEST` does not overflow."""
+LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
 _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 
 

@@ -30,8 +30,7 @@ Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
 Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
 Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
-CLOSE = 1e-7
-"""Relative to a number, or to its slider's length: a nearer number is the one that was chosen."""
+CLOSE = 1e-7  # relative to a number, or its slider's length: a nearer number is the chosen one
 WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
 YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
 PARTS: dict[str, Part] = {
@@ -86,14 +85,11 @@ class Parameter:
     formula: str = ""
     """In the formulas of lessons; ``_x``, ``_y`` and ``_z`` follow for a vector's components."""
     place: str = ""  # the part of the dock with its row; empty if it has none
-    needs: str = ""
-    """The property or field of the lenses that have it; by default the field of its own name."""
-    changes: tuple[str, ...] = ()
-    """The fields of the document that it changes, if it is none itself."""
+    needs: str = ""  # property or field of the lenses that have it; by default that of its name
+    changes: tuple[str, ...] = ()  # the document's fields that it changes, if it is none itself
     shows: tuple[str, ...] | None = None
     """What it highlights (`app.lecture.highlight`), if that has another name."""
-    makes: tuple[str, ...] = ()
-    """Other things computed from it; highlighting these marks its row too."""
+    makes: tuple[str, ...] = ()  # other things computed from it; their highlight marks its row too
     handle: str = ""
     drag: str = ""  # the handle of the world pane that changes it, and what a drag of it does
     vector: bool = False  # whether it has three components
@@ -269,8 +265,7 @@ def texts_of(parameter: Parameter) -> set[str]:
     return {text for text in (*own, *labels, *parameter.tips) if text}
 
 
-Settings: TypeAlias = Mapping[str, Value]
-"""The checked value of every setting of a phenomenon, by its name."""
+Settings: TypeAlias = Mapping[str, Value]  # checked values of a phenomenon's settings, by name
 ImpliedSettings: TypeAlias = Mapping[str, Value | None]
 """The values that camera and lens imply; None where no value gives the present state."""
 

@@ -26,10 +26,8 @@ from app.model.limits import Row, vector
 from app.model.projection import LARGEST, Array, Projection, Vector
 from app.picking.sight import Sight
 
-VERTEX_WITHIN_PX = 6.0
-"""A visible vertex within this distance of the pixel is preferred to the face beside it."""
-LINE_WITHIN_PX = 3.0
-"""A visible line within this distance of the pixel is preferred to the face under it."""
+VERTEX_WITHIN_PX = 6.0  # a visible vertex so near the pixel is preferred to the face beside it
+LINE_WITHIN_PX = 3.0  # a visible line so near the pixel is preferred to the face under it
 _COVERS_PX = 0.25  # half the drawn width of a line, which hides the points behind it
 CHUNK = 128  # lines that follow one another in a file, and are near one another
 

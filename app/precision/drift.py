@@ -28,18 +28,15 @@ from app.model.projection import Array, Projection
 
 Cells: TypeAlias = NDArray[Any]  # matrices (3, 3, ...) in the numbers of a format
 
-AXIS = Fraction(1, 3), Fraction(2, 3), Fraction(2, 3)
-"""The axis of the turns, of length 1, along u, v and n."""
-FRAMES, BLOCK = 360, 10
-"""Frames of a round; frames from one residual, and one renormalising, to the next."""
+AXIS = Fraction(1, 3), Fraction(2, 3), Fraction(2, 3)  # the turns' axis, of length 1, along u, v, n
+FRAMES, BLOCK = 360, 10  # frames of a round; frames from one residual or renormalising to the next
 _MAGIC = {"float16": 0x59BA, "float32": 0x5F3759DF, "float64": 0x5FE6EB50C7B537A9}
 """(3/2) 2^m (bias - 0.0450466), for m bits of a fraction (M. Robertson, "A Brief History of
 InvSqrt", 2012)."""
 _SINES = 16.2
 """Error of axes from an angle, in units: 8 for a sine and a cosine that are off by 4 at most, and
 8.15 for the cells that these multiply, the products and the sums, each rounded once."""
-_PI = Fraction(math.pi) + Fraction(math.sin(math.pi))
-"""To 105 bits."""
+_PI = Fraction(math.pi) + Fraction(math.sin(math.pi))  # to 105 bits
 _ROUNDED_UP = 1.0 + 1e-9
 _turning = Lock()
 

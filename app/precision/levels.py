@@ -33,14 +33,11 @@ from app.model.projection import ONE_OF, Array, Projection, Space, Trace, Vector
 from app.model.refusal import Refusal
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]
-PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")
-"""From the cheapest to the most exact."""
+PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")  # from cheapest to most exact
 
-DRAWING_TOLERANCE_PX = 0.01
-"""Default of the error up to which `float32` draws; above it, `float64` does."""
+DRAWING_TOLERANCE_PX = 0.01  # default error up to which `float32` draws; above it, `float64` does
 LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX = 1e-4, 100.0  # limits of this setting
-READING_TOLERANCE_PX = 1e-9
-"""Error of float64 above which displayed numbers come from the exact precision."""
+READING_TOLERANCE_PX = 1e-9  # error of float64 above which displayed numbers are computed exactly
 READING_TOLERANCE_DEPTH = 1e-12
 
 _UNIT_32, _UNIT_64 = 2.0**-24, 2.0**-53

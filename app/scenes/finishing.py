@@ -31,8 +31,7 @@ TOO_FAR = QT_TRANSLATE_NOOP(
     "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
     " move the mesh to the origin.",
 )
-FARTHEST = 1e12
-"""Largest distance from the origin, in sizes of the mesh: vertices there keep four digits."""
+FARTHEST = 1e12  # largest distance from the origin, in sizes of the mesh: vertices keep four digits
 DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000
 """Most faces of a mesh with edge lines, of up to 8 corners on average: more lines would be denser

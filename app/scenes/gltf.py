@@ -40,8 +40,7 @@ _READ = re.compile(  # extensions that this module reads, or that change no shap
     r"|[A-Z]+_(animation|image|lights|materials|techniques?|texture|xmp)\w*"
 )
 _DRACO = "KHR_draco_mesh_compression"
-_MOST_BRACKETS = 1_000_000
-"""Most lists and objects in a description; 100 000 nodes need half as many."""
+_MOST_BRACKETS = 1_000_000  # most lists and objects in a description; 100 000 nodes need half of it
 _OVERHEAD = 400  # vertices that take as long to read as a primitive takes without any
 _INFLUENCES = 1 << 18  # joints of vertices that are applied at a time
 

@@ -24,10 +24,8 @@ Ints: TypeAlias = NDArray[np.int64]
 Colours: TypeAlias = NDArray[np.uint8]
 Progress: TypeAlias = Callable[[float], bool]
 
-LARGEST = 20_000_000, 2 * 2**30
-"""Most triangles of a mesh, and most bytes of its triangles and vertices."""
-MOST_CORNERS = 100_000
-"""Most corners of a face: such a face takes some seconds to divide into triangles."""
+LARGEST = 20_000_000, 2 * 2**30  # most triangles of a mesh, and bytes of its triangles and vertices
+MOST_CORNERS = 100_000  # most corners of a face: its division into triangles takes some seconds
 PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
 # Whole sentences, so that they can be translated. Words of a file format stay as they are.

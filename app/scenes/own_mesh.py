@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 SUBJECT_EDGES, SUBJECT_TRIANGLES = 20_000, 1_000
 """Most edges and triangles that a phenomenon computes with: the longest ones of a larger mesh."""
 SUBJECT_SURFACE = 3_000
-"""Most triangles of a mesh whose pixels are computed; a larger mesh is reduced."""
+"""Most triangles of a mesh whose pixels are computed; larger ones are reduced."""
 
 
 def own_mesh(surface: PolyMesh, origin: Vector, pixels: bool) -> OwnMesh:

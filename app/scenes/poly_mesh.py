@@ -12,8 +12,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkDataSetAttributes, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 
-Cells = NDArray[Any] | Sequence[Sequence[int]]
-"""The corners of each cell; of an array, each row is one."""
+Cells = NDArray[Any] | Sequence[Sequence[int]]  # corners of each cell; of an array, each row is one
 
 
 class PolyMesh(vtkPolyData):

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from app.scenes.mesh import Floats, Ints
 
-_FIRSTS = 8
-"""Corners of each polygon that are tried as the centre of a fan, for all polygons at once."""
+_FIRSTS = 8  # corners of each polygon tried as the centre of a fan, for all polygons at once
 _STARTS = 8  # corners from which ears are tried: rounded touches spoil some
 _RIGHT = 1e-9  # part of its area by which a divided polygon may differ
 _ROUNDING = 1e-15  # part of a polygon's area by which a triangle of its fan may turn backwards

@@ -24,8 +24,7 @@ from app.scenes import mesh_files as meshes
 from app.scenes.finishing import DIVIDING, Finished, finished
 from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
 
-SMALL = 2**20
-"""Most bytes of a file read in this process, within the 0.1 s that a process takes to start."""
+SMALL = 2**20  # most bytes of a file read in this process in the 0.1 s that one takes to start
 SMALL_MESH = 100_000, 32 * 2**20
 """Most triangles and bytes of such a file's mesh: a short glTF file can expand greatly."""
 SMALL_POLYGONS = 500
@@ -33,8 +32,7 @@ SMALL_POLYGONS = 500
 DIVIDING_S = 120
 """Longest time between two reports while faces are divided: it grows with the square of a face's
 corners, or faster."""
-MEMORY = 6 * 2**30
-"""Memory limit of the process: `app.scenes.mesh.LARGEST` and the text of the file."""
+MEMORY = 6 * 2**30  # the process's memory limit: `app.scenes.mesh.LARGEST` and the file's text
 ENDED = QT_TRANSLATE_NOOP(
     "Refusal",
     "{0}: the process that reads it ended too early; make it smaller, or export or download the "

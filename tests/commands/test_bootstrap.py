@@ -11,6 +11,7 @@ import gc
 import io
 import json
 import os
+import platform
 import re
 import shutil
 import signal
@@ -25,13 +26,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 from packaging.markers import Marker
 from packaging.requirements import Requirement as Standard
 
-from app import __version__, bootstrap, system_packages
+from app import __version__, bootstrap, held_lock, python_packages, system_packages
 from app.__main__ import need_of
 from app.python_packages import requirements, unmet
 from tests import PATIENCE_MS
@@ -146,6 +146,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__init__.py",
         "__main__.py",
         "bootstrap.py",
+        "held_lock.py",
         "modules.py",
         "python_packages.py",
         "strangers.py",
@@ -598,7 +599,7 @@ def test_too_little_space_is_reported_before_any_download(
 ) -> None:
     usage = shutil.disk_usage(fresh.root)
     monkeypatch.setattr(shutil, "disk_usage", lambda _folder: usage._replace(free=300_000_000))
-    with pytest.raises(bootstrap.SetupError, match=r"too little space is left .* free 1\.5 GB"):
+    with pytest.raises(bootstrap.SetupError, match=r"too little space is left: free 1\.5 GB"):
         bootstrap.Environment(fresh.root).make()
     assert not (fresh.root / ".venv").exists()
     readme = " ".join((bootstrap.ROOT / "README.md").read_text(encoding="utf-8").split())
@@ -635,6 +636,41 @@ def test_other_versions_are_installed_if_the_tested_ones_do_not_exist(made: Chec
     made.ask_for(">=1,<2", exactly="1.7")
     assert "trying others" in made.assert_runs("1.0")
     assert made.assert_runs("1.0") == ""
+
+
+def test_only_the_tested_version_that_does_not_exist_is_dropped(
+    fresh: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """macOS 13 has no wheel of the newest Qt; all others are those that were tested."""
+    tried: list[list[str]] = []
+
+    def run(_: object, command: Sequence[str], follow: Callable[[str], object]) -> int:
+        if "pip" not in command:
+            return 0
+        tried.append(Path(command[command.index("-c") + 1]).read_text(encoding="utf-8").split())
+        if "frustum_extra==1.7" in tried[-1]:
+            follow("ERROR: No matching distribution found for frustum-extra==1.7")
+        elif "frustum-part==1.7" in tried[-1]:
+            follow("    The user requested (constraint) frustum-part==1.7")
+            follow("ERROR: ResolutionImpossible: for help visit a page")
+        else:
+            return 0
+        return 1
+
+    monkeypatch.setattr(bootstrap.HeldLock, "run", run)
+    tested = "# Tested.\nfrustum_extra==1.7\nfrustum-part==1.7\nfrustum-probe==1.0\n"
+    (fresh.root / "constraints.txt").write_text(tested)
+    bootstrap.Environment(fresh.root).make()
+    assert tried == [
+        ["frustum_extra==1.7", "frustum-part==1.7", "frustum-probe==1.0"],
+        ["frustum-part==1.7", "frustum-probe==1.0"],
+        ["frustum-probe==1.0"],
+    ]
+
+
+def test_wheels_beside_the_code_need_no_network(emptied: Checkout, offline: dict[str, str]) -> None:
+    shutil.move(emptied.wheels, emptied.root / bootstrap.WHEELS)
+    assert "bringing" in emptied.assert_runs(**offline)
 
 
 # --- what cannot be helped ------------------------------------------------------------------------
@@ -708,8 +744,8 @@ def test_a_package_without_a_version_for_this_python_is_named(emptied: Checkout)
     emptied.ask_for(">=2,<3", exactly="2.1")
     said = refused(emptied)
     assert "No matching distribution found for frustum-probe<3,>=2" in said
-    here = f"{sys.version_info[0]}.{sys.version_info[1]}"
-    assert said.endswith(f"no version fits Python {here} on this machine; use another Python")
+    here = f"Python {platform.python_version()}, 64 bits, {platform.machine()},"
+    assert said.endswith(f"no version fits {here} on this machine; use another Python")
 
 
 @pytest.mark.parametrize(
@@ -728,15 +764,11 @@ def test_what_is_typed_is_checked_before_anything_is_set_up(
     assert not (fresh.root / ".venv").exists()
 
 
-@pytest.mark.parametrize("full", ["environment", "temporary"])
 @pytest.mark.parametrize("step", ["venv", "pip", "writing"])
 def test_a_full_disk_is_reported_with_its_folder(
-    full: str, step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
+    step: str, fresh: Checkout, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
 ) -> None:
     """The messages of pip and venv were copied from a disk of 20 MB."""
-    temporary = fresh.root.parent / "temporary"
-    temporary.mkdir()
-    monkeypatch.setattr(tempfile, "tempdir", str(temporary))
     monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
     monkeypatch.setattr(bootstrap, "SPACE_GB", 0)  # at first it seemed to be enough
     monkeypatch.setattr(bootstrap, "missing_system", lambda _: [])
@@ -750,16 +782,10 @@ def test_a_full_disk_is_reported_with_its_folder(
         follow("ERROR: Could not install packages due to an OSError: [Errno 28] No space left on")
         return 1
 
-    def usage(folder: Path) -> object:
-        is_full = (Path(folder) == temporary) == (full == "temporary")
-        return SimpleNamespace(free=0 if is_full else 2**40)
-
     monkeypatch.setattr(bootstrap.HeldLock, "run", run)
-    monkeypatch.setattr(shutil, "disk_usage", usage)
     said = start_refused("numbers")
-    place = str(temporary if full == "temporary" else fresh.root)
-    assert f"too little space is left in {place}" in said
-    assert ("TMPDIR" in said) == (full == "temporary")
+    assert "too little space is left: free 0 GB beside " in said
+    assert str(fresh.root) in said and "TMPDIR" in said
 
 
 class Terminal(io.StringIO):
@@ -771,7 +797,7 @@ def test_a_terminal_has_one_line_that_counts_the_seconds(
     made: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(sys, "stderr", out := Terminal())
-    monkeypatch.setattr(bootstrap, "TICK_S", 0.01)
+    monkeypatch.setattr(held_lock, "TICK_S", 0.01)
 
     def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
         follow("Installing collected packages: frustum-extra, frustum-more")
@@ -851,6 +877,88 @@ def test_installed_by_pip_there_is_nothing_to_do(
     monkeypatch.setattr(bootstrap, "ROOT", tmp_path)
     bootstrap.start("numbers")
     assert list(tmp_path.iterdir()) == []
+
+
+# --- other systems ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("platform", "length", "is_beside"),
+    [("win32", 83, True), ("win32", 84, False), ("linux", 200, True), ("darwin", 200, True)],
+)
+def test_the_environment_leaves_a_path_that_windows_finds_too_long(
+    platform: str,
+    length: int,
+    is_beside: bool,
+    tmp_path: Path,
+    own_home: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr(tempfile, "TemporaryFile", lambda dir: io.BytesIO())
+    monkeypatch.setattr(sys, "platform", platform)
+    monkeypatch.setenv("LOCALAPPDATA", str(own_home / "local"))
+    root = Path("/" + "r" * (length - 1))
+    folder = bootstrap.Environment(root).folder
+    assert folder == (root if is_beside else own_home / "local" / "frustum-lab") / ".venv"
+
+
+@pytest.mark.parametrize(
+    ("platform", "place"),
+    [
+        ("win32", "AppData/Local"),
+        ("darwin", "Library/Application Support"),
+        ("linux", ".local/share"),
+    ],
+)
+def test_the_environment_of_a_folder_that_is_read_only_is_the_users(
+    platform: str, place: str, own_home: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(dir: Path) -> None:
+        raise PermissionError(13, "Permission denied", str(dir))
+
+    for name in ("LOCALAPPDATA", "XDG_DATA_HOME"):
+        monkeypatch.delenv(name, raising=False)
+    monkeypatch.setattr(tempfile, "TemporaryFile", refuse)
+    monkeypatch.setattr(sys, "platform", platform)
+    folder = bootstrap.Environment(Path("/read-only")).folder
+    assert folder == own_home / place / "frustum-lab" / ".venv"
+
+
+@pytest.mark.parametrize(
+    ("said", "remedy"),
+    [
+        ("ERROR: No matching distribution found for vtk<9.8,>=9.7", "32 bits, ARM64, on this mach"),
+        (
+            "ERROR: [Errno 2] No such file: 'x' [WinError 206] The filename is too long",
+            "too long: ",
+        ),
+        ("ERROR: [WinError 1260] This program is blocked by group policy", "rules forbid programs"),
+        ("ERROR: [WinError 5] Access is denied", "close all windows"),
+        ("ERROR: [Errno 13] Permission denied: '/opt'", "a folder that you may write to"),
+        ("WARNING: Retrying (Retry(total=4)) after connection broken", "check the network"),
+    ],
+)
+def test_what_helps_depends_on_the_cause(
+    said: str, remedy: str, made: Checkout, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("platform.machine", lambda: "ARM64")
+    monkeypatch.setattr(sys, "maxsize", 2**31 - 1)
+    pip_says(monkeypatch, said)
+    made.ask_for(">=0,<2", exactly="1.0")
+    with pytest.raises(bootstrap.SetupError, match=remedy) as error:
+        bootstrap.Environment(made.root).make()
+    assert ("network" in str(error.value)) == ("Retrying" in said)
+
+
+def test_a_program_that_rules_forbid_is_not_the_networks_fault(
+    fresh: Checkout, monkeypatch: pytest.MonkeyPatch, start_refused: Refusing
+) -> None:
+    def blocked(*_: object) -> int:
+        raise OSError(1, "[WinError 1260] This program is blocked by group policy")
+
+    monkeypatch.setattr(bootstrap, "ROOT", fresh.root)
+    monkeypatch.setattr(bootstrap.HeldLock, "run", blocked)
+    assert "this machine's rules forbid programs in" in start_refused("numbers")
 
 
 # --- the operating system's part ------------------------------------------------------------------
@@ -1023,7 +1131,7 @@ def test_permanent_imports_are_exempt_from_garbage_collection() -> None:
     class Imported:
         """Made while others are imported."""
 
-    with pytest.raises(ImportError), bootstrap.for_good():
+    with pytest.raises(ImportError), python_packages.for_good():
         assert not gc.isenabled()
         imported = Imported()
         raise ImportError
@@ -1056,7 +1164,7 @@ def test_every_requirement_for_a_python_is_read_and_no_other(
 ) -> None:
     project = tomllib.loads((bootstrap.ROOT / "pyproject.toml").read_text())["project"]
     wanted = [
-        text
+        text.partition(";")[0]
         for text in project["dependencies"]
         if ";" not in text or Marker(text.partition(";")[2]).evaluate({"python_version": python})
     ]

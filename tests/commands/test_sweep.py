@@ -75,6 +75,13 @@ def test_a_film_goes_there_and_back_with_every_frame_even_if_two_are_equal(tmp_p
     assert states == [15.0, 16.0, 17.0, 16.0]
 
 
+def test_a_whole_number_is_swept_in_whole_steps() -> None:
+    for frames, shown in (("24", range(1, 25)), ("4", (1, 9, 16, 24))):
+        sweep = "--set=scene=jitter", "--sweep=settings.frame=1:24", f"--frames={frames}"
+        found, _ = parser_of("export").read(["a.gif", *sweep])
+        assert [each.settings["frame"] for each in states(found, None)] == list(shown)
+
+
 def states_of(folder: Path, count: int) -> list[Document]:
     """The documents that numbered figures carry; one of them is drawn again from it."""
     states = [read(folder / f"{number}.png") for number in range(count)]

@@ -83,7 +83,7 @@ def test_every_step_is_drawn_without_a_display(talk: Path) -> None:
 def test_a_text_that_a_class_would_see_cut_is_told_to_its_author(talk: Path) -> None:
     long = "Words " * 80
     text = TALK.replace("Words with", f"{long}with")
-    talk.write_text(text.replace("{#two}\n", f"{{#two}}\nA.\n\n{long}\n\n"))
+    talk.write_text(text.replace("{#two}\n", f"{{#two}}\nA.\n\n{long}\n\n"), encoding="utf-8")
     done = run("talk", talk, "--check", DISPLAY=None, WAYLAND_DISPLAY=None)
     assert done.stderr == "" and done.returncode == 1
     cut = f"{talk}: line 5, step 1 (one): the text is longer or higher than the two lines"
@@ -105,7 +105,7 @@ def test_a_mistake_is_reported_with_its_line(
     talk: Path, old: str, new: str, said: str, last: str
 ) -> None:
     assert TALK.count(old) == 1
-    talk.write_text(TALK.replace(old, new))
+    talk.write_text(TALK.replace(old, new), encoding="utf-8")
     done = run_here("talk", talk, "--check")
     lines = [line for line in done.stdout.splitlines() if ", step " not in line][:-1]
     assert done.returncode == 1
@@ -145,14 +145,17 @@ def test_the_states_of_replies_are_drawn(talk: Path) -> None:
     reply = "- [ ] At {0}\n  says: Look at near.\n  state: lens.near={0}\n"
     question = f"- [x] At 2 := near\n{reply.format(3)}{reply.format(4)}show: lens.near=2\n"
     state = "```state\nscene=letter-f\n```\n"
-    talk.write_text(f"---\ntitle: T\n---\n# One\n{state}```predict near\nWhere?\n{question}```\n")
+    talk.write_text(
+        f"---\ntitle: T\n---\n# One\n{state}```predict near\nWhere?\n{question}```\n",
+        encoding="utf-8",
+    )
     nears = [each.projection.lens.near for each in states_of(Course(read(talk)), 0)]
     assert nears == [5.0, 2.0, 3.0, 4.0]
 
 
 def handout_of(talk: Path, text: str) -> bytes:
     """The pages of a talk, printed in this process."""
-    talk.write_text(text)
+    talk.write_text(text, encoding="utf-8")
     out = talk.with_name("out.pdf")
     done = run_here("talk", talk, "--handout", out)
     assert (done.returncode, done.stderr) == (0, "")
@@ -242,7 +245,8 @@ def test_an_equation_of_the_handout_is_true(talk: Path, letters: str, equation: 
     """What stands above the result is what stands above the factors, and they multiply to it."""
     state = f"view.letters={letters}\nview.slide=equation\nview.equation={equation} numbers"
     talk.write_text(
-        f"---\ntitle: One\n---\n# One {{#one}}\n```state\nscene=letter-f\n{state}\n```\n"
+        f"---\ntitle: One\n---\n# One {{#one}}\n```state\nscene=letter-f\n{state}\n```\n",
+        encoding="utf-8",
     )
     (tables,) = (part.tables for part in contents(Course(read(talk)), 0, False)
                  if isinstance(part, EquationTables))  # fmt: skip
@@ -279,7 +283,7 @@ def test_students_get_neither_answers_nor_notes_but_lines_to_write_on(
     qapp: Any, talk: Path
 ) -> None:
     question = "```answer\nHow wide?\nvalue: 2*3\nwhy: By doubling.\n```\n"
-    talk.write_text(TALK + question)
+    talk.write_text(TALK + question, encoding="utf-8")
     out = talk.with_name("out.pdf")
     said = {}
     for readers in ("teacher", "students"):
@@ -296,7 +300,7 @@ def test_students_get_neither_answers_nor_notes_but_lines_to_write_on(
 
 def test_the_handout_is_also_a_page_for_phones(talk: Path) -> None:
     question = "```answer\nHow wide?\nvalue: 2*3\nwhy: By doubling.\n```\n"
-    talk.write_text(TALK + question)
+    talk.write_text(TALK + question, encoding="utf-8")
     out = talk.with_name("out.html")
     for readers, figures, rooms in (("teacher", 3, 0), ("students", 2, 2)):
         done = run_here("talk", talk, "--handout", out, "--for", readers)
@@ -334,7 +338,7 @@ LONG = "---\ntitle: Long\n---\n" + "---\n".join(
 
 @pytest.mark.parametrize("answers", [True, False])
 def test_no_page_of_a_handout_is_half_blank(qapp: Any, talk: Path, answers: bool) -> None:
-    talk.write_text(LONG)
+    talk.write_text(LONG, encoding="utf-8")
     course = Course(read(talk))
     pages = paged(course, 490.0, 745.0, answers)
     assert sum(len(page.pieces) for page in pages) >= 2 + 7 * 2
@@ -355,7 +359,7 @@ NUMBERED = "---\ntitle: Matrices\n---\n" + "---\n".join(
 
 @pytest.mark.parametrize("answers", [True, False])
 def test_a_matrix_is_on_the_page_of_its_figure(qapp: Any, talk: Path, answers: bool) -> None:
-    talk.write_text(NUMBERED)
+    talk.write_text(NUMBERED, encoding="utf-8")
     pages = paged(Course(read(talk)), 490.0, 745.0, answers)
     assert len(pages) > 2
     for page in pages:
@@ -371,7 +375,7 @@ ASKED = "---\ntitle: Asked\n---\n" + "---\n".join(
 
 
 def test_a_question_is_on_the_page_of_its_figure(qapp: Any, talk: Path) -> None:
-    talk.write_text(ASKED)
+    talk.write_text(ASKED, encoding="utf-8")
     pages = paged(Course(read(talk)), 490.0, 745.0, answers=False)
     assert len(pages) > 2
     for page in pages:
@@ -390,7 +394,7 @@ def test_the_handout_has_the_value_of_an_answer(qapp: Any, talk: Path) -> None:
 def test_a_handout_is_written_whole_or_not_at_all(qapp: Any, talk: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.pdf"
     out.write_bytes(b"of before")
-    talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"))
+    talk.write_text(TALK.replace("show: lens.near=3", "show: lens.near=99"), encoding="utf-8")
     assert "line 26" in one_sentence(run_here("talk", talk, "--handout", out), 2)
     assert out.read_bytes() == b"of before"
     talk.unlink()

@@ -711,7 +711,10 @@ def test_a_mesh_may_be_named_from_where_the_program_was_started(
     (tmp_path / "lessons").mkdir()
     monkeypatch.chdir(tmp_path)
     write(Document("bunny.stl"), "lessons/lesson.json")
-    assert json.loads(Path("lessons/lesson.json").read_text())["scene"] == "../bunny.stl"
+    assert (
+        json.loads(Path("lessons/lesson.json").read_text(encoding="utf-8"))["scene"]
+        == "../bunny.stl"
+    )
     assert read("lessons/lesson.json").scene == str(tmp_path / "bunny.stl")
     # Without a folder nothing is resolved, and a built-in scene never is.
     assert parse(to_json(Document("bunny.stl"))).scene == "bunny.stl"

@@ -33,7 +33,9 @@ CAMERA = Projection(Camera((0.5, 0.25, 4.0), (0.0, 0.0, 0.0)), Perspective(50.0,
 
 
 def cloud(path: Path, points: Array) -> Scene:
-    path.write_text("".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points.tolist()))
+    path.write_text(
+        "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in points.tolist()), encoding="utf-8"
+    )
     return load(str(path))
 
 

@@ -315,6 +315,7 @@ def test_ndc_writes_the_ends_of_its_depth_range(depth: Any, off_screen: MakeScre
     drawing = StageDrawing(screen, scene, WORDS, LIGHT)
     drawing.show_names(None)
     drawing.show_projection(replace(scene.start, depth=depth))
+    screen.pixels()
     texts = [
         prop.label().text
         for prop in screen.renderer.GetViewProps()
@@ -347,15 +348,17 @@ def test_ndc_is_wholly_in_view_at_any_pane_size(
 
 
 def test_a_hidden_frustum_is_hidden_up_to_the_view(off_screen: MakeScreen) -> None:
-    scene = load("letter-f")
-    drawing = StageDrawing(off_screen(600, 400), scene, WORDS, LIGHT)
+    screen, scene = off_screen(600, 400), load("letter-f")
+    drawing = StageDrawing(screen, scene, WORDS, LIGHT)
     drawing.show_names(frozenset({"near"}))
     drawing.show_projection(scene.start)
     for position, is_hidden in ((VIEW, True), (0.0, True), (NDC, False)):
         drawing.show_layers(frozenset())
         drawing.show_stage(position)
+        screen.pixels()
         assert drawing.box.near.is_visible and drawing.state.display_from_box.any()
         drawing.show_layers(frozenset({"frustum"}))
+        screen.pixels()
         assert drawing.box.near.is_visible != is_hidden
         assert drawing.state.display_from_box.any() != is_hidden
 

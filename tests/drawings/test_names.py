@@ -197,9 +197,11 @@ def test_the_flat_view_frames_the_triangle(off_screen: MakeScreen) -> None:
 
 
 def test_an_unnamed_label_is_not_written(off_screen: MakeScreen) -> None:
-    drawing = opened(off_screen(*PANE_PX))
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen)
     names = "eye", "target", "near", "far", *AXES, *WINDOW
     labels = {name: drawing.board.label(name) for name in names}
+    screen.pixels()
     shown = {name for name, label in labels.items() if label.is_visible}
     assert shown == {"eye", "near", "far"}
     drawing.show_names(frozenset({"near"}))

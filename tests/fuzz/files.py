@@ -177,7 +177,7 @@ def _write_gltf(path: Path, content: Any, body: bytes) -> None:
         case {"buffers": [dict() as buffer, *_]}:
             data = base64.b64encode(body).decode()
             buffer.setdefault("uri", f"data:application/octet-stream;base64,{data}")
-    path.write_text(json.dumps(content))
+    path.write_text(json.dumps(content), encoding="utf-8")
 
 
 def _flip(rng: random.Random, data: bytes) -> bytes:

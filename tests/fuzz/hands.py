@@ -42,10 +42,11 @@ from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication
 
-from app.bootstrap import ROOT, die_with_parent
+from app.bootstrap import ROOT
 from app.document.codec import to_json
 from app.document.document import Document
 from app.drawings import image, stage, world  # noqa: F401  (VTK, whose import is no step)
+from app.held_lock import die_with_parent
 from app.lessons.course import CONTENT as LESSONS
 from app.scenes.scene import BUILT_IN, load
 from tests.__main__ import at_home

@@ -18,7 +18,7 @@ from app.bootstrap import ROOT
 from app.model.lenses import LENSES, FreeMatrix
 from app.python_packages import requirements
 
-VTK = ("pyvista", "vtkmodules")
+VTK = ("vtkmodules",)
 QT = ("PySide6",)
 
 #: From the ground up. Folders of one line do not know each other.
@@ -44,11 +44,12 @@ AT_ONCE: dict[str, tuple[str, ...]] = {
     "app.document": ("PySide6.QtCore",),
     "app.drawings": (*VTK, "PIL"),
     "app.measure": VTK,
-    "app.scenes.poly_mesh": VTK[1:],
+    "app.scenes.poly_mesh": VTK,
     "widgets.parts": QT,
     "widgets.controls": QT,
     "widgets.panels": QT,
-    "widgets.panes": (*QT, "pyvistaqt"),
+    "widgets.panes": QT,
+    "widgets.panes.interactor": (*QT, *VTK),
     "widgets.window": QT,
     "widgets.program": QT,
 }
@@ -68,6 +69,7 @@ GROUND = (
     "app.modules",
     "app.strangers",
     "app.python_packages",
+    "app.held_lock",
     "app.system_packages",
     "app.bootstrap",
 )
@@ -75,7 +77,6 @@ GROUND = (
 NOT_FOR = {
     "app.document.store": ("app", "widgets.parts", "widgets.controls", "widgets.panels",
                            "widgets.panes"),
-    "pyvista": ("app.scenes.phenomena",),
     "vtkmodules": ("app.scenes.phenomena",),
 }  # fmt: skip
 
@@ -245,7 +246,7 @@ def test_few_places_outside_the_lenses_test_the_kind_of_lens() -> None:
         ("app/model/projection.py", "from ..scenes.scene import load", "app.scenes.scene.load"),
         ("app/model/projection.py", "def f():\n    import pyvista", "pyvista"),
         ("app/lecture/stages.py", "import app.precision.levels", "app.precision.levels"),
-        ("app/scenes/phenomena/focus.py", "import pyvista", "pyvista"),
+        ("app/scenes/phenomena/focus.py", "import vtkmodules", "vtkmodules"),
         ("app/drawings/world.py", "from PySide6.QtGui import QColor", "PySide6.QtGui.QColor"),
         ("app/drawings/world.py", "import app.document.store", "app.document.store"),
         ("app/document/store.py", "from PySide6 import QtWidgets", "PySide6.QtWidgets"),
@@ -270,7 +271,7 @@ def test_a_forbidden_import_is_found(path: str, source: str, name: str) -> None:
     [
         ("app/model/projection.py", "from __future__ import annotations\nimport math, numpy"),
         ("app/drawings/stage.py", "from .actors import lifted\nfrom ..scenes.scene import Scene"),
-        ("app/commands/cli.py", "def f():\n    import pyvista"),
+        ("app/commands/cli.py", "def f():\n    import vtkmodules"),
         ("app/commands/cli.py", "if TYPE_CHECKING:\n    import PySide6"),
         ("app/commands/doctor.py", "from app import __version__, bootstrap"),
         ("widgets/window/files.py", "import app.document.store"),

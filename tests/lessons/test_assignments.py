@@ -179,9 +179,11 @@ def test_a_step_comes_after_those_that_it_would_change_and_gets_a_free_name(talk
     shown = states(talk)
     assert add_step(talk, "one", "New", a_state()).place == 2  # the second goes on from the first
     assert {name: text for name, text in states(talk).items() if name != "new"} == shown
-    talk.write_text(TALK)
+    talk.write_text(TALK, encoding="utf-8")
     assert add_step(talk, "three", "Two", a_state()) == ("two-2", 3)
-    assert talk.read_text().startswith(TALK + "\n\n---\n# Two {#two-2}\n```state\nscene=cube\n")
+    assert talk.read_text(encoding="utf-8").startswith(
+        TALK + "\n\n---\n# Two {#two-2}\n```state\nscene=cube\n"
+    )
     assert add_step(talk, "gone meanwhile", "Two", a_state()) == ("two-3", 4)
 
 
@@ -190,7 +192,7 @@ def test_what_cannot_be_said_is_a_document_beside_the_file(talk: Path) -> None:
     view = replace(AS_EVER, probes=(Probe(1, pixel=(3.0, 4.0)),), panes={"world": camera})
     document = replace(a_state(), view=view)
     add_step(talk, "three", "Seen", document)
-    assert "```state\ndocument: talk-seen.json\n```" in talk.read_text()
+    assert "```state\ndocument: talk-seen.json\n```" in talk.read_text(encoding="utf-8")
     assert read(talk.with_name("talk-seen.json")).view == view
     assert Course(read_lesson(talk)).shown(3).document.view.probes == view.probes
     plain = replace(a_state(), view=replace(AS_EVER, panes={"world": camera}))
@@ -206,7 +208,7 @@ def test_a_mesh_must_stand_beside_the_file(talk: Path, tmp_path: Path) -> None:
     mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     document = Document(os.fspath(mesh), scene_of(Document(os.fspath(mesh))).start)
     add_step(talk, "three", "House", document)
-    assert "scene=meshes/house.obj\n" in talk.read_text()
+    assert "scene=meshes/house.obj\n" in talk.read_text(encoding="utf-8")
     assert Course(read_lesson(talk)).shown(3).document == document
     other = tmp_path / "elsewhere"
     other.mkdir()
@@ -227,7 +229,7 @@ def test_nothing_is_written_where_it_cannot_be(talk: Path) -> None:
             add_step(talk, "two", "New", a_state())
     assert talk.read_bytes() == TALK.encode()
     talk.chmod(0o600)
-    talk.write_text("---\ntitle: x\n---\nno heading")
+    talk.write_text("---\ntitle: x\n---\nno heading", encoding="utf-8")
     with pytest.raises(Refusal, match="line 4"):
         add_step(talk, "two", "New", a_state())
     talk.unlink()

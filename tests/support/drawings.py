@@ -63,7 +63,8 @@ MakeScreen = Callable[[int, int], OffScreen]
 
 
 def texts_of(screen: Any) -> dict[str, SceneLabel]:
-    """The visible labels of a screen's own renderer, by their texts."""
+    """The visible labels of a screen's own renderer, by their texts; a rendering places them."""
+    screen.render_window.Render()
     return labels_of(screen.renderer)
 
 

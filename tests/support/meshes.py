@@ -28,7 +28,9 @@ FAR = 1e7
 
 def obj_file(path: Path, points: np.ndarray) -> None:
     rows = [f"v {x!r} {y!r} {z!r}" for x, y, z in points.tolist()]
-    path.write_text("\n".join(rows) + "\nf 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf -2 -1 -5\n")
+    path.write_text(
+        "\n".join(rows) + "\nf 1 2 3 4\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf -2 -1 -5\n", encoding="utf-8"
+    )
 
 
 def stl_text_file(path: Path, points: np.ndarray, name: str = "the vertex loop of a facet") -> None:
@@ -36,7 +38,7 @@ def stl_text_file(path: Path, points: np.ndarray, name: str = "the vertex loop o
     for corners in points[TRIANGLES].tolist():
         rows = "".join(f"      vertex {x!r} {y!r} {z!r}\n" for x, y, z in corners)
         text += f"  facet normal 0 0 0\n    outer loop\n{rows}    endloop\n  endfacet\n"
-    path.write_text(f"{text}endsolid {name}\n")
+    path.write_text(f"{text}endsolid {name}\n", encoding="utf-8")
 
 
 def stl_file(path: Path, points: np.ndarray, header: bytes = b"solid but binary") -> None:
@@ -61,7 +63,7 @@ def ply_text_file(path: Path, points: np.ndarray) -> None:
     text = ply_header("ascii", len(points), 5)
     text += "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in points.tolist())
     text += "".join(f"{len(face)} {' '.join(map(str, face))}\n" for face in QUAD_AND_TRIANGLES)
-    path.write_text(text)
+    path.write_text(text, encoding="utf-8")
 
 
 def ply_file(path: Path, points: np.ndarray, order: str = "<") -> None:
@@ -127,7 +129,7 @@ def write_gltf(path: Path, content: dict[str, Any], body: bytes) -> None:
         return
     data = base64.b64encode(body).decode()
     content["buffers"][0]["uri"] = f"data:application/octet-stream;base64,{data}"
-    path.write_text(json.dumps(content))
+    path.write_text(json.dumps(content), encoding="utf-8")
 
 
 def gltf_file(path: Path, points: np.ndarray) -> None:

@@ -25,6 +25,8 @@ from pytestqt.qtbot import QtBot
 from app.bootstrap import ROOT
 from app.document.document import Document
 from app.drawings.image import ImageDrawing
+from app.drawings.label_placement import Ground
+from app.drawings.labels import Board
 from app.drawings.off_screen import off_screen
 from app.drawings.off_screen import pixels_of as pixels_in
 from app.drawings.stage import StageDrawing
@@ -45,7 +47,7 @@ from tests.support.window import (
     seen,
     settle,
 )
-from widgets.panes.canvas import CANVASES, SCALES
+from widgets.panes.canvas import CANVASES, SCALES, RasterCanvas
 from widgets.panes.pane import REST_MS
 from widgets.window.main_window import MainWindow
 
@@ -134,6 +136,39 @@ def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: O
         window.store.set_projection(seen(window, lens=Perspective(51.0, 1.0, 30.0)))
         settle()
     assert counts["ndc"] == before["ndc"]
+
+
+def test_all_pictures_of_a_step_are_begun_before_one_is_read(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Reading waits for the software renderer, which may draw the others meanwhile."""
+    settle()
+    order: list[str] = []
+    for name in ("_render", "_read"):
+        act = getattr(RasterCanvas, name)
+        monkeypatch.setattr(
+            RasterCanvas, name, lambda self, name=name, act=act: (order.append(name), act(self))
+        )
+    window.controls.rows["near"].slider.setValue(300)
+    settle()
+    assert order == ["_render"] * 3 + ["_read"] * 3
+
+
+def test_another_scene_places_its_labels_once_in_each_pane(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settle()
+    placed, settle_labels = [], Board.settle
+
+    def counted(self: Board, ground: Ground, *, afresh: bool) -> bool:
+        placed.append(self)
+        return settle_labels(self, ground, afresh=afresh)
+
+    monkeypatch.setattr(Board, "settle", counted)
+    window.guide.choose("cube")
+    settle()
+    boards = [pane.drawing.board for pane in window.panes.values() if pane.drawing is not None]
+    assert sorted(map(id, placed)) == sorted(map(id, boards))
 
 
 def test_a_hand_quicker_than_the_screen_does_not_make_frames_short(

@@ -528,7 +528,8 @@ def test_a_new_kind_of_block_is_a_class_and_a_view(
     monkeypatch.setitem(VIEWS, Guess, BlockView)
     lesson.write_text(
         "---\ntitle: New\n---\n# One\n```guess mine\nWhich number?\nhint: Odd.\n```\n"
-        "```test\nmine: 7 -> right\nmine: 8 -> wrong\n```\n```note\nminutes: 1\n```\n"
+        "```test\nmine: 7 -> right\nmine: 8 -> wrong\n```\n```note\nminutes: 1\n```\n",
+        encoding="utf-8",
     )
     report = CheckReport()
     report.read(lesson)

@@ -474,7 +474,7 @@ def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
         "letter-f": {"eye", "target", "near", "far"},
         "similar-triangles": {"point", "distance", "eye"},
         "affine-depth": {"start", "end", "near", "far"},
-        "off-axis-window": {"corner"},
+        "off-axis-window": {"shift", "corner"},
         "planar-shadow": {"light", "height"},
     }.items():
         window = make_scene(scene)

@@ -177,7 +177,7 @@ def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk:
 def test_strokes_belong_to_the_picture_that_they_were_drawn_on(
     window: MainWindow, talk: Path
 ) -> None:
-    talk.write_text(PREDICTED)
+    talk.write_text(PREDICTED, encoding="utf-8")
     window.lessons.close()
     assert window.lessons.open(talk)
     pen = window.slide.pen
@@ -215,7 +215,7 @@ def test_a_damaged_file_of_strokes_is_refused_and_set_aside(tmp_path: Path, text
         read_strokes(talk)
     write_strokes(talk, {})
     assert read_strokes(talk) == {}
-    assert Path(f"{path_beside(talk)}.bak").read_text() == text
+    assert Path(f"{path_beside(talk)}.bak").read_text(encoding="utf-8") == text
 
 
 @pytest.mark.undrawn

@@ -21,7 +21,7 @@ import pytest
 from PySide6.QtCore import QEventLoop, QStandardPaths, QTimer
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
-from app import bootstrap
+from app import python_packages
 from app.bootstrap import ROOT
 from app.commands.cli import main
 from app.document.codec import to_json
@@ -873,7 +873,7 @@ def test_what_the_command_line_changes_is_unsaved(
 ) -> None:
     monkeypatch.chdir(tmp_path)
     write(Document("cube", Projection()), Path("my.json"))
-    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    Path("my.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     given: list[Any] = []
     monkeypatch.setattr(application, "run_window", lambda *found: given.extend(found) or 0)
     assert main(arguments) == 0
@@ -1034,7 +1034,7 @@ def test_no_other_thread_destroys_the_window_s_garbage() -> None:
             loop = QEventLoop()
             QTimer.singleShot(20, loop.quit)
             loop.exec()
-        with bootstrap.for_good():
+        with python_packages.for_good():
             pass
         assert not gc.isenabled()
     finally:

@@ -715,16 +715,16 @@ def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) ->
     assert window.lessons.place == 3
     assert window.store.document.projection.lens.near == 1.25
     assert not window.lessons.is_away
-    assert talk.read_text().startswith(TALK.rstrip("\n"))
+    assert talk.read_text(encoding="utf-8").startswith(TALK.rstrip("\n"))
     assert window.band.accessibleName() == "By hand"
     assert not window.talks.writer.write_step("", panes=False)
     assert "must be one line of text" in window.messages.text
-    text = talk.read_text()
+    text = talk.read_text(encoding="utf-8")
     talk.unlink()
     assert not window.talks.writer.write_step("More", panes=False)
     assert "talk.md is not in its folder any more" in window.messages.text
     assert "A new talk from here" in window.messages.text
-    talk.write_text(text)
+    talk.write_text(text, encoding="utf-8")
     window.messages.done()
 
 
@@ -750,9 +750,12 @@ def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
     course, document = window.lessons.course, window.store.document
     speaker = speaker_of(window)
     wrong: list[tuple[Callable[[], object], str]] = [
-        (lambda: talk.write_text("---\n"), "line"),
-        (lambda: talk.write_text(TALK.replace("y_deg=60", "y_deg=600")), "talk.md: line 10"),
-        (lambda: talk.write_text(TALK + "---\n# x\n" * MOST_STEPS * 20), "steps"),
+        (lambda: talk.write_text("---\n", encoding="utf-8"), "line"),
+        (
+            lambda: talk.write_text(TALK.replace("y_deg=60", "y_deg=600"), encoding="utf-8"),
+            "talk.md: line 10",
+        ),
+        (lambda: talk.write_text(TALK + "---\n# x\n" * MOST_STEPS * 20, encoding="utf-8"), "steps"),
         (talk.unlink, "does not exist"),
     ]
     for act, said in wrong:
@@ -802,7 +805,7 @@ def test_an_impossible_step_leaves_the_previous_one(window: MainWindow, talk: Pa
     document = window.store.document
     press(window, PAGE_DOWN, PAGE_DOWN, PAGE_DOWN)
     assert window.lessons.place == 1
-    line = talk.read_text().splitlines().index("lens.near=99") + 1
+    line = talk.read_text(encoding="utf-8").splitlines().index("lens.near=99") + 1
     assert f"talk.md: line {line}, lens.near = 99" in window.messages.text
     window.messages.done()
     arrive(window.lessons)
@@ -826,7 +829,7 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     mesh.write_text(TRIANGLE)
     document = Document(str(mesh), scene_of(Document("cube")).start)
     talk.with_name("house.json").write_text(to_json(document))
-    talk.write_text(MESHES)
+    talk.write_text(MESHES, encoding="utf-8")
     assert window.lessons.open(talk)
     speaker = speaker_of(window)
     if known:
@@ -849,7 +852,7 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
         press(speaker, Qt.Key.Key_1, Qt.Key.Key_Escape)
         window.lessons.read_again()  # a folder that changes, but not the file
         assert any(said in text for text in read_on(speaker))
-    talk.write_text("---\n")  # what is wrong since then is said instead
+    talk.write_text("---\n", encoding="utf-8")  # what is wrong since then is said instead
     window.lessons.read_again()
     assert not any(said in text for text in read_on(speaker))
     change(window, MESHES)

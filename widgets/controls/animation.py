@@ -47,8 +47,7 @@ class Motion:
     height: HeightMode = "fixed"
     """The eye keeps its y, swings between the limits, or takes the next of four heights every
     `STEP_S`."""
-    look: LookMode = "target"
-    """The camera looks at the target, or horizontally: the target gets the eye's y."""
+    look: LookMode = "target"  # toward the target, or horizontal: the target gets the eye's y
     lowest: float = 0.0
     highest: float = 10.0  # limits of the eye's y, world units; in either order
     clock_s: float = 0.0  # phase at which the walk begins: 0 is lowest, `PERIOD_S`/2 is highest

@@ -82,12 +82,10 @@ class Binding(NamedTuple):
     row: Row
     rows: Rows  # the part of the dock with the row
     parameter: Parameter
-    part: Part
-    """The field of `Projection` that the value belongs to; only a change there removes an error."""
+    part: Part  # the field of `Projection` that has the value; only a change there removes an error
     field: str  # the model's name of the value, of a component that of its vector
     memory: TypedMemory | None  # keeps an accepted edit
-    lenses: tuple[str, ...]
-    """The kinds of lens that have this value; empty if it depends on no lens."""
+    lenses: tuple[str, ...]  # kinds of lens that have this value; empty if it depends on no lens
 
 
 def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) -> Iterator[Binding]:

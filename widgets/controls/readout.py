@@ -19,8 +19,7 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix
 LARGE = 1.15  # size of a reading's number, relative to ordinary text
 BESIDE, ON_A_LINE = 13, 30
 """Characters of the longest value beside its label, and of the longest list on one line."""
-LABEL_EM, WORDS_EM = 6, 7
-"""Widths in heights of a line, beyond which labels, and words as values, may wrap."""
+LABEL_EM, WORDS_EM = 6, 7  # widths in line heights beyond which labels, or words as values, wrap
 BETWEEN_EM = 0.35  # gap between two readings
 NONE = "–"  # shown for a missing reading
 

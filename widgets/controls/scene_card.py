@@ -44,8 +44,7 @@ class SceneCard(QWidget, RowHolder):
     `rows` and `motions` have the names of the settings as keys.
     """
 
-    settings_edited = Signal(object)
-    """The user or a motion set these values, by the names of the settings."""
+    settings_edited = Signal(object)  # the user or a motion set these values, by settings' names
     comparison_wanted = Signal(str)  # the user wants to see this comparison of the scene
     highlighted = Signal(str, object)
     """The row or reading under the mouse or the focus, and its `Highlight`; then `NOTHING`."""

@@ -111,8 +111,7 @@ class MatrixRow(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.boxes: list[MatrixBox] = []
-        self._gap: QSpacerItem | None = None
-        """Keeps a matrix in place when its neighbours have disappeared."""
+        self._gap: QSpacerItem | None = None  # keeps a matrix in place if its neighbours disappear
         self._content = QWidget()
         self._row = in_row(FREE, on=self._content, margins=(2, 0, 2, 0), gap=6)
         self._scroll = scrolled(self._content, self.tr("Matrices"))

@@ -40,8 +40,7 @@ from widgets.parts.plain import Markup, set_tip, show_tip
 from widgets.parts.typeset import FOOT_PX, RULE_PX, Typeset, paint_brackets, resized, typeset
 
 VIEW = ("view_from_world", "rotation")
-TO_CLIP = ("clip_from_view", "clip_from_world")
-"""The matrices whose rows are the coordinates of clip space."""
+TO_CLIP = ("clip_from_view", "clip_from_world")  # matrices whose rows are clip coordinates
 ROW_GAP_PX = 3.0
 _POWER = re.compile("e|·?10(?=[⁻⁰¹²³⁴⁵⁶⁷⁸⁹])")
 _STEPS = {
@@ -183,8 +182,7 @@ class MatrixView(QWidget):
         self._explain, self._editable = explain, editable
         self.field: _CellField | None = None  # the field of the cell that is being typed
         self.place = (0, 0)  # row and column of the keyboard's cursor
-        self.texts: list[list[str]] = []
-        """The cells' texts; formulas are for `widgets.parts.typeset`."""
+        self.texts: list[list[str]] = []  # cells' texts; formulas are for `widgets.parts.typeset`
         self._matrix: WrittenMatrix | None = None
         self._changed: dict[tuple[int, int], int | None] = {}
         """The first changed digit, by row and column of the cells that differ from before."""

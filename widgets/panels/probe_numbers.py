@@ -14,8 +14,7 @@ from app.picking.picking import Probe, projector
 from app.precision.levels import precision_for_reading, predict, trace_homogeneous
 from widgets.parts.messages import lettering, plane_name
 
-Cells: TypeAlias = list[str | float]
-"""A line of a probe: its numbers, or one text across all columns."""
+Cells: TypeAlias = list[str | float]  # a probe's line: its numbers, or one text across all columns
 DIVIDE = 4  # the line that shows the divisor, after its sign
 
 

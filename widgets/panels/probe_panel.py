@@ -40,8 +40,7 @@ class ProbePanel(ReadablePanel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.probes: tuple[Probe, ...] = ()
-        """The probes that the panes mark, in the order of the table."""
+        self.probes: tuple[Probe, ...] = ()  # the probes that the panes mark, in the table's order
         self.pinned = frozenset[int]()  # numbers of the probes that the next click does not move
         self._chosen = 0  # number of the probe that is edited; 0 for none
         self._projection: Projection | None = None

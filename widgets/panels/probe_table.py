@@ -36,8 +36,7 @@ _Index: TypeAlias = QModelIndex | QPersistentModelIndex
 _Role = Qt.ItemDataRole
 _PARTS = 4  # columns of a probe: x, y, z, w
 _ROOT = QModelIndex()
-FORMULA = Qt.ItemDataRole.UserRole
-"""Role of a line's first cell: its formula, for `widgets.parts.typeset`."""
+FORMULA = Qt.ItemDataRole.UserRole  # role of a line's first cell: its formula as `Typeset`
 EXACT = Qt.ItemDataRole.UserRole + 1  # role of a cell: the text with all digits, for copying
 
 

@@ -4,14 +4,14 @@
 
     redraw() --> QWidget.update, coalesced by Qt --> Qt's paint event --> one VTK render --> drawn
 
-- `GlCanvas` contains pyvistaqt's interactor: VTK draws into a QOpenGLWidget.
+- `GlCanvas` contains an `Interactor`: VTK draws into a QOpenGLWidget.
 - `RasterCanvas` is a plain widget: VTK draws off the screen, as for a figure, and the widget paints
   the pixels. With OpenGL in software that takes half the time: Qt composes no textures, and
   repaints a slider beside it without the canvases. It needs no OpenGL in Qt.
 
-Both are empty until they are opened, which imports VTK. Nothing else renders: pyvista's `render`
-draws at once *and* again in the paint event. VTK's interactor styles are not used: they render,
-rewrite the clipping range at every drag, and bind plain keys to changes of the scene.
+Both are empty until they are opened, which imports VTK. Nothing else renders. VTK's interactor
+styles are not used: they render, rewrite the clipping range at every drag, and bind plain keys to
+changes of the scene.
 """
 
 from __future__ import annotations
@@ -22,6 +22,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
+from weakref import WeakSet
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Signal
 from PySide6.QtGui import (
@@ -200,6 +201,9 @@ class GlCanvas(_Canvas):
         super().closeEvent(event)
 
 
+_OPEN: WeakSet[RasterCanvas] = WeakSet()
+
+
 class RasterCanvas(_Canvas):
     """A widget that paints the pixels of VTK's off-screen picture."""
 
@@ -208,7 +212,7 @@ class RasterCanvas(_Canvas):
         # Qt flushes after it has painted the whole window.
         self.drawn.connect(self.shown, Qt.ConnectionType.QueuedConnection)
         self._screen: OffScreen | None = None
-        self._is_stale = True
+        self._is_stale = self._is_unread = True
         self._image = QImage()
 
     def open(self) -> None:
@@ -216,6 +220,7 @@ class RasterCanvas(_Canvas):
 
         self._pixels = vtkUnsignedCharArray()
         self.is_open = True
+        _OPEN.add(self)
         self._take(self.screen_ahead())
 
     def screen_ahead(self) -> OffScreen:
@@ -255,9 +260,18 @@ class RasterCanvas(_Canvas):
         if self._screen is None:
             super().paintEvent(event)
             return
-        size = self._size_px
-        if self._is_stale or size != (self._image.width(), self._image.height()):
-            self._draw(*size)
+        began = time.perf_counter()
+        self._is_stale |= self._size_px != self.render_window.GetSize()
+        if self._is_stale:
+            # Reading waits for the software renderer's threads: other pictures are begun before.
+            self._render()
+            for other in () if self.timed else _OPEN:
+                if other.is_due_with(self):
+                    other._render()
+        if self._is_unread:
+            self._read()
+            if self.timed:
+                self.painted.emit(1e3 * (time.perf_counter() - began))
         painter = QPainter(self)
         if self._finer != 1.0:
             painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
@@ -266,22 +280,30 @@ class RasterCanvas(_Canvas):
         painter.end()
         self.drawn.emit()
 
-    def _draw(self, width: int, height: int) -> None:
+    def is_due_with(self, other: QWidget) -> bool:
+        """Whether it will be drawn in the same repaint of the window as another canvas."""
+        is_seen = self._is_stale and self.window() is other.window()
+        return is_seen and not self.visibleRegion().isEmpty()
+
+    def _render(self) -> None:
+        window, size = self.render_window, self._size_px
+        if window.GetSize() != size:
+            window.SetSize(*size)
+        self._is_stale, self._is_unread = False, True
+        window.Render()
+
+    def _read(self) -> None:
         from vtkmodules.util.numpy_support import vtk_to_numpy
 
-        began = time.perf_counter()
         window = self.render_window
-        if window.GetSize() != (width, height):
-            window.SetSize(width, height)
-        self._is_stale = False
-        window.Render()
+        width, height = window.GetSize()
+        self._is_unread = False
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
         data = vtk_to_numpy(self._pixels).data  # type: ignore[no-untyped-call]
         self._image = QImage(data, width, height, QImage.Format.Format_RGBX8888)
-        if self.timed:
-            self.painted.emit(1e3 * (time.perf_counter() - began))
 
     def closeEvent(self, event: QCloseEvent) -> None:
+        _OPEN.discard(self)
         if self._screen is not None:
             self._image = QImage()
             self._screen.give_back()
@@ -300,8 +322,7 @@ class CanvasHolder(QWidget):
         super().__init__()
         self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
         self._room: QRect | None = None
-        self.beside: QColor | None = None
-        """Colour of the part without canvas; None for the window's."""
+        self.beside: QColor | None = None  # colour beside the canvas; None for the window's
 
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._room is not None and self.beside is not None:
@@ -370,8 +391,7 @@ class Hand(QObject):
         self._canvas = canvas
         self._orbits = orbits
         self._last: QPointF | None = None
-        self._pressed: QPointF | None = None
-        """Where the left button was pressed, while it may be a click."""
+        self._pressed: QPointF | None = None  # where the left button went down, if perhaps a click
         self._dragged_from: QPointF | None = None
         self._holds = False
         self.has_tooltip = True  # whether the canvas has a tooltip
@@ -551,7 +571,6 @@ class Hand(QObject):
 
     @property
     def camera(self) -> Any:
-        """The canvas' own; pyvista's `camera` would move it first."""
         return self._canvas.renderer.GetActiveCamera()
 
     def _zoom(self, factor: float) -> None:

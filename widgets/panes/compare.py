@@ -45,10 +45,8 @@ KEY_STEP = 0.02  # part of the picture's width for an arrow key; with Shift a te
 class Divider(QWidget):
     """A line between two pictures that lie over each other."""
 
-    moved = Signal(float)
-    """The mouse drags it to this place, in pixels from the left of the surface."""
-    stepped = Signal(float)
-    """A key moves it by this part of the picture's width; more than 1 is to an end."""
+    moved = Signal(float)  # the mouse drags it to this place, in pixels from the surface's left
+    stepped = Signal(float)  # a key moves it by this part of the picture's width; above 1 to an end
     left = Signal()  # Esc was pressed on it
 
     def __init__(self, surface: QWidget) -> None:
@@ -223,8 +221,7 @@ class Compare(QObject):
     """The pictures in a pane, at first the image's; `smoothing` returns that of a pane at rest."""
 
     changed = Signal()  # the pictures or the dividers have changed
-    drawn = Signal()
-    """One of the other pictures is on the screen for the first time, under its name."""
+    drawn = Signal()  # one of the other pictures is on the screen for the first time, by its name
     end_wanted = Signal()
 
     def __init__(self, pane: Pane, smoothing: Callable[[], str]) -> None:
@@ -238,8 +235,7 @@ class Compare(QObject):
         self.handles: list[Divider] = []
         self.captions: list[Title] = []
         self._cuts: list[QRect] = []
-        self._laid_out: list[tuple[int, int] | None] = []
-        """The sizes of the images in the present layout."""
+        self._laid_out: list[tuple[int, int] | None] = []  # the images' sizes in this layout
         self._screen_px = 0.0  # the height of the screen that a class looks at; 0 for a window
         self.bar = QWidget()  # below the picture: says how the pictures differ
         self.words = _TwoLineLabel()

@@ -15,8 +15,7 @@ from widgets.panes.canvas import release_context
 from widgets.parts.panel import Changed, ShownData
 
 REST_MS = 250
-PIXELS = 130_000
-"""Size of the picture: precise to 0.3 points of a share, in less than 100 ms in software."""
+PIXELS = 130_000  # size of the picture: precise to 0.3 points of a share, within 100 ms in software
 LONGEST_PX = 1000
 MOST_FACES = 20_000  # a larger mesh would block the window: its share is only predicted
 

@@ -1,54 +1,32 @@
-"""pyvistaqt's interactor, for a canvas with OpenGL."""
+"""VTK's picture in a QOpenGLWidget, for a canvas with OpenGL.
+
+As in VTK's QVTKOpenGLNativeWidget, which has no Python: VTK draws into framebuffers of its own in
+Qt's context, and the result is copied into the widget's framebuffer.
+"""
 
 from __future__ import annotations
 
-import importlib
-import sys
+import ctypes
 import time
-from types import ModuleType
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QGuiApplication, QResizeEvent, QSurfaceFormat
-
-PYPLOT = "matplotlib.pyplot"
-
-
-def _imported_without_pyplot(name: str) -> Any:
-    """Import a module that imports pyplot without using it: pyplot takes as long as VTK.
-
-    The module gets a stand-in, which imports pyplot when it is used.
-    """
-    if PYPLOT in sys.modules:
-        return importlib.import_module(name)
-
-    def given(wanted: str) -> Any:
-        if wanted.startswith("__"):  # tools read these names of every module
-            raise AttributeError(wanted)
-        return getattr(importlib.import_module(PYPLOT), wanted)
-
-    late = ModuleType(PYPLOT)
-    late.__getattr__ = given  # type: ignore[method-assign]
-    sys.modules[PYPLOT] = late
-    try:
-        return importlib.import_module(name)
-    finally:
-        del sys.modules[PYPLOT]
-
-
-if TYPE_CHECKING:
-    from pyvistaqt import QtInteractor
-else:
-    QtInteractor = _imported_without_pyplot("pyvistaqt").QtInteractor
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QOpenGLContext, QResizeEvent, QSurfaceFormat
+from PySide6.QtOpenGLWidgets import QOpenGLWidget
+from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
+from vtkmodules.vtkRenderingOpenGL2 import vtkGenericOpenGLRenderWindow
 
 _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
+_COLOR_BUFFER, _DRAW_FRAMEBUFFER, _LINEAR = 0x4000, 0x8CA9, 0x2601
+_DEPTH_TEST, _LESS_OR_EQUAL, _SCISSOR_TEST = 0x0B71, 0x0203, 0x0C11
+_Loader = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_char_p)
 
 
-class Interactor(QtInteractor):
+class Interactor(QOpenGLWidget):
     """VTK draws into it; mouse and keys go to the canvas (a `GlCanvas`) behind it."""
 
     def __init__(self, canvas: Any) -> None:
-        super().__init__(canvas, auto_update=False, multi_samples=0)
+        super().__init__(canvas)
         self._canvas = canvas
         if QGuiApplication.platformName() in ("xcb", "windows"):
             # VTK's own windows have it; without it a shader widens lines, to other pixels. (Not on
@@ -56,25 +34,70 @@ class Interactor(QtInteractor):
             wanted = self.format()
             wanted.setOption(_WIDE_LINES)
             self.setFormat(wanted)
-        self.setAcceptDrops(False)  # the window takes drops; pyvistaqt would add the file here
+        self.setUpdateBehavior(QOpenGLWidget.UpdateBehavior.NoPartialUpdate)
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
-        self.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         self._resizing = False
+        self._context: QOpenGLContext | None = None
+        self._observers: list[int] = []
+        self.renderer: Any = vtkRenderer()
+        self.renderer.SetActiveCamera(vtkCamera())
+        self.render_window: Any = vtkGenericOpenGLRenderWindow()
+        self.render_window.SetMultiSamples(0)
+        self.render_window.SetReadyForRendering(False)
+        self.render_window.SetFrameBlitModeToNoBlit()
+        self.render_window.AddRenderer(self.renderer)
 
     def initializeGL(self) -> None:
-        super().initializeGL()  # type: ignore[no-untyped-call]
-        if self.context().format().testOption(_WIDE_LINES):
-            window: Any = self.render_window
-            window.SetForceMaximumHardwareLineWidth(0.0)  # pyvistaqt's is 1
+        window = self.render_window
+        self._context = context = self.context()
+        self._surface = context.surface()
+        context.aboutToBeDestroyed.connect(self._release)
+        self._observers = [
+            window.AddObserver("WindowMakeCurrentEvent", self._make_current),
+            window.AddObserver("WindowIsCurrentEvent", self._tell_current),
+        ]
+        # On Windows without a driver, Qt's is not the system's, which VTK would ask.
+        self._load = _Loader(context.getProcAddress)
+        window.SetOpenGLSymbolLoader2(ctypes.cast(self._load, ctypes.c_void_p).value, 0)
+        window.OpenGLInitContext()
+        window.OpenGLInit()
+        state = window.GetState()
+        state.Reset()
+        state.vtkglDepthFunc(_LESS_OR_EQUAL)  # Qt leaves another
+        state.vtkglEnable(_DEPTH_TEST)
+        has_wide_lines = context.format().testOption(_WIDE_LINES)
+        window.SetForceMaximumHardwareLineWidth(0.0 if has_wide_lines else 1.0)
+        window.SetReadyForRendering(True)
+        window.SetOwnContext(0)
+
+    def _make_current(self, *_: object) -> None:
+        """Not by the widget's `makeCurrent`, which would bind its framebuffer while VTK draws."""
+        if self._context is not None:
+            self._context.makeCurrent(self._surface)
+
+    def _tell_current(self, *_: object) -> None:
+        is_current = self._context is not None and QOpenGLContext.currentContext() is self._context
+        self.render_window.SetIsCurrent(is_current)
+
+    def _release(self) -> None:
+        """Free what VTK has in the context, while it is there; nothing is drawn afterwards."""
+        if self._context is None:
+            return
+        self._make_current()
+        self.render_window.Finalize()
+        self.render_window.SetReadyForRendering(False)
+        while self._observers:  # VTK would keep this widget
+            self.render_window.RemoveObserver(self._observers.pop())
+        self._context = None
+
+    def closeEvent(self, event: QCloseEvent) -> None:
+        self._release()
+        super().closeEvent(event)
 
     def resizeGL(self, w: int, h: int) -> None:
-        super().resizeGL(w, h)  # type: ignore[no-untyped-call]
-        window: Any = self.render_window
         ratio = self._canvas.pixel_ratio
-        if ratio != self.devicePixelRatioF():
-            sides = (max(1, round(side * ratio)) for side in (w, h))
-            window.GetInteractor().UpdateSize(*sides)
+        self.render_window.SetSize(*(max(1, round(side * ratio)) for side in (w, h)))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         self._resizing = True
@@ -84,13 +107,37 @@ class Interactor(QtInteractor):
             self._resizing = False
 
     def paintGL(self) -> None:
-        window: Any = self.render_window
+        window = self.render_window
+        if not window.GetReadyForRendering():
+            return
         if self._resizing and window.GetNeverRendered():
             return  # Qt draws again when it shows the widget
         began = time.perf_counter()
-        super().paintGL()  # type: ignore[no-untyped-call]
+        state = window.GetState()
+        state.Reset()  # Qt has drawn since
+        state.Push()
+        state.vtkglDepthFunc(_LESS_OR_EQUAL)
+        window.Render()
+        self.makeCurrent()
+        self._copy()
+        state.Pop()
         self._canvas.drawn.emit()
         if not self._canvas.timed:
             return
         window.WaitForCompletion()  # drawing goes on after the call otherwise
         self._canvas.painted.emit(1e3 * (time.perf_counter() - began))
+
+    def _copy(self) -> None:
+        """Copy VTK's picture into the widget's framebuffer, as opaque."""
+        ratio = self.devicePixelRatioF()
+        width, height = (max(1, round(side * ratio)) for side in (self.width(), self.height()))
+        functions = self.context().functions()
+        functions.glBindFramebuffer(_DRAW_FRAMEBUFFER, self.defaultFramebufferObject())
+        self.render_window.GetState().vtkglDisable(_SCISSOR_TEST)
+        self.render_window.BlitDisplayFramebuffer(
+            0, 0, 0, *self.render_window.GetSize(), 0, 0, width, height, _COLOR_BUFFER, _LINEAR
+        )
+        functions.glColorMask(False, False, False, True)
+        functions.glClearColor(0.0, 0.0, 0.0, 1.0)
+        functions.glClear(_COLOR_BUFFER)
+        functions.glColorMask(True, True, True, True)

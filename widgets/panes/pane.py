@@ -101,7 +101,8 @@ class Pane(QFrame):
         self.shown: ShownData | None = None  # what the pane shows, or will show when it appears
         self._to_build: tuple[object, ...] | None = None
         self.built_with: tuple[object, ...] | None = None  # the last arguments of `build`
-        self._waits = False
+        self._drawn_with: tuple[object, ...] | None = None  # those of `drawing`
+        self._waits = self._appears = False
         self.requested = dict(AS_BUILT)  # the values of `request`
         self._due: set[str] = set()  # what the drawing has yet to show
         self._pointed_at = NOTHING
@@ -172,13 +173,17 @@ class Pane(QFrame):
         if self.isVisible():
             self._appear()
 
-    def build(self, shown: ShownData, view: Camera | None, *args: object) -> None:
+    def build(
+        self, shown: ShownData, view: Camera | None, *args: object, anew: bool = True
+    ) -> None:
         """Make another drawing, for another scene or style; a hidden pane does it on appearing.
 
-        `view` is the pane's own camera; None places it so that everything is in view.
+        `view` is the pane's own camera; None places it so that everything is in view. If not
+        `anew`, a drawing that was made with the same arguments stays.
         """
-        self.shown = shown
-        self._to_build = self.built_with = args
+        self.shown, self.built_with = shown, args
+        self._to_build = args if anew or args != self._drawn_with else None
+        self._due |= {"projection", "view"}
         self.requested["view"] = view
         self._refresh()
 
@@ -187,7 +192,7 @@ class Pane(QFrame):
         if waits != self._waits:
             self._waits = waits
             if not waits:
-                self._refresh()
+                self._appear() if self._appears else self._refresh()
 
     def look_from(self, view: Camera | None) -> None:
         """Move the pane's own camera as `build` does, without another drawing."""
@@ -245,7 +250,8 @@ class Pane(QFrame):
     def show_highlight(self, highlighted: Highlight) -> None:
         """Highlight these things, and nothing else."""
         self.requested["highlight"] = highlighted
-        if not self.isVisible() or self._to_build is not None or self.drawing is None:
+        is_old = self._waits or self._to_build is not None
+        if not self.isVisible() or is_old or self.drawing is None:
             self._due.add("highlight")
         elif self.drawing.show_highlight(highlighted):
             self.canvas.redraw()
@@ -317,10 +323,11 @@ class Pane(QFrame):
         else:
             if self.drawing is not None:
                 self.drawing.remove()
-            self.drawing = None
+            self.drawing = self._drawn_with = None
             with self.canvas.or_empty():
                 self.drawing = self.make_drawing(self.canvas, *args)
         assert self.drawing is not None
+        self._drawn_with = args
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
         self.requested["detail"] = None
@@ -462,6 +469,9 @@ class Pane(QFrame):
         self._appear()
 
     def _appear(self) -> None:
+        self._appears = self._waits
+        if self._waits:
+            return
         try:
             self._refresh()
             self.refit()  # a gesture may have ended while the pane was hidden

@@ -9,7 +9,6 @@ from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF
 from PySide6.QtGui import (
     QColor,
     QFont,
-    QFontDatabase,
     QGuiApplication,
     QImage,
     QPageSize,
@@ -18,14 +17,13 @@ from PySide6.QtGui import (
 )
 
 from app.drawings.style import LIGHT
-from app.lecture.typesetting import font_file
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import Measurements, Sweep, Trade
 from app.scenes.phenomena.words import Diagram
 from widgets.parts.diagram_painter import SMALL, DiagramPainter
 from widgets.parts.saving import png_of
-from widgets.parts.typeset import resized
+from widgets.parts.typeset import resized, words_font
 
 ONE_PX, COLUMN_PX, ROW_PX = QSizeF(800.0, 490.0), 550.0, 350.0
 """Size of a picture of one chart with its notes, and of each chart of a larger picture."""
@@ -50,8 +48,7 @@ def picture(
     """
     application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
     assert isinstance(application, QGuiApplication)
-    QFontDatabase.addApplicationFont(font_file("DejaVuSans"))
-    font = QFont("DejaVu Sans")  # whatever the letters of the window
+    font = words_font()  # whatever the letters of the window
     font.setPixelSize(FONT_PX)
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     others: dict[str, Trade | Sweep] = {}

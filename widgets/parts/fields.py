@@ -88,8 +88,7 @@ class Row(TintedWidget, QWidget, Gestures):
     """
 
     edited = Signal(object)  # the user chose this value
-    highlighted = Signal(bool)
-    """Whether the mouse is over the row, or the focus came into it by the keyboard."""
+    highlighted = Signal(bool)  # whether the mouse is over the row, or the keyboard's focus in it
 
     def __init__(self, name: str, tip: str) -> None:
         super().__init__()

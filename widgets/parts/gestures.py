@@ -19,8 +19,7 @@ class Gestures(Beside):
 
     gesture_started = Signal()
     gesture_finished = Signal()
-    gesture_abandoned = Signal()
-    """Esc was pressed: undo the changes of this gesture, which ends now."""
+    gesture_abandoned = Signal()  # Esc was pressed: undo this gesture's changes; it ends now
 
     def pass_on(self, source: Gestures) -> None:
         """Forward another object's gestures too."""
@@ -76,8 +75,7 @@ class HeldSlider(QSlider):
 
     def __init__(self) -> None:
         super().__init__(Qt.Orientation.Horizontal)
-        self.is_abandoned = False
-        """Whether moves of the mouse are ignored until the button is released."""
+        self.is_abandoned = False  # whether mouse moves are ignored until the button is released
         self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._abandon)

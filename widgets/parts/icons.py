@@ -204,7 +204,7 @@ def _draw(painter: QPainter, rect: QRect, name: str, colour: str, opacity: float
 
 
 _clones: list[_PaintedIcon] = []
-"""Qt owns these, but PySide would delete them if Python dropped them."""
+"""Qt owns these, but PySide would delete them if Python did not keep them."""
 
 
 class NoteLabel(PlainLabel):

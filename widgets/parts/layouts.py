@@ -4,6 +4,8 @@ Qt's Tab order is the order of creation: widgets that a panel creates later woul
 from the panel. The order here is that of the layouts, which the user sees.
 """
 
+import re
+import sys
 from collections.abc import Iterable, Iterator
 from typing import TypeAlias, TypeVar, cast
 
@@ -269,6 +271,8 @@ def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> 
 
 def _labelled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
     made.setText(text)
+    if sys.platform == "darwin" and (letter := re.search(r"(?<!&)&(\w)", text)):
+        made.setShortcut(f"Alt+{letter[1]}")  # as tips say; macOS has no mnemonics
     set_tip(made, tip)
     if name:
         made.setAccessibleName(name)

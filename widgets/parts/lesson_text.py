@@ -46,14 +46,12 @@ from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.marking import digits_shown
 from app.lessons.text import DISPLAYED, FORMULA, html_of, readable, spoken_text
 from widgets.parts.messages import FEW, figure_text
-from widgets.parts.plain import TextDocument
+from widgets.parts.plain import TextDocument, with_native_keys
 from widgets.parts.roles import give_role
 from widgets.parts.typeset import em_px, fill_line
 
-INKS = "inks"
-"""The property of a document with the colours of letters, ``"#rrggbb"`` by their names."""
-SPACIOUS = "spacious"
-"""The property of a document that has room for large fractions and displayed formulas."""
+INKS = "inks"  # a document's property: the colours of letters, ``"#rrggbb"`` by their names
+SPACIOUS = "spacious"  # a document's property: room for large fractions and displayed formulas
 _KIND = QTextFormat.ObjectTypes.UserObject + 1
 _TEX = QTextFormat.Property.UserProperty + 1
 _IS_DISPLAYED, _TAIL = QTextFormat.Property.UserProperty + 2, QTextFormat.Property.UserProperty + 3
@@ -87,6 +85,7 @@ def set_text(
     document: QTextDocument, text: str, *, title: bool = False, palette: QPalette | None = None
 ) -> None:
     """Fill a document, which has its font already, with a lesson's Markdown."""
+    text = with_native_keys(text)
     html, formulas = html_of(f"## {text}" if title else text)
     line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
     document.setDefaultStyleSheet(STYLE % (line, line))

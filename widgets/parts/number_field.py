@@ -128,8 +128,7 @@ class ShortField(NumberField):
         self.below: float | None = None
         self.above: float | None = None
         """Bounds that the number never reaches, even rounded for display; set by the owner."""
-        self.characters = FIELD_CHARACTERS
-        """Longest number that fits, without its sign; set by the owner."""
+        self.characters = FIELD_CHARACTERS  # longest number without its sign; set by the owner
         self._whole = False
         all_digits.changed.connect(self._resize)
 

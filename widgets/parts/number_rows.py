@@ -30,7 +30,7 @@ from widgets.parts.scales import Scale, Stops
 
 QUIET_MS = 500  # keys and wheel steps at shorter intervals are one gesture
 LEAST_SLIDER_PX = 150
-"""Least width of a slider; a shorter one has more values than the user can distinguish."""
+"""Least width of a slider; a shorter one has more values than one can distinguish."""
 FINE = 0.1  # speed of a drag with Shift, relative to one without
 VECTOR_CHARACTERS = 6  # longest number, without its sign, that fits where three are side by side
 EXAMPLES = (0.5, 2e-3)  # the numbers that `A_NUMBER` names

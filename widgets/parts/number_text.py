@@ -9,8 +9,7 @@ from app.model.projection import AT_LEAST, AT_MOST, LARGEST
 from app.model.refusal import Refusal
 from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
 
-FIELD_CHARACTERS = 8
-"""Longest number, without its sign, that a field shows when it is not being edited."""
+FIELD_CHARACTERS = 8  # longest number, without its sign, that a field shows while it is not edited
 _MOST = 6  # most digits of a number that counts as short
 _NUMBER = re.compile(r"[+-]?(\d+([.,]\d*)?|[.,]\d+)(e[+-]?\d+)?", re.ASCII | re.IGNORECASE)
 _INFINITY = re.compile(r"([+-]?)(∞|inf|infinity)", re.IGNORECASE)

@@ -10,11 +10,19 @@ from __future__ import annotations
 
 import html
 import re
+import sys
 from typing import Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QPoint, QPointF, Qt, QUrl
-from PySide6.QtGui import QAbstractTextDocumentLayout, QAction, QPainter, QPalette, QTextDocument
+from PySide6.QtGui import (
+    QAbstractTextDocumentLayout,
+    QAction,
+    QKeySequence,
+    QPainter,
+    QPalette,
+    QTextDocument,
+)
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QToolTip, QWidget
 
 
@@ -42,8 +50,18 @@ def subscripts(text: str) -> str:
     return Markup(re.sub(r"(?<=\w)_(\w+(?:→\w+)?)", r"<sub>\1</sub>", escaped))
 
 
+def with_native_keys(text: str) -> str:
+    """Write keys such as Ctrl+F as this system does: macOS has signs for them."""
+    if sys.platform != "darwin":
+        return text
+    native = QKeySequence.SequenceFormat.NativeText
+    keys = r"\b(?:(?:Ctrl|Alt|Shift|Meta)\+)+\w+"
+    return re.sub(keys, lambda match: QKeySequence(match[0]).toString(native), text)
+
+
 def tip_of(text: str) -> str:
     """Return a text as Qt's tooltips, also those of models, must get it."""
+    text = text if isinstance(text, Markup) else with_native_keys(text)
     if isinstance(text, Markup) or not QtGui.Qt.mightBeRichText(text):
         return text
     return wrapped(text)

@@ -15,8 +15,7 @@ from widgets.parts.plain import PlainLabel
 SHOWN_AFTER_MS = 100
 _POLL_S = 0.02
 _Done = TypeVar("_Done")
-ReportProgress: TypeAlias = Callable[[float], bool]
-"""Receives the fraction done; returns whether to continue."""
+ReportProgress: TypeAlias = Callable[[float], bool]  # gets the part done; returns whether to go on
 
 
 @contextmanager

@@ -12,7 +12,7 @@ import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
@@ -20,6 +20,7 @@ from PySide6.QtGui import (
     QBrush,
     QColor,
     QFont,
+    QFontDatabase,
     QFontMetricsF,
     QGuiApplication,
     QKeyEvent,
@@ -31,17 +32,15 @@ from PySide6.QtGui import (
     QTransform,
 )
 
-from app.lecture.typesetting import Outline, line_of, piece_of
+from app.lecture.typesetting import Outline, font_file, line_of, piece_of
 from app.model.formula import ARROW
 from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.panel import MarkedLabel, paint_highlight
 
-LETTERS_EM = 1.19
-"""Size of a formula's letters, relative to the text's: then small letters are as tall."""
+LETTERS_EM = 1.19  # size of a formula's letters in the text's: then small letters are as tall
 SMALLER = 0.88  # size of the letters of a fraction, relative to its line
 AXIS_EM = 0.28  # height of a minus sign, and of a fraction's line, above the line
-RULE_PX, ROOM_PX = 1.2, 2.0
-"""Thickness of a fraction's line and of a bracket, and the gap beside them."""
+RULE_PX, ROOM_PX = 1.2, 2.0  # thickness of fractions' lines and brackets, and the gap beside them
 FOOT_PX = 4.0  # length of the feet of a bracket
 BETWEEN_COLUMNS, BETWEEN_ROWS = 0.7, 0.15  # gaps in a matrix, in heights of a line
 LEAST_EM = 8  # least width of a formula that shrinks, in heights of a line
@@ -54,6 +53,17 @@ _INDEXED = re.compile("([^\\W_]+_[^\\W_]+(?:\u2192[^\\W_]+)?)")
 _IS_FORMULA = re.compile(  # not the powers of ten of a number
     rf"(?:(?<!\d)|(?!e[-+]?\d))[^\W\d⁰¹²³⁴-⁹]|[{OPEN}\[\n:]"
 )
+
+
+@cache
+def bring_font() -> None:
+    QFontDatabase.addApplicationFont(font_file("DejaVuSans"))
+
+
+def words_font() -> QFont:
+    """The font of words on paper and in charts; only Linux has it without matplotlib's file."""
+    bring_font()
+    return QFont("DejaVu Sans")
 
 
 @dataclass(frozen=True)

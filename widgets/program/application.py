@@ -42,7 +42,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app import __version__, bootstrap
+from app import __version__, python_packages
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -73,14 +73,12 @@ class Options:
 
     theme: str | None = None  # ``"light"`` or ``"dark"`` for this run only
     size: tuple[int, int] | None = None
-    """Width and height of the window, in pixels of the screen's scale."""
+    """The window's width and height, in pixels of the screen's scale."""
     screenshot: Path | None = None
     """The file for a picture of the window, which then closes. The user's settings are neither read
     nor written, and the theme is light, so that the picture is the same everywhere."""
-    canvas: str | None = None
-    """``"opengl"`` or ``"raster"``: how the panes draw; None for the faster one."""
-    start_card: bool = True
-    """Whether to offer the start card, because no file and no value was given."""
+    canvas: str | None = None  # ``"opengl"`` or ``"raster"``: how panes draw; None for the faster
+    start_card: bool = True  # whether to offer the start card: no file and no value was given
 
 
 def make_application() -> QApplication:
@@ -180,7 +178,7 @@ def run_window(
     cannot be loaded, or the screenshot cannot be taken or written.
     """
     application = make_application()
-    graphics = _probe(options)
+    graphics, canvas = find_graphics(options)
     file_log = start_log()
     qInstallMessageHandler(log_qt)
     watch = ExceptionWatch(log_path() if file_log else None)
@@ -197,7 +195,7 @@ def run_window(
             settings.override("theme", options.theme or "light")
         translate(application, settings.language)
 
-        with bootstrap.for_good():
+        with python_packages.for_good():
             from widgets.window.main_window import MainWindow
 
         try:
@@ -205,7 +203,7 @@ def run_window(
                 document,
                 settings=settings,
                 software_rendering=graphics.software,
-                canvas=options.canvas or opengl.canvas(graphics),
+                canvas=canvas,
                 saved=document if options.screenshot else saved,  # and closes without a question
                 path=path,
                 scene=scene,
@@ -249,25 +247,34 @@ def run_window(
     return 1 if any(failed) else 0
 
 
-def _probe(options: Options) -> opengl.OpenGL:
-    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it."""
+def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:
+    """Return Qt's OpenGL, or `NO_OPENGL` if VTK can draw off-screen without it, and the canvas."""
     try:
-        return opengl.probe()
-    except opengl.DisplayError as error:
-        if options.canvas == "opengl":
+        graphics = opengl.probe()
+    except opengl.DisplayError:
+        if options.canvas == "opengl" or not draws_off_screen():
             raise
-        from app.drawings.off_screen import check_off_screen
+        return opengl.NO_OPENGL, "raster"
+    canvas = options.canvas or opengl.canvas(graphics)
+    # Windows without a driver: Qt brings an OpenGL in software, and VTK gets the system's 1.1.
+    if canvas == "raster" and sys.platform == "win32" and not draws_off_screen():
+        canvas = "opengl"
+    return graphics, canvas
 
-        try:
-            check_off_screen()
-        except RuntimeError:
-            raise error from None
-        return opengl.NO_OPENGL
+
+def draws_off_screen() -> bool:
+    from app.drawings.off_screen import check_off_screen
+
+    try:
+        check_off_screen()
+    except RuntimeError:
+        return False
+    return True
 
 
 def _open_panes(window: Any) -> None:
     """Import VTK, now that the window is visible, and fill its panes."""
-    with bootstrap.for_good():
+    with python_packages.for_good():
         from app.drawings import image, kept_labels, stage, world  # noqa: F401
     kept_labels.load_shipped()
     kept_labels.load(labels_path())

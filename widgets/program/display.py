@@ -18,8 +18,7 @@ WITHOUT_DISPLAY = (
     "“export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and "
     "“doctor” need no screen."
 )
-X_RETRIES_S = (0.1, 0.4, 0.0)
-"""Pauses after each attempt to reach an X server, which may be restarting."""
+X_RETRIES_S = (0.1, 0.4, 0.0)  # pauses after attempts to reach an X server, which may be restarting
 
 
 @contextmanager

@@ -10,10 +10,10 @@ from functools import partial
 from itertools import pairwise
 
 from PySide6.QtCore import QRectF
-from PySide6.QtGui import QFont, QImage, QPainter
+from PySide6.QtGui import QImage, QPainter
 
 from app.lessons.course import Course
-from widgets.parts.typeset import Typeset, below, typeset, words
+from widgets.parts.typeset import Typeset, below, typeset, words, words_font
 from widgets.program import paper
 from widgets.program.handout_content import (
     Content,
@@ -161,7 +161,7 @@ def _beside(tables: Iterable[str], width: float) -> Iterator[PageBlock]:
 
 
 def _side_by_side(formulas: Iterable[str], width: float) -> Iterator[PageBlock]:
-    font = QFont("DejaVu Sans")
+    font = words_font()
     font.setPixelSize(FORMULA_PX)
     scale = FORMULA_PT / FORMULA_PX
     rows: list[list[Typeset]] = []

@@ -12,8 +12,7 @@ from widgets.window.settings import log_path
 
 log = logging.getLogger(__name__)
 
-LARGEST_LOG = 1_000_000
-"""A log file of this many bytes is replaced by a new one; two old ones are kept."""
+LARGEST_LOG = 1_000_000  # a log file of so many bytes is replaced by a new one; two are kept
 IN_DETAIL = ("app", "widgets", "qt", "vtk")
 """Whose information is logged. Of the other packages, such as fontTools, only warnings are."""
 

@@ -32,6 +32,7 @@ from app.lessons.course import panes_of, scene_of
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.parts.lesson_text import SPACIOUS, set_text
 from widgets.parts.plain import TextDocument
+from widgets.parts.typeset import words_font
 from widgets.window.pictures import image_of
 
 MARGIN_MM = 18.0
@@ -105,7 +106,7 @@ def text(
     kept: bool = False,
 ) -> PageBlock:
     document = TextDocument()
-    font = QFont("DejaVu Sans")
+    font = words_font()
     font.setStyleHint(QFont.StyleHint.SansSerif)
     screen = QGuiApplication.primaryScreen()  # a document is laid out in its pixels
     font.setPointSizeF(size * 72.0 / screen.logicalDotsPerInchY())
@@ -346,7 +347,7 @@ def _paint_block(painter: QPainter, block: PageBlock, part: QRectF) -> None:
 
 def foot(painter: QPainter, left: str, right: str, width: float, height: float) -> None:
     painter.save()
-    font = QFont("DejaVu Sans")
+    font = words_font()
     font.setPointSizeF(FOOT_PT * 72.0 / DPI)
     painter.setFont(font)
     painter.setPen(QColor(LIGHT.muted))

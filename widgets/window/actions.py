@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import sys
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -209,7 +211,7 @@ class Actions(QObject):
         if act is not None:
             action.triggered.connect(lambda _checked=False: act())
         if shortcut is not None:
-            action.setShortcut(QKeySequence(shortcut))
+            action.setShortcuts(ways_to_press(shortcut))
         plain = (tip or text).replace("&", "").rstrip("…")
         keys = action.shortcut().toString(QKeySequence.SequenceFormat.NativeText)
         set_tip(action, f"{plain} ({keys})" if keys else plain)
@@ -402,3 +404,11 @@ class Actions(QObject):
         """Name the play action after its next effect."""
         self.play.setText(self.tr("Pause") if playing else self.tr("Play"))
         show_icon(self.play, "pause" if playing else "play")
+
+
+def ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
+    """Return a shortcut and, on macOS, whose keyboards keep F4 for the system, ⌃4 for it."""
+    made = [QKeySequence(shortcut)]
+    if sys.platform == "darwin" and (key := re.search(r"\bF(\d)$", made[0].toString())):
+        made.append(QKeySequence(f"{made[0].toString()[: key.start()]}Meta+{key[1]}"))
+    return made

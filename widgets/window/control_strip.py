@@ -37,8 +37,7 @@ class ControlStrip(QFrame):
         self._controls, self._stages = controls, stages
         self._named: tuple[str, ...] = ()
         self._of_scene: Collection[str] = USUAL
-        self._wanted: bool | None = None
-        """Whether the speaker wants the strip; None for as the step has it."""
+        self._wanted: bool | None = None  # whether the speaker wants the strip; None: as the step
         self._is_for_class = False
         self.rows: list[Row] = []
         self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=GAP_PX)

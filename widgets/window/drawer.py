@@ -67,13 +67,11 @@ class Panels(QWidget):
         super().__init__()
         self._shown: ShownData | None = None
         self._last_shown: dict[Panel, ShownData] = {}  # the snapshot that each panel shows
-        self._heads: dict[Panel, tuple[QToolButton, str]] = {}
-        """The button of each panel, and its tooltip."""
+        self._heads: dict[Panel, tuple[QToolButton, str]] = {}  # each panel's button and tooltip
         self._why_closed = ""
         self._empty: set[Panel] = set()  # the panels that have nothing to show
         self._wanted: Panel | None = None  # the panel that was to be opened while all were closed
-        self.names = QWidget()
-        """The row of names, which the owner places where it is always visible."""
+        self.names = QWidget()  # the row of names, which the owner places where it is visible
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
         self.rest = QTimer(self, singleShot=True, interval=REST_MS)

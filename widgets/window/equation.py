@@ -57,8 +57,7 @@ class EquationSlide(QWidget):
         self._problem = ""
         self._laid: tuple[MatrixLayout, ...] = ()
         self._style = LIGHT
-        self._hues = dict[str, str]()
-        """Of letters that have the colour of what the picture names by them."""
+        self._hues = dict[str, str]()  # of letters with the colour of what the picture names so
         self._screen_px = 1.0
         self._is_slide = False
         self.cells: list[QRectF] = []  # where the cells were painted; of a 0 its digit alone

@@ -59,8 +59,7 @@ class LessonCard(QFrame):
     """The names or settings of handles that an open task needs, for a short time; then none."""
     result_wanted = Signal(object)  # the user wants a file with these marks of a test
     test_left = Signal()  # a test was closed before its end; its answers are kept
-    buttons_changed = Signal()
-    """The step has changed or a block was answered, so other buttons may be enabled."""
+    buttons_changed = Signal()  # the step changed or a block was answered: buttons may change
 
     def __init__(self, lessons: Lessons, store: Store, settings: Settings, record: Record) -> None:
         super().__init__()

@@ -63,8 +63,7 @@ class Lessons(QObject):
     """
 
     opened = Signal()  # a lesson was opened, read again, or closed: `course` has changed
-    mistakes_changed = Signal(str)
-    """The mistakes in the open file, one a line; empty once they are fixed."""
+    mistakes_changed = Signal(str)  # mistakes in the open file, one a line; empty once fixed
     refused = Signal(str)  # why a step cannot be shown; the previous step stays
     stepped = Signal()  # another step is shown, or the same one again
     arrived = Signal()  # the model has moved to where it goes

@@ -143,23 +143,27 @@ class Look(QObject):
         for pane in self._panes.values():
             pane.set_waiting(waits)
 
-    def rebuild(self) -> None:
-        """Build all drawings anew, and keep the panes' own cameras."""
+    def rebuild(self, *, anew: bool = True) -> None:
+        """Build all drawings anew, and keep the panes' own cameras.
+
+        If not `anew`, drawings in the same style stay: their words are the same.
+        """
         self.forget_ahead()  # they may have been drawn with other words
         if self._shown is not None:
-            self._build(cameras(self._panes))
+            self._build(cameras(self._panes), anew=anew)
 
     def forget_ahead(self) -> None:
         """Discard the drawings that `draw_ahead` has made."""
         for pane in self._panes.values():
             pane.ahead.keep()
 
-    def _build(self, turned: Mapping[str, Camera]) -> None:
+    def _build(self, turned: Mapping[str, Camera], *, anew: bool = True) -> None:
         shown = self._shown
         assert shown is not None
         style = self._style()
         for name, pane in self._panes.items():
-            pane.build(shown, turned.get(name), *self._arguments(name, self.adaptive.drawn, style))
+            args = self._arguments(name, self.adaptive.drawn, style)
+            pane.build(shown, turned.get(name), *args, anew=anew)
         icons.fit(self._window)
         self.built.emit(style)
 
@@ -244,7 +248,7 @@ class Look(QObject):
 
     def _dress(self) -> None:
         dress(self._settings, self._screen_px)
-        self.rebuild()
+        self.rebuild(anew=False)
 
     def _scheme_changed(self) -> None:
         if self._settings.theme == "system":

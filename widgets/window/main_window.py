@@ -461,6 +461,7 @@ class MainWindow(QMainWindow):
         if on:
             dock = self.menus.controls.isChecked()
             self._before_presenting = dock, self.slots.whole, self.split.sizes()
+        self.look.set_waiting(True)  # only the panes of the slide take another size and style
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
@@ -488,6 +489,7 @@ class MainWindow(QMainWindow):
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
+        self.look.set_waiting(False)
 
     def set_style(self, style: Style) -> None:
         """Give a slide the colour of its pictures' paper."""

@@ -17,8 +17,7 @@ from widgets.panes.cursor import LONG_STEP_PX, STEP_PX
 from widgets.panes.pane import Pane
 from widgets.window.lesson_blocks.marked import ClickView
 
-ARM_PX, RING_PX = 14, 9
-"""Half the length of the crosshair's lines; the radius of the ring at the right place."""
+ARM_PX, RING_PX = 14, 9  # half the crosshair's lines; the radius of the ring at the right place
 
 NEAR_BY, NEWTON_STEPS = 1e-3, 5
 """A small step in a picture's coordinates, and how often it is used to find those of a click."""
@@ -64,8 +63,7 @@ class Pointing(QObject):
         self._view: ClickView | None = None  # the question for which the crosshair is moved
         self._asked: Sequence[ClickView] = ()
         self._answered: ClickView | None = None
-        self._at: QPointF | None = None
-        """The crosshair, from the canvas' upper left, in Qt's pixels."""
+        self._at: QPointF | None = None  # the crosshair from the canvas' upper left, in Qt's pixels
         self._marks = {
             (name, is_right): Cross(pane.canvas, is_right=is_right)
             for name, pane in panes.items()

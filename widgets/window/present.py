@@ -8,7 +8,7 @@ on every projector.
 """
 
 from PySide6.QtCore import QByteArray, QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QGuiApplication, QScreen
+from PySide6.QtGui import QGuiApplication, QScreen, QWindowStateChangeEvent
 from PySide6.QtWidgets import QApplication, QMainWindow, QToolBar, QWidget
 
 from widgets.window.settings import Settings
@@ -188,6 +188,10 @@ class Present(QObject):
                 self.show_tools(False)
         elif kind == QEvent.Type.Resize:
             self._cover()
-        elif kind == QEvent.Type.WindowStateChange and not self._window.isFullScreen():
+        elif (
+            isinstance(event, QWindowStateChangeEvent)
+            and event.oldState() & Qt.WindowState.WindowFullScreen  # macOS takes a second for it
+            and not self._window.isFullScreen()
+        ):
             self.end()  # the window system has its own keys for that
         return super().eventFilter(watched, event)

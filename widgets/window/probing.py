@@ -23,8 +23,7 @@ from widgets.panes.pane import Pane
 from widgets.parts.gestures import EscapeKey
 from widgets.parts.panel import Changed, Panel, ShownData
 
-RING_SHARE = 0.035
-"""Diameter of the lecturer's mouse pointer, a ring, as a share of the screen's height."""
+RING_SHARE = 0.035  # diameter of the lecturer's mouse pointer, a ring, in heights of the screen
 
 
 class Probing(QObject):
@@ -54,8 +53,7 @@ class Probing(QObject):
         self._is_pointing = False
         self._pointer: tuple[Probe, ...] = ()
         self._before_click: tuple[tuple[Probe, ...], int] = ((), 0)
-        self._moved: dict[str, Value] = {}
-        """The setting that the last click moved, and its value before."""
+        self._moved: dict[str, Value] = {}  # the setting that the last click moved, and its value
         panel.changed.connect(self._show)
         for name, pane in panes.items():
             pane.clicked.connect(partial(self._follow, name))

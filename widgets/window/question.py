@@ -20,8 +20,7 @@ the first hides a name."""
 WIDTHS = 0.3, 0.45, 0.6, 0.8, 1.0  # largest widths that are tried, in those of the slide
 PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0), (0.5, 0.0)
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
-LETTERS = (0.036, 0.033, 0.0305)
-"""Sizes of the letters, in heights of the screen: the largest are preferred."""
+LETTERS = (0.036, 0.033, 0.0305)  # sizes of letters, in heights of the screen, the best first
 INK_SHARE = 0.002  # ink in shares of the slide that makes a place worse
 EDGE_SHARE = 0.02  # free on each side, in heights of the screen
 

@@ -27,8 +27,7 @@ from widgets.window.files import Files
 log = logging.getLogger(__name__)
 
 _COPY = re.compile(r"autosave-.*\.(json|lock)")
-DELAY_MS = 2000
-"""Delay between an edit and its copy; during a long drag, the interval between copies."""
+DELAY_MS = 2000  # delay between an edit and its copy; during a long drag, between copies
 
 
 def _lock(path: Path) -> QLockFile:
@@ -45,8 +44,7 @@ class Autosave(QObject):
     None when everything is saved.
     """
 
-    failed = Signal(str)
-    """No copy can be kept in this folder; emitted again only after a copy has succeeded."""
+    failed = Signal(str)  # no copy can be kept in this folder; emitted again only after a success
 
     def __init__(
         self, folder: Path, current: Callable[[], Document | None], parent: QObject | None = None

@@ -43,8 +43,7 @@ class SceneGuide(QObject):
         self._panel, self._panels, self._controls = panel, panels, controls
         self._manipulation, self._image, self._menus = manipulation, image, menus
         self._store, self._choose = store, choose
-        self._needs_shader = False
-        """Whether the image is drawn with a shader that OpenGL may refuse."""
+        self._needs_shader = False  # whether the image needs a shader that OpenGL may refuse
         menus.scene_chosen.connect(self.choose)
         self._card = controls.card
         self._card.settings_edited.connect(partial(self._set, self._card.refuse))

@@ -198,8 +198,7 @@ class Settings:
 
     theme = _KeptSetting("theme", lambda text: _valid(text, text in THEMES), "system")
     """One of `THEMES`."""
-    all_digits = _kept_flag("all-digits", False)
-    """Whether panels show all digits of a number instead of four."""
+    all_digits = _kept_flag("all-digits", False)  # whether panels show all digits instead of four
     language = _KeptSetting("language", _language, "")
     """A locale such as ``"hr"`` or ``"sr_RS"``; empty for the system's."""
     tolerance_px = _KeptSetting(  # error in pixels up to which a GPU's own arithmetic may draw

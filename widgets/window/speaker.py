@@ -26,8 +26,7 @@ from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.slots import panes_of_slide
 
-PICTURE_PX = (400, 250)
-"""Size at which the next step's pane is drawn; it is scaled to the available space."""
+PICTURE_PX = (400, 250)  # size at which the next step's pane is drawn; it is scaled to its room
 MOST_PICTURES = 12  # most cached pictures of steps
 TEXT_PX = 15
 NOTES_STEP_PX = 2  # step by which Ctrl and + or - change the text size of the notes

@@ -40,10 +40,8 @@ class StatusLine(QStatusBar):
     """One line at the bottom of the window; its button `precision` is in the Precision panel."""
 
     concerns = PROJECTION | {"scene"}
-    tolerance_edited = Signal(float)
-    """The error in pixels up to which a GPU's own arithmetic may draw."""
-    frame_edited = Signal(float)
-    """The longest frame while a control is dragged, in ms; 0 for no limit."""
+    tolerance_edited = Signal(float)  # error in pixels up to which a GPU's own arithmetic may draw
+    frame_edited = Signal(float)  # longest frame while a control is dragged, in ms; 0 for no limit
 
     def __init__(self) -> None:
         super().__init__()

@@ -24,8 +24,7 @@ class StepPage(QScrollArea):
     settled = Signal(object)  # the block with this `BlockView` was answered
     show_wanted = Signal(object)  # the user wants to see this `Document`, which explains an answer
     posed = Signal(object)  # an exercise is asked in this `Document`
-    hidden = Signal(object)
-    """What must not be seen now, because it would show the answer of an exercise."""
+    hidden = Signal(object)  # what must not be seen now: it would show the answer of an exercise
     aimed = Signal(object, object)
     """The `BlockView`s whose questions are to be answered in a picture, and the one that has just
     been answered so, or None."""

@@ -39,8 +39,7 @@ LINES = (0.036, 0.033, 0.0305)
 smallest are 2.2 % high."""
 SMALLER = (0.028, 0.025, 0.022)  # sizes for a text of which no part fits in those letters
 NUMBER_SHARE = 0.024
-EDGE_SHARE, TOP_SHARE = 0.05, 0.012
-"""Free at the left and at the right, and above, in heights of the screen."""
+EDGE_SHARE, TOP_SHARE = 0.05, 0.012  # free at the sides, and above, in heights of the screen
 MOST_LINES = 2
 _PIECE = re.compile(r"\$\$.+?\$\$|\$.+?\$\S*|\S+", re.DOTALL)
 """A word, or a formula with what follows it directly."""

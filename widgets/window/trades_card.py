@@ -29,8 +29,7 @@ from widgets.window.quality import with_choice
 
 log = logging.getLogger(__name__)
 
-DRAWN_FINER = 2.0
-"""Factor by which a picture is drawn larger, so that its lines do not hide the scene."""
+DRAWN_FINER = 2.0  # factor by which a picture is drawn larger: its lines do not hide the scene
 BARE = View(layers=frozenset({"labels"}))  # the view of a picture, without labels
 COLUMNS = 5
 ROUND_PX = 8  # the room around the content of a tile

@@ -177,8 +177,7 @@ class Verdict(NamedTuple):
     too_short: bool = False  # whether the answer is right but has too few digits
     remark: Refusal | None = None  # how an answer that no idea explains differs from the right one
     cells: tuple[bool, ...] = ()  # which numbers of a matrix are right, row after row
-    beside: Document | None = None
-    """A state that shows the idea's number beside the model's own one."""
+    beside: Document | None = None  # a state that shows the idea's number beside the model's own
     title: str = ""  # the idea in the student's words
 
     @property
@@ -224,8 +223,7 @@ class Block:
 
     kind: ClassVar[str] = ""  # the word after its three backticks
     once: ClassVar[bool] = False  # whether a step may have only one block of this kind
-    needs_answer: ClassVar[bool] = False
-    """Whether the student has to answer it; such a block has a name."""
+    needs_answer: ClassVar[bool] = False  # the student has to answer it; such a block has a name
     line: int
 
     @classmethod
@@ -248,8 +246,7 @@ class Block:
 class ReadBlock(Block):
     """A block that the student or the class reads."""
 
-    reveals: ClassVar[bool] = False
-    """Whether a talk first asks the class and then shows the right answer."""
+    reveals: ClassVar[bool] = False  # whether a talk asks the class before it shows the answer
     text: str
     why: str = ""  # Markdown; `why` is shown once the answer is known
     show: State | None = None  # the state that the model then moves to
@@ -309,8 +306,7 @@ class Asked(ReadBlock):
     unit: str = ""  # the unit of the answer, one of `UNITS`
     pane: str = ""  # the picture in which the student points at the answer; empty for other answers
     hints: tuple[str, ...] = ()
-    responses: tuple[tuple[int, str], ...] = ()
-    """All replies to answers, and the hints, each with its line."""
+    responses: tuple[tuple[int, str], ...] = ()  # all replies to answers, and hints, by line
     replies: Sequence[Any] = ()
     """The answers that the lesson expects, each with its idea and what the lesson `says` to it."""
     hides: frozenset[str] = frozenset()

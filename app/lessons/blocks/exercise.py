@@ -29,8 +29,7 @@ MOST_NAMES, MOST_VALUES = 8, 1000
 LEAST_VARIANTS = 20  # fewer variants are learnt by heart
 LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
-SEEDS, _WHOLE = 200, 5
-"""How many seeds a check draws, and for how many it checks the whole question."""
+SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks the whole question
 
 A_RANGE = QT_TRANSLATE_NOOP(
     "Refusal", "must be a range like 20..100 step 5, or numbers separated by commas"
@@ -53,8 +52,7 @@ _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
-_IN_FULL = re.compile(r"\s*(?:right|state):")
-"""Lines of states, whose numbers have all their digits."""
+_IN_FULL = re.compile(r"\s*(?:right|state):")  # lines of states: their numbers have all digits
 
 
 class Varied(NamedTuple):
@@ -71,8 +69,7 @@ class Exercise(Asked):
     kind = "exercise"
     varies = True
     varied: tuple[Varied, ...]
-    where: tuple[tuple[int, Condition], ...]
-    """What the numbers must fulfil, in the variant's own state."""
+    where: tuple[tuple[int, Condition], ...]  # what the numbers must fulfil in the variant's state
     states: Lines  # the lines of the variant's state
     recipe: Lines
 

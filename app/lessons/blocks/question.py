@@ -89,8 +89,7 @@ NO_RIGHT = QT_TRANSLATE_NOOP(
     "Refusal", "is tried by no sample “{0}: ... -> right”, so a wrong value would not be noticed"
 )
 
-Value: TypeAlias = tuple[float, ...]
-"""The numbers of an answer: one, a matrix row after row, or coordinates."""
+Value: TypeAlias = tuple[float, ...]  # an answer's numbers: one, a matrix by rows, or coordinates
 
 LETTERS = "ABCDEFGHIJ"  # the letters by which a class names the choices
 RIGHT = " **✓**"  # marks the right answer, in Markdown
@@ -152,8 +151,7 @@ class Question(Asked):
 
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]  # choices, or the wrong values that have an idea
-    checks: tuple[tuple[int, Condition], ...] = ()
-    """Conditions that hold if the right reply is correct."""
+    checks: tuple[tuple[int, Condition], ...] = ()  # they hold if the right reply is correct
     symbol: str = ""  # TeX of what the value is called in its worked solution
     number: str = ""
     """The name of the number of the model that the value is; empty if it is none, or is the key."""

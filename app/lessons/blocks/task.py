@@ -45,8 +45,7 @@ class Task(Asked):
     until: tuple[tuple[int, Condition], ...]
     done: str
     replies: tuple[Wrong, ...] = ()
-    right: State | None = None
-    """A state that fulfils the task, for the check; `why` says how it is found."""
+    right: State | None = None  # a state that fulfils the task, for the check; `why` tells the way
 
     @classmethod
     def read(cls, body: Body) -> Task:

@@ -10,8 +10,7 @@ from app.lessons.quantities import FUNCTIONS, Quantities
 from app.model.formula import Call, Degrees, Formula, Letter, Negative, Number, Product, Quotient
 from app.model.formula_text import latex
 
-_HIDDEN = ("reading", "was", "quality")
-"""Names that begin so belong to the program, and no reader knows them."""
+_HIDDEN = ("reading", "was", "quality")  # such names are the program's, and no reader knows them
 _UNITS = {"°": r"^{\circ}", "%": r"\,\%", "×": r"\times", "x": r"\times"}
 
 

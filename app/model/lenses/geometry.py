@@ -19,8 +19,7 @@ from app.model.lenses.answers import ExactWindow, Window
 from app.model.limits import ONE_OF, Array
 from app.model.refusal import Refusal
 
-LENSES: dict[str, Any] = {}
-"""The lenses that have fields, by kind; `app.model.lenses` fills in this table."""
+LENSES: dict[str, Any] = {}  # lenses with fields, by kind; `app.model.lenses` fills in this table
 
 
 class Geometry:

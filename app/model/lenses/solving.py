@@ -11,8 +11,7 @@ from fractions import Fraction
 ROUNDING = 2.0**-49  # tolerance of a cell relative to the largest term of its sum: 8 roundings
 OF_ITSELF = 2.0**-20  # tolerance relative to the cell itself: a typed 1e-20 does not count as 0
 DIGITS = 17  # digits that suffice for every float64
-MEANT = 12
-"""Digits up to which a decimal may differ from a cell by a rounding; 1 in 500 matches by chance."""
+MEANT = 12  # digits up to which a decimal may differ from a cell by a rounding; 1 in 500 matches so
 
 
 def same(a: Fraction, b: Fraction, size: Fraction) -> bool:

@@ -55,8 +55,7 @@ def _card(middle: Vector, level: str, half: float) -> Array:
     return corners
 
 
-CARDS = np.array([_card(*each) for each in _CARDS])
-"""World corners of the scene's faces, (11, 4, 3)."""
+CARDS = np.array([_card(*each) for each in _CARDS])  # world corners of the faces, (11, 4, 3)
 
 
 def _geometry() -> tuple[Coloured, Coloured]:

@@ -31,8 +31,7 @@ from app.scenes.shapes import Coloured, flat, ground_grid
 
 WORDS = PhenomenonWords("depth-buffer")
 
-FINEST = 2.0**-17
-"""Relative to the distance: anything finer drowns in the graphics card's own float32."""
+FINEST = 2.0**-17  # relative to the distance: anything finer drowns in the GPU's float32
 _FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is linear, of far - near
 
 _FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"

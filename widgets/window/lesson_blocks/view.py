@@ -67,8 +67,7 @@ class BlockView(QFrame):
 
     settled = Signal()  # the block is answered
     show_wanted = Signal(object)  # the user wants to see this `Document`, which explains an answer
-    posed = Signal(object)
-    """The `Document` in which the question is asked, instead of the step's own."""
+    posed = Signal(object)  # the `Document` in which the question is asked, not the step's own
     responded = Signal()  # a response to the answer appeared
 
     def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
@@ -79,8 +78,7 @@ class BlockView(QFrame):
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
-        self._offered: QWidget | None = None
-        """The button that shows the right answer, once it is offered."""
+        self._offered: QWidget | None = None  # the button of the right answer, once it is offered
         self._words: QWidget = LessonText(question.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)

@@ -1,0 +1,53 @@
+"""``python3 -m tests.portable``: collect the suite as on Windows and macOS, as far as one can here.
+
+All packages are imported as they are here. Then ``sys.platform`` is the other system's, and what
+only POSIX has is gone. With arguments for pytest, it also runs those tests.
+"""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+
+from app.bootstrap import ROOT
+from tests.__main__ import at_home
+
+POSIX = (
+    "O_NONBLOCK", "chown", "fchmod", "fork", "forkpty", "getegid", "geteuid", "getgid",
+    "getloadavg", "getpgid", "getsid", "getuid", "killpg", "mkfifo", "nice", "openpty", "setsid",
+    "setuid", "sysconf", "uname", "wait3",
+)  # fmt: skip
+"""What Windows lacks of ``os``."""
+MODULES = "fcntl", "grp", "pty", "pwd", "resource", "termios"
+PROBE = """
+import os, sys, pytest
+system, names, modules, arguments = eval(sys.argv[1])
+class Elsewhere:
+    def pytest_sessionstart(self):
+        import asyncio, concurrent.futures, multiprocessing, pathlib, platform, shutil, subprocess
+        import hypothesis, matplotlib.pyplot, numpy, psutil, pyvistaqt, tempfile, vtkmodules.all
+        import PySide6.QtOpenGLWidgets, PySide6.QtSvg, PySide6.QtTest, tests.__main__
+        sys.platform = system
+        for name in names if system == "win32" else ():
+            if hasattr(os, name):
+                delattr(os, name)
+        sys.modules.update(dict.fromkeys(modules if system == "win32" else ()))
+sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", *arguments], plugins=[Elsewhere()]))
+"""
+
+
+def main(arguments: list[str]) -> int:
+    status = 0
+    with at_home() as environment:
+        for system in ("win32", "darwin"):
+            words = repr((system, POSIX, MODULES, arguments or ["--collect-only", "-qq"]))
+            command = [sys.executable, "-c", PROBE, words]
+            done = subprocess.run(command, cwd=ROOT, env=os.environ | environment, check=False)
+            print(f"{system}: pytest ends with status {done.returncode}", flush=True)
+            status |= done.returncode
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
