@@ -18,7 +18,7 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
-from widgets.parts.icons import NoteLabel, Title
+from widgets.parts.labels import NoteLabel, Title
 from widgets.parts.typeset import TypesetLabel
 
 

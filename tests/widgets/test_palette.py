@@ -27,7 +27,8 @@ from app.drawings.style import contrast
 from tests.support.window import rgb_of
 from widgets.parts import palette
 from widgets.parts.gestures import HeldSlider
-from widgets.parts.icons import Combo, WarningLabel, icon
+from widgets.parts.icons import Combo, icon
+from widgets.parts.labels import WarningLabel
 from widgets.parts.plain import PlainLabel
 
 

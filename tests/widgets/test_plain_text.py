@@ -15,7 +15,7 @@ from pytestqt.qtbot import QtBot
 from tests.support.meshes import PYRAMID, obj_file
 from tests.support.window import MakeWindow, rgb_of, settle
 from widgets.controls.scene_card import SceneCard
-from widgets.parts.icons import Balanced
+from widgets.parts.labels import Balanced
 from widgets.parts.plain import Markup, PlainLabel, message_box, set_tip, subscripts
 from widgets.parts.progress import progress
 from widgets.window.main_window import MainWindow

@@ -39,7 +39,7 @@ from tests.support.exercises import WIDE
 from tests.support.layout import cut
 from tests.support.window import activate, enter, settle
 from tests.widgets.test_lesson_card import ALT, KEY, buttons, come_to_rest, keyboard, press, texts
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.window.lesson_blocks.view import Sign
 from widgets.window.main_window import RECORD, MainWindow
 from widgets.window.overview import Overview, SelfTestMarks

@@ -25,7 +25,7 @@ from app.lessons.course import contained
 from app.lessons.lesson import read
 from app.lessons.text import in_line
 from tests.support.window import settle, show_scene
-from widgets.parts.icons import Balanced
+from widgets.parts.labels import Balanced
 from widgets.window.main_window import MainWindow
 
 RAW = re.compile(r"[^\W_]_[\w{]|\\[a-z]|<su[bp]>|\$")

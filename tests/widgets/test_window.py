@@ -92,7 +92,8 @@ from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panes.counting import Counting
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
-from widgets.parts.icons import Combo, WarningLabel
+from widgets.parts.icons import Combo
+from widgets.parts.labels import WarningLabel
 from widgets.parts.messages import number_text, sentence
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.files import Files

@@ -19,7 +19,7 @@ from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
 from app.model.refusal import Refusal
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import limits_text, sentence
 from widgets.parts.number_rows import NumberRow

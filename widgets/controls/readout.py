@@ -10,7 +10,8 @@ from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
 from app.scenes.phenomena.words import Reading
-from widgets.parts.icons import Balanced, show_icon
+from widgets.parts.icons import show_icon
+from widgets.parts.labels import Balanced
 from widgets.parts.layouts import in_column, tool_button
 from widgets.parts.messages import all_digits, lettering, number_text, of_phenomena, read_text
 from widgets.parts.plain import PlainLabel, set_tip, subscripts

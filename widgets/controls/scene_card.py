@@ -26,7 +26,7 @@ from app.scenes.phenomena.words import Comparison, Phrase, Reading
 from widgets.controls.parameter_rows import SettingMotion, make_row
 from widgets.controls.readout import Readout, full_sentence
 from widgets.parts.fields import ChoiceRow, Row, RowHolder, report_highlight
-from widgets.parts.icons import Balanced, RefusalLabel
+from widgets.parts.labels import Balanced, RefusalLabel
 from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
 from widgets.parts.messages import all_digits, breakable, of_phenomena, read_text, sentence
 from widgets.parts.number_rows import NumberRow

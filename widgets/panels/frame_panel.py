@@ -29,7 +29,7 @@ from app.model.formula_text import stacked_fraction
 from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, push_button, scrolled
 from widgets.parts.messages import all_digits, lettering, read_text, sentence
 from widgets.parts.number_rows import NumberRow

@@ -40,7 +40,8 @@ from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
-from widgets.parts.icons import REFUSAL_SHEET, Combo, WarningLabel
+from widgets.parts.icons import Combo
+from widgets.parts.labels import REFUSAL_SHEET, WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import read_text, sentence, stage_title, translated
 from widgets.parts.number_field import refusal

@@ -61,7 +61,8 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.icons import Combo, NoteLabel, icon
+from widgets.parts.icons import Combo, icon
+from widgets.parts.labels import NoteLabel
 from widgets.parts.layouts import FocusRing, in_column, in_row, push_button
 from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData

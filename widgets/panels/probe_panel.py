@@ -16,7 +16,8 @@ from app.model.refusal import Refusal
 from app.picking.picking import Probe
 from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
-from widgets.parts.icons import Combo, RefusalLabel, icon
+from widgets.parts.icons import Combo, icon
+from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import Part, in_column, in_row, push_button
 from widgets.parts.messages import all_digits, lettering, sentence
 from widgets.parts.number_field import ShortField, refusal

@@ -31,7 +31,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from widgets.panes.canvas import ARROWS, RasterCanvas
 from widgets.panes.pane import Pane
-from widgets.parts.icons import Title
+from widgets.parts.labels import Title
 from widgets.parts.layouts import FocusRing, in_row, tool_button
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.palette import LABEL_SHARE

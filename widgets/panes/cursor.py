@@ -36,7 +36,7 @@ from app.picking.handles import Handle
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
-from widgets.parts.icons import BesideLabel
+from widgets.parts.labels import BesideLabel
 from widgets.parts.messages import all_digits, read_text
 from widgets.parts.panel import Changed, ShownData
 

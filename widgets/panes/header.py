@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from PySide6.QtCore import QEvent, QObject
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from widgets.parts.icons import Title
+from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
 from widgets.parts.plain import set_tip
 

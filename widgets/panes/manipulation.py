@@ -45,7 +45,7 @@ from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import EscapeKey, Gestures
-from widgets.parts.icons import BesideLabel
+from widgets.parts.labels import BesideLabel
 from widgets.parts.messages import (
     field_name,
     of_phenomena,

@@ -30,7 +30,8 @@ from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, Q
 
 from app.lecture.highlight import NOTHING, Highlight
 from widgets.parts.gestures import Gestures
-from widgets.parts.icons import Balanced, Combo, RefusalLabel
+from widgets.parts.icons import Combo
+from widgets.parts.labels import Balanced, RefusalLabel
 from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.number_field import refusal
 from widgets.parts.panel import TintedWidget

@@ -31,7 +31,7 @@ from app.model.limits import (
 from app.model.parameter import Parameter
 from app.model.parameters import TITLES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import in_row, push_button, tool_button
 
 _T = TypeVar("_T")

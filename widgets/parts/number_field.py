@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLineEdit, QWidget
 
 from app.model.limits import within
 from app.model.refusal import Refusal
-from widgets.parts.icons import RefusalLabel
+from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import dialog_buttons, in_column
 from widgets.parts.messages import FEW, all_digits, number_text, sentence
 from widgets.parts.number_text import FIELD_CHARACTERS, parse_number, short_text

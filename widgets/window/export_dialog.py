@@ -14,7 +14,8 @@ from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
 from app.model.refusal import Cancelled, Refusal
-from widgets.parts.icons import Combo, WarningLabel
+from widgets.parts.icons import Combo
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import dialog_buttons, in_column, in_row
 from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number

@@ -17,7 +17,7 @@ from app.lessons.course import Course, idea_named
 from app.lessons.practice import ExerciseMark, PlacedExercise, exercises_of
 from app.lessons.record import ALONE, HELPED, RIGHT, SHOWN, Met, Standing
 from app.lessons.text import in_line
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
 from widgets.parts.lesson_text import LessonText, answer_of
 from widgets.parts.plain import PlainLabel

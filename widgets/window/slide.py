@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 from app.document.view import PANES
 from app.drawings.label_placement import Ground
 from widgets.panes.pane import Pane
-from widgets.parts.icons import Title
+from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
 from widgets.window.equation import EquationSlide
 from widgets.window.pen import Pen

@@ -26,7 +26,7 @@ from app.precision.levels import (
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
-from widgets.parts.icons import WarningLabel
+from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import tool_button
 from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_field import NumberDialog

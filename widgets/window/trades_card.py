@@ -19,7 +19,7 @@ from app.measure.meaning import ANY_SCENE, GIVEN_UP, bargain, boldest, shown_by
 from app.measure.results import SWEPT, Measurements
 from app.measure.single import shipped
 from app.scenes.scene import load
-from widgets.parts.icons import NoteLabel
+from widgets.parts.labels import NoteLabel
 from widgets.parts.layouts import FREE, in_column, tool_button
 from widgets.parts.messages import of_measurements
 from widgets.parts.plain import PlainLabel

@@ -1,0 +1,206 @@
+"""Labels that mark, shorten or balance their text."""
+
+from __future__ import annotations
+
+from bisect import bisect_left
+
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtWidgets import QSizePolicy, QWidget
+
+from widgets.parts.icons import paint_icon
+from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
+
+SIGN = 1.25  # width of a warning sign and the gap after it, in line heights
+REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
+
+
+class WarningLabel(PlainLabel):
+    """Plain text after a warning sign; an empty text has no sign."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.is_warning = True  # whether the text is a warning
+        self.setWordWrap(True)
+        self._fit_sign()
+
+    def set_is_warning(self, warns: bool) -> None:
+        """Set whether the next text is a warning."""
+        self.is_warning = warns
+        self._fit_sign()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit_sign()
+
+    def _fit_sign(self) -> None:
+        self.setIndent(round(SIGN * self.fontMetrics().height()) if self.is_warning else 0)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        super().paintEvent(event)
+        if self.is_warning and self.text():
+            side, room = self.fontMetrics().height(), self.contentsRect()
+            painter = QPainter(self)
+            paint_icon(painter, QRect(room.left(), room.top(), side, side), "warning")
+            painter.end()
+
+
+class RefusalLabel(WarningLabel):
+    """A line for a refusal; it is hidden while there is none.
+
+    Its text has the ordinary colour; a bar, a sign and the words mark it.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("rowError")
+        self.setStyleSheet(REFUSAL_SHEET)
+        self.hide()
+
+    def show_text(self, text: str) -> None:
+        """Show this text; hide the line if it is empty."""
+        if text != self.text():  # otherwise a hidden line would appear again
+            self.setText(text)
+            self.setVisible(bool(text))
+
+
+class NoteLabel(PlainLabel):
+    """A line of text that is elided if there is no room; the tooltip has all of it."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.setObjectName("paneNote")
+        self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+        self._whole = ""
+
+    def setText(self, text: str) -> None:
+        if text == self._whole:  # the usual case while something is dragged
+            return
+        self._whole = text
+        set_tip(self, text)
+        self.setAccessibleDescription(text)
+        self._elide()
+
+    def text(self) -> str:
+        return self._whole
+
+    def sizeHint(self) -> QSize:
+        """Request no width: the note takes the remaining space."""
+        return QSize(0, super().sizeHint().height())
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._elide()
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._elide()
+
+    def _elide(self) -> None:
+        shown = self.fontMetrics().elidedText(
+            self._whole, Qt.TextElideMode.ElideRight, self.width()
+        )
+        if shown != super().text():
+            super().setText(shown)
+
+
+class Title(NoteLabel):
+    """A note that requests the width of its whole text."""
+
+    def __init__(self, text: str, name: str = "paneTitle") -> None:
+        super().__init__()
+        self.setObjectName(name)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+        self.setText(text)
+
+    def setText(self, text: str) -> None:
+        super().setText(text)
+        self.updateGeometry()  # even if no more of the longer text is visible
+
+    def sizeHint(self) -> QSize:
+        width = self.fontMetrics().horizontalAdvance(self.text())
+        return QSize(width + 2, super().sizeHint().height())  # a letter may overhang
+
+    def minimumSizeHint(self) -> QSize:
+        return QSize(0, super().minimumSizeHint().height())
+
+    def _elide(self) -> None:
+        super()._elide()
+        set_tip(self, "" if PlainLabel.text(self) == self.text() else self.text())
+
+
+class Balanced(PlainLabel):
+    """Plain text that wraps into lines of about equal length, without a lonely last word.
+
+    Letters after an underscore are subscripts, but not in a `name`, such as that of a file.
+    """
+
+    def __init__(self, text: str = "", *, name: bool = False) -> None:
+        super().__init__(text)
+        self._is_name = name
+        self.setWordWrap(True)
+
+    def paintEvent(self, event: QPaintEvent) -> None:
+        # Qt reserves the height of the full width; the same number of lines fits a smaller width.
+        inside, metrics = self.contentsRect(), self.fontMetrics()
+        wrap = Qt.TextFlag.TextWordWrap | Qt.AlignmentFlag.AlignLeft
+
+        def height(width: int, text: str) -> int:
+            return metrics.boundingRect(QRect(0, 0, width, 1 << 20), wrap, text).height()
+
+        parts = self.text().split("\n")
+        heights = [height(inside.width(), part) for part in parts]
+        top = inside.top() + max(0, inside.height() - sum(heights)) // 2
+        painter = QPainter(self)
+        painter.setPen(self.palette().color(self.foregroundRole()))
+        for part, needed in zip(parts, heights, strict=True):
+            longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
+            widths = range(min(longest + 2, inside.width()), inside.width())
+            place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
+            width = widths.start + place
+            if "_" in part and not self._is_name:
+                self._paint_subscripts(painter, inside.left(), top, width, part)
+            else:
+                painter.drawText(QRect(inside.left(), top, width, needed), wrap, part)
+            top += needed
+        painter.end()
+
+    def _paint_subscripts(
+        self, painter: QPainter, left: int, top: int, width: int, text: str
+    ) -> None:
+        document = TextDocument()
+        document.setDefaultFont(self.font())
+        document.setDocumentMargin(0.0)
+        document.setHtml(subscripts(text))
+        document.setTextWidth(width)
+        palette = QPalette(self.palette())
+        palette.setColor(QPalette.ColorRole.Text, painter.pen().color())
+        document.paint(painter, QPointF(left, top), palette)
+
+
+class BesideLabel(PlainLabel):
+    """A text beside a place in its parent, which lets the mouse through."""
+
+    def __init__(self, parent: QWidget, name: str) -> None:
+        super().__init__(
+            parent=parent, objectName=name, wordWrap=True, margin=3, autoFillBackground=True,
+            visible=False,
+        )  # fmt: skip
+        self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
+
+    def put_beside(self, around: QPoint, apart: int, *, above: bool = False) -> None:
+        """Lie beside a place, below or above it, and inside the parent."""
+        room = self.parentWidget() or self.window()
+        frame = 2 * self.margin() + 2
+        width = min(self.fontMetrics().horizontalAdvance(self.text()) + frame, room.width())
+        height = self.heightForWidth(width)
+        x, y = around.x() + apart, around.y() + apart
+        if x + width > room.width():
+            x = max(0, min(around.x() - apart, room.width()) - width)
+        higher = around.y() - apart - height
+        if y + height > room.height() or (above and higher >= 0):
+            y = min(higher, room.height() - height)
+        self.setGeometry(max(0, x), max(0, y), width, height)
+        self.raise_()
