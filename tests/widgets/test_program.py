@@ -401,6 +401,27 @@ def test_reset_deletes_the_settings_and_says_so_even_where_no_window_opens() -> 
     assert done.stdout == f"There are no settings to delete: {ini}\n"
 
 
+@pytest.mark.parametrize("opened", ["lessons", "files"])
+def test_letters_that_are_uncertain_are_named_in_the_window(opened: str, tmp_path: Path) -> None:
+    """It is `café` in Latin-1."""
+    path, text = tmp_path / "old.md", "---\ntitle: Caf\xe9\n---\n# One {#one}\nText.\n"
+    if opened == "files":
+        path, text = tmp_path / "old.json", to_json(Document("caf\xe9.obj"), str(tmp_path))
+        (tmp_path / "caf\xe9.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    path.write_bytes(text.encode("latin-1"))
+    act = "\n".join([
+        "from pathlib import Path",
+        "from PySide6.QtWidgets import QApplication",
+        f"window.{opened}.open(Path({str(path)!r}))",
+        "QApplication.processEvents()",
+        "print(window.messages.text)",
+        "window.store.mark_saved()",
+        "window.close()",
+    ])  # fmt: skip
+    done = drive(act, when=PAINTED)
+    assert f"{path} is not UTF-8 text, some letters may be wrong" in done.stdout, done.stderr
+
+
 # --------------------------------------------------------------------------- log and exceptions
 
 

@@ -42,14 +42,14 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app import __version__, python_packages
+from app import __version__, python_packages, strangers
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.parts.saving import png_of
 from widgets.program import opengl
 from widgets.program.display import display
-from widgets.program.logs import log_qt, log_vtk, start_log
+from widgets.program.logs import EncodingNotes, log_qt, log_vtk, start_log
 from widgets.program.report import ExceptionWatch
 from widgets.window.settings import Settings, labels_path, log_path, name_application, settings_path
 
@@ -227,6 +227,8 @@ def run_window(
         if options.start_card and settings.start_card and not options.screenshot:
             window.filled.connect(window.show_start_card)
         window.present.switched.connect(watch.put_off)
+        notes = EncodingNotes(window.messages.show_message)
+        logging.getLogger(strangers.__name__).addHandler(notes)
         failed: list[bool] = []
         window.filled.connect(lambda: failed.append(bool(watch.caught)))
         show_window(window)
@@ -237,6 +239,7 @@ def run_window(
             from app.drawings import kept_labels
 
             kept_labels.save(labels_path())
+        logging.getLogger(strangers.__name__).removeHandler(notes)
         window.deleteLater()
         application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
     finally:

@@ -3,11 +3,15 @@
 import logging
 import logging.handlers
 import sys
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Any
 
-from PySide6.QtCore import QMessageLogContext, QtMsgType
+from PySide6.QtCore import QMessageLogContext, QObject, Qt, QtMsgType, Signal
 
+from app.lessons.lesson import NOT_UTF8
+from app.model.refusal import Refusal
+from widgets.parts.messages import sentence
 from widgets.window.settings import log_path
 
 log = logging.getLogger(__name__)
@@ -45,6 +49,26 @@ def start_log() -> logging.Handler | None:
     file.setFormatter(form)
     root.addHandler(file)
     return file
+
+
+class _Noted(QObject):
+    noted = Signal(str)
+
+
+class EncodingNotes(logging.Handler):
+    """Shows a sentence for a file whose letters are uncertain, whichever thread has read it.
+
+    It waits for what is under way: a document that was opened clears the message before.
+    """
+
+    def __init__(self, show: Callable[[str], None]) -> None:
+        super().__init__()
+        self._signals = _Noted()
+        self._signals.noted.connect(show, Qt.ConnectionType.QueuedConnection)
+
+    def emit(self, record: logging.LogRecord) -> None:
+        path, _ = record.args or ("", "")
+        self._signals.noted.emit(sentence(Refusal.in_document(NOT_UTF8, file=str(path))))
 
 
 class _LogFile(logging.handlers.RotatingFileHandler):
