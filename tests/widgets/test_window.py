@@ -1214,9 +1214,15 @@ def illustrations_of(window: MainWindow) -> dict[str, list[Any]]:
         for method in ("build", "take"):
             show = getattr(pane, method)
 
-            def keep(shown: Any, *args: Any, to: list[Any] = given[name], show: Any = show) -> None:
+            def keep(
+                shown: Any,
+                *args: Any,
+                to: list[Any] = given[name],
+                show: Any = show,
+                **options: Any,
+            ) -> None:
                 to.append(shown.illustration)
-                show(shown, *args)
+                show(shown, *args, **options)
 
             setattr(pane, method, keep)
     return given
