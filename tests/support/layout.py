@@ -44,8 +44,10 @@ def needed(widget: QWidget) -> QSize:
         (document.setHtml if rich else document.setPlainText)(widget.text())
         return QSize(int(document.idealWidth()), widget.fontMetrics().ascent())
     assert isinstance(widget, QAbstractButton)
-    text = widget.text().replace("&", "")
-    size = QSize(widget.fontMetrics().horizontalAdvance(text), widget.fontMetrics().ascent())
+    lines = widget.text().replace("&", "").split("\n")
+    metrics = widget.fontMetrics()
+    widest = max(map(metrics.horizontalAdvance, lines))
+    size = QSize(widest, metrics.ascent() + metrics.lineSpacing() * (len(lines) - 1))
     if isinstance(widget, QToolButton):
         style = widget.toolButtonStyle()
         if style == Qt.ToolButtonStyle.ToolButtonIconOnly and not widget.icon().isNull():

@@ -64,7 +64,8 @@ class StartCard(CoverCard):
         grid = QGridLayout()
         grid.setSpacing(2)
         for place, tile in enumerate(self.tiles.values()):
-            grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
+            row, column = divmod(place, COLUMNS)
+            grid.addWidget(tile, row, column, Qt.AlignmentFlag.AlignTop)
         beside = in_column(
             PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),
             *self._review(review, next_review), 12,
@@ -87,6 +88,8 @@ class StartCard(CoverCard):
         tile.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextUnderIcon)
         tile.setIconSize(QSize(*THUMBNAIL_PX))
         tile.setIcon(QIcon(str(tile_path(name, dark=dark))))
+        if tile.fontMetrics().horizontalAdvance(title) > 1.2 * THUMBNAIL_PX[0]:
+            tile.setText(title.replace(" ", "\n", 1))  # its column would be wider than the others
         return tile
 
     def _lessons(self, progress: Mapping[str, Progress]) -> Iterator[QToolButton]:
