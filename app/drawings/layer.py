@@ -109,12 +109,12 @@ NO_POINTS = np.empty((0, 3))
 
 
 def together(named: Iterable[tuple[str, Array]]) -> dict[str, Array]:
-    """Join the points, (n, 3), of each name; a name without points is left out."""
-    joined: dict[str, Array] = {}
+    """Join the points, (n, 2) or (n, 3), of each name; a name without points is left out."""
+    parts: dict[str, list[Array]] = {}
     for name, points in named:
         if len(points):
-            joined[name] = np.concatenate([joined.get(name, NO_POINTS), points])
-    return joined
+            parts.setdefault(name, []).append(points)
+    return {name: np.concatenate(points) for name, points in parts.items()}
 
 
 class Placing(NamedTuple):

@@ -134,8 +134,9 @@ class MarksDrawing(Layer):
         named += [(face.name, face.points) for face in marks.faces if face.name in wanted]
         named += [(dot.name, [dot.point]) for dot in marks.dots if dot.name in wanted]
         named += [(text.name, [text.point]) for text in marks.texts if text.name in wanted]
-        placed = together((name, placing.placed(np.array(points))) for name, points in named)
-        return {name: points[_within(points, placing.limit)] for name, points in placed.items()}
+        joined = together((name, np.asarray(points)) for name, points in named)
+        placed = ((name, placing.placed(points)) for name, points in joined.items())
+        return {name: points[_within(points, placing.limit)] for name, points in placed}
 
     @property
     def _named_texts(self) -> Sequence[Text]:
