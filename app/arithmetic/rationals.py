@@ -61,10 +61,11 @@ def eliminate(matrix: Rationals) -> Elimination:
             determinant = -determinant
         head = rows[rank][column]
         determinant *= head
-        rows[rank] = [part / head for part in rows[rank]]
+        rows[rank] = [part / head if part else part for part in rows[rank]]
         for i in range(size):
             factor = rows[i][column]
             if i != rank and factor:
-                rows[i] = [a - factor * b for a, b in zip(rows[i], rows[rank], strict=True)]
+                both = zip(rows[i], rows[rank], strict=True)
+                rows[i] = [a - factor * b if b else a for a, b in both]
         rank += 1
     return Elimination(rank, determinant, [row[size:] for row in rows] if rank == size else None)

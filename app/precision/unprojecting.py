@@ -140,10 +140,11 @@ def exact_points(
     return points
 
 
-def off_there(projection: Projection, place: Array, way: str, form: str, origin: Vector) -> float:
-    """How many pixels off a world point (3,) is drawn by one of the ways of `THERE`."""
+def off_there(
+    projection: Projection, place: Array, true: Array, way: str, form: str, origin: Vector
+) -> float:
+    """How many pixels off its `true` NDC (3,) a world point (3,) is drawn by a way of `THERE`."""
     local = FORMATS[form].rounded(place - np.array(origin))
     ndc = followed(projection, local[None], way, form, origin).value[:2, 0]
     width, height = projection.image_size
-    off = (ndc - projection.trace(place).ndc[:2]) * (width / 2.0, height / 2.0)
-    return float(np.hypot(*off))
+    return float(np.hypot(*((ndc - true[:2]) * (width / 2.0, height / 2.0))))

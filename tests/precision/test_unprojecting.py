@@ -139,7 +139,11 @@ def test_one_matrix_or_two_to_the_picture_hardly_differ() -> None:
     points = np.random.default_rng(3).uniform((-1.5, 0, -0.5), (1.5, 5, 0.5), (40, 3))
     origin = tuple((np.array(START.camera.eye) + 1e5 / 3**0.5).tolist())
     one, two = (
-        max(off_there(START, point, way, "float32", origin) for point in points) for way in THERE
+        max(
+            off_there(START, point, START.trace(point).ndc, way, "float32", origin)
+            for point in points
+        )
+        for way in THERE
     )
     assert 0.1 < two < 2.0 and 0.5 < one / two < 2.0
     trace = START.trace(points[0])

@@ -94,7 +94,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             image.append(named("back", moved.image, "u", 1.3, WORDS["back"]))
     away, error, why = math.dist(true[0], eye), float(lengths[0]), WORDS.phrase("no-bound")
     values = float(np.linalg.norm(back.error[:, 0])), error, 100.0 * error / (away or math.nan)
-    there = (off_there(projection, place, each, form, origin) for each in THERE)
+    there = (off_there(projection, place, trace.ndc[0], each, form, origin) for each in THERE)
     units = {"bound": "", "off": "", "share": "%", "one": "px", "two": "px"}
     readings = tuple(
         Reading.or_why(WORDS[name], value, unit, why)
