@@ -60,10 +60,11 @@ def _pages() -> dict[str, Page]:
     text = (Path(__file__).parent / "content" / "options.md").read_text("utf-8")
     pages = {}
     for section in text.split("\n## ")[1:]:
-        heading, summary, *about = re.split("\n+", re.sub("(?m)^- .*", "", section).strip())
+        prose = re.split("\n+", re.sub("(?m)^- .*", "", section).strip())
+        heading, summary, about = [*prose, argparse.SUPPRESS][:3]
         command, _, words = heading.partition(" ")
         options = re.findall("(?m)^- (--[a-z-]+)(?: (.+?))?: (.*)", section)
-        pages[command] = Page(words, summary, *about or [argparse.SUPPRESS], options)
+        pages[command] = Page(words, summary, about, options)
     return pages
 
 
