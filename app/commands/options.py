@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 
 from app import __version__, bootstrap
 from app.commands.terminal import CliError, write_out
-from app.document.lengths import PX_PER, parse_size
+from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -46,6 +46,7 @@ FULL_TURN = 360.0  # of an orbit, in degrees
 TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
 WIDTHS_PT = 200.0, 1500.0  # of a text or a column, for LaTeX; 72.27 of its points are an inch
 LOOPS = ("repeat", "once", "back-and-forth")
+EASES = ("linear", "log", "smooth")
 FIGURE_FORMATS = ("png", "svg", "pdf", "tex")
 PROJECT_FORMATS = ("table", "csv", "json")
 TRADES = (
@@ -266,6 +267,36 @@ def _window() -> Parser:
     return parser
 
 
+def _add_paper(parser: Parser) -> None:
+    """Add what figures and charts have on paper: sizes, letters and colours."""
+    parser.add(
+        "--size", "WIDTHxHEIGHT",
+        "size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
+        "inch (default: 640x640 for each pane, or its own size for the image alone; in .html, of "
+        "each pane)",
+        read=_parsed(
+            "--size", f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
+            parse_size,
+        ),
+    )  # fmt: skip
+    parser.add(
+        "--width", "LENGTH",
+        "instead of --size: how wide it is, cropped without a margin, such as 84mm; its height "
+        "is free, and letters keep their size",
+        read=_parsed("--width", f"a length in {', '.join(PX_PER)}, such as 84mm", parse_length),
+    )  # fmt: skip
+    parser.add(
+        "--text-size", "PT",
+        "size of the letters in points; 72 points are 300 pixels at scale 1 (default: 7 "
+        "in a pane of 640 pixels and in charts, in proportion in other panes)",
+        read=_parsed("--text-size", "a number of points", parse_points),
+    )  # fmt: skip
+    parser.add_choice(
+        "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
+        "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
+    )  # fmt: skip
+
+
 def _export() -> Parser:
     text = (
         "the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a "
@@ -281,25 +312,7 @@ def _export() -> Parser:
         "(default: all, side by side; of a step, those of its slide); or equation, alone: that of "
         "view.equation, which is the default where --set asks for one",
     )  # fmt: skip
-    parser.add(
-        "--size", "WIDTHxHEIGHT",
-        "size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an "
-        "inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of "
-        "each pane",
-        read=_parsed(
-            "--size", f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600",
-            parse_size,
-        ),
-    )  # fmt: skip
-    parser.add(
-        "--width", "LENGTH",
-        "instead of --size: how wide it is after it was cropped without a margin, such as 84mm; "
-        "its height is free, and letters keep their size",
-        read=_parsed(
-            "--width", f"a length in {', '.join(PX_PER)}, such as 84mm",
-            lambda text: parse_size(f"{text}x{text}").px[0],
-        ),
-    )  # fmt: skip
+    _add_paper(parser)
     parser.add_choice(
         "--fit", FITS, "what the world pane frames: what is named, with the whole frustum too, or "
         "the objects alone (default: named)", "named",
@@ -309,23 +322,11 @@ def _export() -> Parser:
         "--scale", "FACTOR", "draw the same figure with more pixels (default: 1)",
         read=_parsed("--scale", "a finite number"), default=1.0,
     )  # fmt: skip
-    parser.add(
-        "--text-size", "PT",
-        "size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 "
-        "in a pane of 640 pixels, in proportion in others)",
-        read=_parsed(
-            "--text-size", "a number of points", lambda text: parse_number(text.removesuffix("pt"))
-        ),
-    )  # fmt: skip
     parser.add_choice(
         "--hidden", HIDDEN, "in all but .png, lines behind faces: left out, dashed as in "
         "ISO 128, or thin and grey (default: none)",
     )  # fmt: skip
     parser.add_flag("--transparent", "leave the background transparent")
-    parser.add_choice(
-        "--palette", PALETTES, "colours: as on a light or dark screen; for print, where faces and "
-        "lines differ in grey, too; or with the most contrast (default: screen)", "screen",
-    )  # fmt: skip
     parser.add(
         "--batch", "LIST",
         "draw many figures: a CSV file with a line for each, whose columns are out, file, the "
@@ -339,7 +340,8 @@ def _export() -> Parser:
     parser.add_choice("--format", FIGURE_FORMATS, text)
     parser.add(
         "--sweep", "NAME=FIRST:LAST",
-        "draw a moving picture: a value of --set changes from FIRST to LAST",
+        "draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for "
+        "values that change together", action="append",
     )  # fmt: skip
     parser.add(
         "--orbit", "DEGREES",
@@ -366,7 +368,7 @@ def _export() -> Parser:
         read=_parsed("--frames", "a whole number", partial(_whole, "[0-9]{1,9}")),
     )  # fmt: skip
     parser.add(
-        "--fps", "COUNT", "of a moving picture: how many frames a second (default: 12)",
+        "--fps", "COUNT", "of a moving picture: how many frames a second (default: 25)",
         read=_parsed("--fps", "a finite number"),
     )  # fmt: skip
     parser.add_choice(
@@ -374,6 +376,11 @@ def _export() -> Parser:
         "there and back in all frames together (default: repeat for --sweep and all round, once "
         "for --transition and numbered files, else back-and-forth)",
     )  # fmt: skip
+    parser.add_choice(
+        "--ease", EASES, "of --sweep: in equal steps, in equal ratios, or slowly at both ends "
+        "(default: linear)", "linear",
+    )  # fmt: skip
+    parser.add_flag("--show-value", "of --sweep: write the values below the panes")
     parser.add_set()
     return parser
 
@@ -445,8 +452,10 @@ def _measure() -> Parser:
     parser.add("--csv", "FILE", "write the tables, one after the other; FILE as for --json")
     parser.add(
         "--chart", "FILE",
-        "draw all results; FILE as for --json, ending in .png, or in .pdf for vectors",
+        "draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors; "
+        "with --size, --width or --text-size without the notes below",
     )  # fmt: skip
+    _add_paper(parser)
     parser.add_flag(
         "--attended",
         "report the fraction done, one per line, and take the commands pause, resume and"

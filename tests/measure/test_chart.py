@@ -398,7 +398,9 @@ def test_the_command_draws_a_chart(tmp_path: Path) -> None:
     done = run_here("measure", "--trade=depth", "--quick", "--chart", out)
     assert done.returncode == 0 and done.stderr == ""
     assert out.read_bytes().startswith(b"%PDF")
-    assert refused("measure", "--chart=a.svg") == "--chart = 'a.svg': must end in .png or .pdf.\n"
+    assert refused("measure", "--chart=a.gif") == (
+        "--chart = 'a.gif': must end in .png, .svg or .pdf.\n"
+    )
     assert "no folder /nowhere" in refused("measure", "--chart=/nowhere/a.png")
 
 
