@@ -200,7 +200,7 @@ def make_window(
 def talk(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     """A file with the module's `TALK`."""
     path = tmp_path / "talk.md"
-    path.write_text(request.module.TALK)
+    path.write_text(request.module.TALK, encoding="utf-8")
     return path
 
 

@@ -206,6 +206,6 @@ def test_panes_are_a_text_or_a_list() -> None:
 
 
 def test_a_mesh_that_is_not_whole_is_loaded_with_a_warning(tmp_path: Path) -> None:
-    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", encoding="utf-8")
     with pytest.warns(UserWarning, match=r"m\.obj: faces left out: 1 of 2, .* on line 4\.$"):
         api.load(tmp_path / "m.obj")

@@ -197,7 +197,7 @@ scene=cube
 
 def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_path: Path) -> None:
     talk = tmp_path / "talk.md"
-    talk.write_text(TALK)
+    talk.write_text(TALK, encoding="utf-8")
     way = ("--step=two", "--transition", "--frames=3", *WORLD)
     assert run_here("export", tmp_path / "%d.png", talk, *way).returncode == 0
     for number, step in ((0, "one"), (2, "2")):
@@ -264,7 +264,9 @@ def test_ffmpeg_gets_the_frames_of_the_numbered_figures(
     sweep = ("--sweep=lens.far=15:17", "--frames=3", *SMALL)
     assert run_here("export", tmp_path / "%d.png", *sweep).returncode == 0
     ffmpeg = tmp_path / "ffmpeg"
-    ffmpeg.write_text('#!/bin/sh\nfor film; do :; done\nexec /bin/cat > "$film"\n')
+    ffmpeg.write_text(
+        '#!/bin/sh\nfor film; do :; done\nexec /bin/cat > "$film"\n', encoding="utf-8"
+    )
     ffmpeg.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert run_here("export", tmp_path / "film.mp4", *sweep).returncode == 0
@@ -291,17 +293,19 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
     words = "needs the program ffmpeg, which is not on the PATH: write .webp instead."
     assert refused(*command) == f"{film} {words}\n"
 
-    ffmpeg.write_text("#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n")
+    ffmpeg.write_text(
+        "#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n", encoding="utf-8"
+    )
     ffmpeg.chmod(0o755)
     said = one_sentence(run_here(*command), 2)
     assert said == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
 
     pid = tmp_path / "pid"
     interrupted = "read first_line\nkill -INT $PPID\nexec /bin/sleep 60\n"
-    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}")
+    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}", encoding="utf-8")
     assert run_here(*command).returncode == 130
     with pytest.raises(ProcessLookupError):
-        os.kill(int(pid.read_text()), 0)
+        os.kill(int(pid.read_text(encoding="utf-8")), 0)
     assert not os.listdir(own) and not film.exists()
 
 

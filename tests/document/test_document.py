@@ -695,7 +695,7 @@ def test_a_mesh_is_named_from_the_documents_folder(tmp_path: Path) -> None:
     ):
         document = Document(str(mesh))
         write(document, path)
-        assert json.loads(path.read_text())["scene"] == name
+        assert json.loads(path.read_text(encoding="utf-8"))["scene"] == name
         assert read(path) == document
         path.write_bytes(carrier(to_json(document, folder)))
         assert read(path) == document
@@ -960,13 +960,13 @@ if sys.platform != "win32":  # what only POSIX can do, or be asked
         assert names_in(tmp_path / "store") == ["real.json"]
         # A mesh is named from where the document really lies.
         write(Document(str(tmp_path / "store" / "x.stl")), link)
-        assert json.loads(target.read_text())["scene"] == "x.stl"
+        assert json.loads(target.read_text(encoding="utf-8"))["scene"] == "x.stl"
         assert read(link).scene == str(tmp_path / "store" / "x.stl")
         # And the mesh's folder may be linked to, but the mesh keeps the name it was given.
         (tmp_path / "meshes").symlink_to("store")
         (tmp_path / "store" / "y.stl").symlink_to("../far/away/y.stl")
         write(Document(str(tmp_path / "meshes" / "y.stl")), target)
-        assert json.loads(target.read_text())["scene"] == "y.stl"
+        assert json.loads(target.read_text(encoding="utf-8"))["scene"] == "y.stl"
 
     def test_a_file_that_another_program_is_writing_is_left_alone(tmp_path: Path) -> None:
         live, dead = tmp_path / ".frustum-lab-0123abcd.tmp", tmp_path / ".frustum-lab-ffffffff.tmp"
@@ -1444,7 +1444,7 @@ def test_a_mesh_in_the_place_of_a_scene_s_objects_moves_with_the_document(tmp_pa
     path = tmp_path / "lesson.json"
     document = replace(TRIANGLES, mesh=str(tmp_path / "data" / "bunny.obj"))
     write(document, path)
-    assert json.loads(path.read_text())["mesh"] == "data/bunny.obj"
+    assert json.loads(path.read_text(encoding="utf-8"))["mesh"] == "data/bunny.obj"
     assert read(path) == document
     path.rename(tmp_path.parent / "moved.json")
     moved = tmp_path.parent / "data" / "bunny.obj"

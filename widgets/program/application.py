@@ -15,7 +15,6 @@ from __future__ import annotations
 import gc
 import locale
 import logging
-import logging.handlers
 import platform
 import signal
 import socket
