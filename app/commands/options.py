@@ -546,16 +546,8 @@ def parser_of(command: str) -> Parser:
     return _PARSERS[command]()
 
 
-def answer(arguments: Sequence[str]) -> None:
-    """Print the help or the version and raise `SystemExit`, if requested; otherwise return."""
-    end = arguments.index("--") if "--" in arguments else len(arguments)
-    if {"-h", "--help", "--version"}.isdisjoint(arguments[:end]):
-        return
-    check(arguments)
-
-
 def check(arguments: Sequence[str]) -> None:
-    """Refuse a command line that has no such command or options."""
+    """Refuse what is no command or option; print help or version, and raise `SystemExit`."""
     if arguments and arguments[0] in SUMMARIES:
         parser_of(arguments[0]).read(arguments[1:])
     else:

@@ -86,6 +86,11 @@ class Checkout:
         return found.parent
 
     @property
+    def python(self) -> str:
+        """The interpreter of its environment."""
+        return str(bootstrap.Environment(self.root).python)
+
+    @property
     def stamp(self) -> Path:
         return self.root / ".venv" / "frustum-lab.stamp"
 
@@ -265,7 +270,7 @@ def test_help_version_and_doctor_need_no_set_up(fresh: Checkout) -> None:
 def test_the_doctor_uses_an_existing_environment(made: Checkout) -> None:
     """It stops early in this one, which has no Qt."""
     _, output, _ = made.run("-m", "app", "doctor")
-    assert f"({made.root}/.venv/bin/python)" in output
+    assert f"({made.python})" in output
     assert "frustum-probe       1.0 (needed: >=1,<2)" in output
     assert "not set up" not in output
 
@@ -298,7 +303,7 @@ def test_a_second_start_installs_nothing_and_needs_no_network(made: Checkout) ->
 
 
 def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
-    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "matrices"]
+    command = [made.python, "-m", "app", "matrices"]
     done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)[0] == str(made.root / ".venv")
     assert done.stderr == ""
@@ -333,7 +338,7 @@ def test_a_start_finds_its_own_modules(
         (foreign / f"{name}.py").write_text("import frustum_probe\n", encoding="utf-8")
     environment = {variable: text.format(foreign, minor, above)}
     if inside:
-        environment["python"] = str(made.root / ".venv" / "bin" / "python")
+        environment["python"] = made.python
     assert made.assert_runs(**environment) == ""
 
 
@@ -376,8 +381,7 @@ def test_a_process_of_its_own_finds_the_same_modules(made: Checkout) -> None:
         "from app import modules; modules.prefer_own(); import subprocess; "
         "subprocess.run(modules.command('app', 'matrices'), check=True)"
     )
-    python = str(made.root / ".venv" / "bin" / "python")
-    status, output, said = made.run("-c", probe, python=python)
+    status, output, said = made.run("-c", probe, python=made.python)
     assert (status, said) == (0, "")
     assert json.loads(output)[1:] == ["1.0", ["matrices"]]
 
@@ -481,7 +485,7 @@ def test_a_check_that_is_stopped_says_nothing(
 
 @pytest.mark.parametrize("lost", ["python", "package", "end of its set-up"])
 def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: str) -> None:
-    python = made.root / ".venv" / "bin" / "python"
+    python = Path(made.python)
     if lost == "python":
         python.unlink()
         python.symlink_to("/nonexistent/python3")
@@ -717,11 +721,11 @@ def test_without_a_network_a_working_environment_is_used_under_new_bounds(
     )
     assert made.stamp.read_text(encoding="utf-8") == stamp
     # A program that it starts says nothing of it again, and asks no server.
-    inside = made.root / ".venv" / "bin" / "python"
+    inside = made.python
     status, output, said = made.run(
         "-c",
         "import subprocess, sys; from app import bootstrap; bootstrap.start('numbers');"
-        f"subprocess.run([{str(inside)!r}, '-m', 'app', 'matrices'])",
+        f"subprocess.run([{inside!r}, '-m', 'app', 'matrices'])",
         **offline,
     )
     assert (status, json.loads(output)[1], said.count("going on")) == (0, "1.0", 1)
@@ -982,6 +986,8 @@ def programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def program(folder: Path, name: str, script: str = "") -> None:
+    if os.name != "posix":
+        pytest.skip("needs /bin/sh")
     (folder / name).write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
     (folder / name).chmod(0o755)
 

@@ -1349,6 +1349,8 @@ def test_doctor_survives_a_driver_that_crashes() -> None:
 
 def with_driver(script: str, folder: Path, patch: pytest.MonkeyPatch) -> None:
     """Let a script replace the process that tries a driver."""
+    if sys.platform == "win32":
+        pytest.skip("needs /bin/sh")
     trial = folder / "trial"
     trial.write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
     trial.chmod(0o755)
@@ -1363,7 +1365,7 @@ def test_doctor_names_a_package_of_the_wrong_version(
     monkeypatch.setattr(metadata, "version", lambda name: "9.9" if name == "vtk" else version(name))
     assert cli.main(["doctor"]) == 3
     said = capsys.readouterr().out
-    assert re.search(r"This is missing:\n  vtk: change it: .* -m pip install 'vtk>=9", said)
+    assert re.search(r"This is missing:\n  vtk: .* -m pip install 'vtk>=9", said)
 
 
 @pytest.mark.parametrize(
