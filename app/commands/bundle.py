@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap, modules
-from app.commands.options import WHEEL_PLATFORMS, parser_of
+from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, write_out
 from app.python_packages import pins, requirements
 
@@ -27,14 +27,14 @@ CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.m
 
 def run(arguments: Sequence[str]) -> int:
     """The command ``bundle``."""
-    options, (out,) = parser_of("bundle").read(arguments)
+    options, (out,) = Parser("bundle").read(arguments)
     if not os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         raise CliError("bundle: this program has no folder of its code to make one of.")
     folder = Path(out).absolute() / "frustum-lab"
     if os.path.exists(folder):
         raise CliError(f"{folder}: is there already; remove it, or choose another folder.")
     if options.wheels:
-        _collect(folder, options.platform or WHEEL_PLATFORMS, options.python)
+        _collect(folder, options.platform or choices("bundle", "--platform"), options.python)
     else:
         _freeze(folder)
     kind = "zip" if sys.platform == "win32" else "gztar"

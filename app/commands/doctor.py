@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app import __version__, bootstrap, modules, system_packages
-from app.commands.options import parser_of
+from app.commands.options import Parser
 from app.commands.terminal import CANNOT_DRAW, CliError, write_out
 from app.python_packages import requirements
 
@@ -31,7 +31,7 @@ class Finding(NamedTuple):
 
 def run(arguments: Sequence[str]) -> int:
     """The command ``doctor``: print the findings, and at the end what is missing."""
-    parser_of("doctor").read(arguments)
+    Parser("doctor").read(arguments)
     missing = []
     for finding in examine():
         write_out([f"{finding.name:<20}{finding.text}\n"])

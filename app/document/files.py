@@ -279,7 +279,7 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
 
     The content goes to a new file in the same folder, which replaces the old one once it is safely
     on the disk. Links are followed, and the permissions of an old file are kept. Whoever writes
-    there a minute later removes unfinished files of a killed program. A trial leaves the old file in
+    there a minute later removes unfinished files of killed programs. A trial leaves the old file in
     its place: it only finds out whether another one could be written. Raises a `Refusal` if it
     cannot be written; an old file is unchanged.
     """

@@ -1027,15 +1027,21 @@ def test_the_help_names_what_exists() -> None:
     paths |= {f"quality.{field.name}" for field in fields(Quality)}
     paths |= {f"view.{key}" for key in view.FIELDS if key not in ("panes", "pinned")}
     assert set(options.SETTABLE) == paths | {*MEASURES, "camera.P"}
-    assert options.PRECISIONS == PRECISIONS
-    assert (options.SPACES, options.LETTERS) == (SPACES, LETTERS)
-    assert (tuple(PALETTES), HIDDEN, FITS) == (options.PALETTES, options.HIDDEN, options.FITS)
-    assert tuple(f".{name}" for name in options.FIGURE_FORMATS) == ENDINGS
-    assert tuple(measuring.TRADES) == options.TRADES
+    for command, option, known in (
+        ("project", "--rung", PRECISIONS),
+        ("project", "--space", SPACES),
+        ("matrices", "--letters", LETTERS),
+        ("export", "--palette", PALETTES),
+        ("export", "--hidden", HIDDEN),
+        ("export", "--fit", FITS),
+        ("measure", "--trade", measuring.TRADES),
+    ):
+        assert options.choices(command, option) == [*known], option
+    assert tuple(f".{name}" for name in options.choices("export", "--format")) == ENDINGS
     assert tuple(SWEEPS) == options.SWEEPS
-    for form in options.PROJECT_FORMATS:
+    for form in options.choices("project", "--format"):
         assert run_here("project", "-", "--format", form, text="1,2,3\n").returncode == 0
-    for form in options.MATRIX_FORMATS:
+    for form in options.choices("matrices", "--format"):
         assert run_here("matrices", "--format", form).returncode == 0
 
 

@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from app.commands.options import SETTABLE, parser_of
+from app.commands.options import SETTABLE, Parser
 from app.lecture.typesetting import outline
 from app.lessons import record as records
 from app.lessons import results
@@ -248,7 +248,7 @@ def some_strokes(rng: random.Random, steps: Sequence[str]) -> str:
 
 def a_list(rng: random.Random) -> str:
     """A list of figures, as CSV."""
-    options = [action.option_strings[-1][2:] for action in parser_of("export").options()]
+    options = [action.option_strings[-1][2:] for action in Parser("export").options()]
     settings = [
         setting.path for phenomenon in PHENOMENA.values() for setting in phenomenon.settings
     ]
