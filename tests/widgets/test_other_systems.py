@@ -77,7 +77,7 @@ def check():
         raise RuntimeError("There is OpenGL 1.1.")
 
 off_screen.check_off_screen = check
-off_screen._window_that_draws = lambda: sys.exit("VTK ends the process")
+off_screen.vtkRenderWindow = lambda: sys.exit("VTK ends the process")
 arguments.sys = application.sys = Windows()
 sys.exit(cli.main(sys.argv[1:]))
 """
