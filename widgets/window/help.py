@@ -47,8 +47,8 @@ def _shown(text: str) -> str:
     """Translate a text of the table, and write its keys in this system's form."""
 
     def key(match: re.Match[str]) -> str:
-        ways = ways_to_press(PLAY_KEY if match[1] == "Play" else match[1])
-        return ", ".join(way.toString(QKeySequence.SequenceFormat.NativeText) for way in ways)
+        keys = ways_to_press(PLAY_KEY if match[1] == "Play" else match[1])
+        return ", ".join(way.toString(QKeySequence.SequenceFormat.NativeText) for way in keys)
 
     return re.sub(r"\{([^{}]+)\}", key, QCoreApplication.translate("Help", text))
 
