@@ -7,7 +7,6 @@ import json
 import math
 import re
 import sys
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -31,9 +30,7 @@ PLAIN = api.Projection(
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Import what the wheel installs, and write in a folder of the test's own."""
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    for folder in settings["tool"]["setuptools"]["packages"]["find"]["where"]:
-        monkeypatch.syspath_prepend(str(ROOT / folder))
+    monkeypatch.syspath_prepend(str(ROOT / "app" / "wheel"))
     monkeypatch.chdir(tmp_path)
     return tmp_path
 

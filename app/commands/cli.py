@@ -34,7 +34,7 @@ def _run(arguments: Sequence[str]) -> int:
     try:
         if arguments and arguments[0] in SUMMARIES:
             with importing():
-                command = import_module(f"app.commands.{arguments[0]}")
+                command = import_module(f"{__package__}.{arguments[0]}")
             status: int = command.run(arguments[1:])
             return status
         if arguments:

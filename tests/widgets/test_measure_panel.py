@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise, product
@@ -20,7 +19,6 @@ from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.bootstrap import ROOT
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
@@ -143,16 +141,11 @@ def test_it_opens_with_the_results_of_another_machine_in_grey(
     assert hue_of(panel) < 40, "only what was measured is replaced"
 
 
-def test_the_results_that_the_program_brings_name_no_place_and_are_packed() -> None:
+def test_the_results_that_the_program_brings_name_no_place() -> None:
     assert not re.search(r"[/\\](?!u00)\w{3,}|home|user", SHIPPED.read_text(encoding="utf-8"))
     results = read_results(SHIPPED)
     assert re.fullmatch(r"[A-Za-z]+ [\d.]+", results.machine["system"]), "no name of its own"
     assert results.complete and set(split(results)) == set(chart.TITLES)
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    packed = project["tool"]["setuptools"]["package-data"]
-    for folder in (ROOT / "app").rglob("content"):
-        package = ".".join(folder.parent.relative_to(ROOT).parts)
-        assert packed[package] == ["content/*"]
 
 
 def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> None:
