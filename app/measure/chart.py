@@ -100,7 +100,7 @@ CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far", "ink", "frustum")
-_DASHES: tuple[tuple[float, ...], ...] = (  # which tell curves apart without their colours
+DASHES: tuple[tuple[float, ...], ...] = (  # which tell curves apart without their colours
     (), (6.0, 2.0), (2.0, 2.0), (9.0, 2.0, 2.0, 2.0), (4.0, 4.0), (9.0, 2.0, 2.0, 2.0, 2.0, 2.0),
     (12.0, 4.0), (1.0, 3.0),
 )  # fmt: skip
@@ -324,7 +324,7 @@ def _of_sweep(
                 curves.append(Curve(np.empty((0, 2)), "muted", other_name, width))
             for number, (name, curve) in enumerate(each.curves.items()):
                 colour = _COLOURS[number % len(_COLOURS)]
-                dash = _DASHES[number % len(_DASHES)]
+                dash = DASHES[number % len(DASHES)]
                 ys = [curve.errors[i] for i in kept]
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])

@@ -35,7 +35,7 @@ GAP_PX, FONT_PX, NOTE_LETTERS = 8.0, 12, 0.15
 """NOTE_LETTERS is the most letters in a line of the notes, per pixel of width."""
 PX_PER_INCH, TEXT_PT = 100.0, 7.0  # of a picture without and with a size
 _PDF_DPI = 1200
-_DATES = rb"/(Creation|Mod)Date \(.*?\)"
+_DATES, _BOX = rb"/(Creation|Mod)Date \(.*?\)", rb"(/MediaBox )(\[[^]]*\])"
 
 
 class Paper(NamedTuple):
@@ -120,8 +120,11 @@ def picture(
     writer.setDocumentXmpMetadata(b"<metadata/>")  # Qt's own have the time, and a random id
     writer.setDocumentId(QUuid())
     draw(writer, _PDF_DPI / per_inch)
+    wide, high = (side * 72.0 / per_inch for side in (size.width(), size.height()))
+    box = b"[0 %.4f %.4f %d]" % (round(high) - high, wide, round(high))  # Qt has whole points
     # The same results give the same file at any time; its offsets stay right.
-    return re.sub(_DATES, lambda date: b" " * len(date[0]), bytes(buffer.data().data()))
+    file_bytes = re.sub(_DATES, lambda date: b" " * len(date[0]), bytes(buffer.data().data()))
+    return re.sub(_BOX, lambda old: old[1] + box.ljust(len(old[2])), file_bytes)
 
 
 def _size(paper: Paper, per_inch: float, charts: int) -> QSizeF:
@@ -158,7 +161,7 @@ def _paint(
     width = size.width()
     columns = _columns(len(shown), width)
     notes = [n for line in lines for n in textwrap.wrap(line, round(NOTE_LETTERS * width))]
-    painter.setFont(resized(font, SMALL))
+    painter.setFont(font if sized else resized(font, SMALL))
     painter.setPen(QColor(style.muted))
     height = painter.fontMetrics().height() * len(notes) + GAP_PX if notes else 0.0
     top = size.height() - height

@@ -70,6 +70,7 @@ class DiagramPainter:
         marks = self._marks(self._up, self._size.height() - top - bottom, 1.6 * line)
         widest = max((small.horizontalAdvance(text) for _, text in marks), default=0.0)
         left = widest + TICK_PX + GAP_PX + (label if diagram.y_label else 0.0) + 1.0
+        left += GAP_PX if self._one_size else 0.0  # print has no hinting
         right = small.horizontalAdvance("0000") / 2.0
         frame = QRectF(QPointF(), self._size).adjusted(left, top, -right, -bottom)
         if diagram.equal and self._is_usable and frame.isValid():
