@@ -48,8 +48,7 @@ def run(arguments: Sequence[str]) -> int:
 def _freeze(folder: Path) -> None:
     """Make the program."""
     if importlib.util.find_spec("PyInstaller") is None:
-        needed = requirements(bootstrap.ROOT, ["bundle"])[-1]
-        command = bootstrap.command_line([sys.executable, "-m", "pip", "install", needed.text])
+        command = bootstrap.pip_install(requirements(bootstrap.ROOT, ["bundle"])[-1].text)
         raise CliError(f"bundle needs PyInstaller, which is not installed; run: {command}")
     with tempfile.TemporaryDirectory() as work:
         words = ["--log-level", "WARN", "--distpath", str(folder.parent), "--workpath", work]

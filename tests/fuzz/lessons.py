@@ -406,7 +406,7 @@ def prepare() -> None:
     """Import and read what all files need, so that no file has to."""
     import pyvista.plotting  # noqa: F401
 
-    import widgets.window.pen
+    import widgets.window.pen  # noqa: F401
     import widgets.window.talk_band  # noqa: F401
 
     exercise.SEEDS = FEW_SEEDS

@@ -195,8 +195,10 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
         assert panel.export(tmp_path / f"depth.{ending}")
     assert succeeded.count() == 4
     trade = panel.measured["depth"].trades[0]
-    assert (tmp_path / "depth.csv").read_text() == to_csv(trade)
-    assert from_json((tmp_path / "depth.json").read_text()) == panel.measured["depth"]
+    assert (tmp_path / "depth.csv").read_text(encoding="utf-8") == to_csv(trade)
+    assert (
+        from_json((tmp_path / "depth.json").read_text(encoding="utf-8")) == panel.measured["depth"]
+    )
     assert (tmp_path / "depth.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "depth.pdf").read_bytes().startswith(b"%PDF")
     assert not panel.export(tmp_path / "depth.doc") and "must end in one of" in refused.at(1)[0]
@@ -217,7 +219,7 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
     assert rows[-1][:-1] == own_rows[-1][:-1]
     assert rows[-1][-1] == "Box 9, 2020-02-02T00:00:00+00:00"
     assert panel.export(tmp_path / "both.csv")
-    assert (tmp_path / "both.csv").read_text().count("choice,cost_B") == 2
+    assert (tmp_path / "both.csv").read_text(encoding="utf-8").count("choice,cost_B") == 2
     qtbot.mouseClick(panel.forget_button, Qt.MouseButton.LeftButton)
     assert cells(panel) == own_rows and panel.measured["depth"] is mine
 
@@ -226,7 +228,7 @@ def test_an_unsaved_document_is_measured_with_its_mesh(
     qtbot: QtBot, document: Document, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mesh = tmp_path / "triangle.obj"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)  # where the process is not
     start = load(str(mesh)).start
     changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))
