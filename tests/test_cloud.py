@@ -89,7 +89,7 @@ def test_a_large_cloud_is_pixels_among_lines_and_text() -> None:
     radius = np.tan(np.arcsin(1 / 3)) * figure.full_size[1] / 2.0 * 0.7
     assert picture.place[2] == pytest.approx(picture.place[3], abs=3.0)
     assert seen.mean() == pytest.approx(np.pi / 4.0, abs=0.06) and radius > 0.0
-    svg = figure.svg
+    svg = figure.svg()
     assert svg.count("<image") == 2 and "<text" in svg and len(svg) < 2_000_000
 
 
