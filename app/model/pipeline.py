@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic.rationals import Rationals, product, rationals
 from app.model.camera import Camera
+from app.model.chain import NOT_MOVED, SPACES, Chain, Space, WorldPoints
 from app.model.formula import FLOAT64
 from app.model.lenses import Lens, Perspective
 from app.model.lenses.answers import Axis, ExactLens, Window
@@ -40,7 +41,6 @@ from app.model.limits import (
     keep_checked,
     read_only,
 )
-from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Space, WorldPoints
 from app.model.refusal import Bound, Refusal
 from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
@@ -131,7 +131,7 @@ class Pipeline:
     lens: Lens = Perspective()
     image_size: tuple[int, int] = (1280, 720)  # width and height in pixels
     depth: DepthRange = "opengl"  # the NDC range of z: "opengl", "direct3d" or "reversed"
-    placement: ObjectTransform = NOT_MOVED  # where the scene's object stands
+    placement: Chain = NOT_MOVED  # where the scene's object stands
 
     def __post_init__(self) -> None:
         try:

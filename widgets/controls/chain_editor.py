@@ -1,0 +1,319 @@
+"""The tiles of the object's transform in the dock, and their product.
+
+::
+
+    row, switch, menu, drag -> edited(chain) -> the model -> show(chain)
+
+The tiles stand as in the product, the leftmost at the top: the one at the bottom acts first.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, Signal
+from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
+
+from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.letters import written
+from app.lecture.notation import object_product
+from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile
+from app.model.parameters import TILES
+from app.model.refusal import Refusal, format_value
+from widgets.controls.parameter_rows import make_row
+from widgets.parts.fields import Row, RowHolder
+from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.number_rows import NumberRow, VectorRow
+from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.scales import Linear
+from widgets.parts.section import GAP_PX, Rows
+from widgets.parts.typeset import TypesetLabel, matrix
+
+_COLUMNS = ("x", "y", "z", "origin")
+_KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
+
+
+class _TileCard(Rows):
+    """One tile: its switch, its numbers, and the buttons that move and remove it."""
+
+    def __init__(self, tile: Tile, reach: float, owner: "ChainEditor") -> None:
+        super().__init__()
+        self._owner, self.kind = owner, tile.kind
+        self.field = ""  # what its numbers are called in highlights; empty while it is off
+        title = stage_title(KINDS[tile.kind].factor)
+        self.switch = QCheckBox(title)
+        set_tip(self.switch, self.tr("Whether the product has this tile; drag it to move it"))
+        self.switch.clicked.connect(lambda on: owner.change(self, is_off=not on))
+        self.switch.installEventFilter(self)
+        up, down, away = (
+            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
+            for icon, tip, act in (
+                ("up", self.tr("Move it left in the product: it acts later"),
+                 lambda: owner.step(self, -1)),
+                ("choose", self.tr("Move it right in the product: it acts earlier"),
+                 lambda: owner.step(self, 1)),
+                ("close", self.tr("Remove it"), lambda: owner.remove(self)),
+            )
+        )  # fmt: skip
+        self._column.insertLayout(0, in_row((self.switch, 1), up, down, away, gap=0))
+        self.rows = dict(self._made_rows(tile, title, reach))
+        for key, row in self.rows.items():
+            self.add(row)
+            row.edited.connect(partial(owner.type_in, self, key))
+            row.highlighted.connect(partial(owner.point_at, self, key))
+            owner.join(row)
+        self.show_tile(tile)
+
+    def _made_rows(self, tile: Tile, title: str, reach: float) -> Iterator[tuple[str, Row]]:
+        """Yield a row for each number, or for each column of a matrix and for an axis."""
+        parameter = TILES.get(KINDS[tile.kind].field)
+        if parameter is None:  # a mirror has no numbers
+            return
+        named = QCoreApplication.translate("Field", "{0} {1}")
+        tip = parameter_text(parameter, parameter.tip)
+        if tile.kind == "matrix":
+            for column in _COLUMNS:
+                yield column, VectorRow(named.format(title, column), tip)
+            return
+        letters = KINDS[tile.kind].letters
+        if tile.kind == "rotate":
+            yield "axis", VectorRow(named.format(title, self.tr("axis")), tip)
+            letters = letters[-1:]
+        for letter in letters:
+            part = letter.rpartition("_")[2]
+            name = named.format(title, part) if len(letters) > 1 else title
+            row = make_row(replace(parameter, vector=False), name)
+            if tile.kind == "translate" and isinstance(row, NumberRow):
+                row.setScale(Linear.about(0.0, reach))
+            row.setDefault(KINDS[tile.kind].neutral[-1])
+            yield part, row
+
+    def show_tile(self, tile: Tile) -> None:
+        self.switch.setChecked(not tile.is_off)
+        for row, value in zip(self.rows.values(), self._values(tile), strict=True):
+            row.setValue(value)
+
+    def _values(self, tile: Tile) -> list[object]:
+        numbers = tile.numbers
+        if tile.kind == "matrix":
+            return [numbers[column:12:4] for column in range(4)]
+        return [numbers[:3], numbers[3]] if tile.kind == "rotate" else list(numbers)
+
+    def typed(self, tile: Tile, key: str, value: object) -> tuple[float, ...]:
+        """Return a tile's numbers after an edit of one of the rows."""
+        values = self._values(tile)
+        values[list(self.rows).index(key)] = value
+        parts = [part if isinstance(part, tuple) else (part,) for part in values]
+        if tile.kind == "matrix":
+            return (*(part for row in zip(*parts, strict=True) for part in row), *tile.numbers[12:])
+        return tuple(part for group in parts for part in group)
+
+    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+        """Move the tile: by a drag of its name, or by Alt with an arrow key."""
+        kinds = QEvent.Type
+        if isinstance(event, QKeyEvent) and event.type() == kinds.KeyPress:
+            if event.key() in _KEYS and event.modifiers() & Qt.KeyboardModifier.AltModifier:
+                self._owner.step(self, _KEYS[Qt.Key(event.key())])
+                return True
+            if event.key() == Qt.Key.Key_Delete:
+                self._owner.remove(self)
+                return True
+        if isinstance(event, QMouseEvent) and event.type() == kinds.MouseMove:
+            if event.buttons() & Qt.MouseButton.LeftButton:
+                self._owner.drag(self, self.switch.mapTo(self._owner, event.position().toPoint()))
+            return self._owner.is_dragging
+        if event.type() == kinds.MouseButtonRelease and self._owner.drop():
+            self.switch.setDown(False)
+            return True  # a drag is no click
+        return super().eventFilter(watched, event)
+
+
+class ChainEditor(QWidget, RowHolder):
+    """The tiles of the object, a menu for more, and their product."""
+
+    edited = Signal(object)  # the user made this `Chain`
+    highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._chain, self._reach = NOT_MOVED, 10.0
+        self._highlight: Highlight = frozenset()
+        self.rows: dict[str, Row] = {}
+        self.cards: list[_TileCard] = []
+        self.is_dragging = False
+        self.add = tool_button(self.tr("Add a tile"), self.tr("It acts last: left of the others"))
+        self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.add)
+        menu.addAction("T Rz Ry Rx S", lambda: self._adopt(FiveTiles().chain))
+        for kind in KINDS:
+            title = stage_title(KINDS[kind].factor)
+            menu.addAction(title, partial(self.put, Tile(kind, KINDS[kind].neutral)))
+        self.add.setMenu(menu)
+        self.letters = QCheckBox(self.tr("Letters"))
+        self.vectors = QCheckBox(self.tr("Row vectors"))
+        for box in (self.letters, self.vectors):
+            box.toggled.connect(self._show_product)
+        self.product = TypesetLabel()
+        self.product.shrinks = True
+        self._tiles = in_column(margins=(0, 0, 0, 0), gap=GAP_PX)
+        self.said = PlainLabel(self.tr("The tile at the bottom acts first."), objectName="paneNote")
+        bar = in_row(self.letters, self.vectors, FREE)
+        in_column(
+            self.add, self._tiles, self.said, self.product, bar, on=self, margins=(0, 0, 0, 0)
+        )
+        self._build(NOT_MOVED)
+
+    # -- the interface
+
+    def show_chain(self, chain: Chain) -> None:
+        """Show another chain, without a signal."""
+        if chain == self._chain:
+            return
+        self._chain = chain
+        if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
+            self._build(chain)
+        self._name_rows()
+        for card, tile in zip(self.cards, chain.tiles, strict=True):
+            card.show_tile(tile)
+        self._show_product()
+
+    def set_scene(self, size: float) -> None:
+        """Fit the sliders of translations to a scene."""
+        self._reach = 2.0 * size
+        for card in self.cards:
+            for row in card.rows.values() if card.kind == "translate" else ():
+                row.setScale(Linear.about(0.0, self._reach))
+
+    def show_highlight(self, highlighted: Highlight) -> None:
+        self._highlight = highlighted
+        for card in self.cards:
+            for row in card.rows.values():
+                row.set_marked(card.field in highlighted)
+
+    def rows_of(self, name: str) -> list[Row]:
+        """Return the rows of the tiles of one kind: ``rotate_deg``."""
+        return [row for key, row in self.rows.items() if key.rpartition("_")[0] == name]
+
+    def return_borrowed(self) -> None:
+        for card in self.cards:
+            card.return_borrowed()
+
+    # -- edits
+
+    def put(self, tile: Tile) -> None:
+        """Add a tile at the left."""
+        self._attempt(lambda: self._chain.with_tile(0, tile), self._say)
+
+    def change(self, card: _TileCard, *, is_off: bool) -> None:
+        place = self.cards.index(card)
+        tile = replace(self._chain.tiles[place], is_off=is_off)
+        self._attempt(lambda: self._chain.with_tile(place, tile, over=1), self._say)
+        card.show_tile(self._chain.tiles[place])  # which a refusal has not changed
+
+    def remove(self, card: _TileCard) -> None:
+        place = self.cards.index(card)
+        self._adopt(self._chain.with_tile(place, over=1))
+        if self.cards:
+            self.cards[min(place, len(self.cards) - 1)].switch.setFocus()
+        else:
+            self.add.setFocus()
+
+    def step(self, card: _TileCard, by: int) -> None:
+        """Move a tile one place up or down."""
+        self._move(self.cards.index(card), self.cards.index(card) + by)
+        card.switch.setFocus()
+
+    def drag(self, card: _TileCard, at: QPoint) -> None:
+        """Move a tile to the place under the mouse; the whole drag is one gesture."""
+        place = self.cards.index(card)
+        others = (other for other in self.cards if other is not card)
+        to = sum(other.geometry().center().y() < at.y() for other in others)
+        if to != place:
+            if not self.is_dragging:
+                self.is_dragging = True
+                self.gesture_started.emit()
+            self._move(place, to)
+
+    def drop(self) -> bool:
+        """End a drag; return whether there was one."""
+        was, self.is_dragging = self.is_dragging, False
+        if was:
+            self.gesture_finished.emit()
+        return was
+
+    def type_in(self, card: _TileCard, key: str, value: object) -> None:
+        place = self.cards.index(card)
+        tile = self._chain.tiles[place]
+        row = card.rows[key]
+
+        def edited() -> Chain:
+            numbers = card.typed(tile, key, value)
+            return self._chain.with_tile(place, replace(tile, numbers=numbers), over=1)
+
+        self._attempt(edited, row.show_error)
+
+    def join(self, row: Row) -> None:
+        self._join(row)
+
+    def point_at(self, card: _TileCard, key: str, is_here: bool) -> None:
+        about = frozenset({card.field}) if is_here and card.field else NOTHING
+        self.highlighted.emit(f"{card.field}_{key}", about)
+
+    def _move(self, place: int, to: int) -> None:
+        if not 0 <= to < len(self.cards):
+            return
+        moved = self.cards.pop(place)
+        self.cards.insert(to, moved)
+        self._tiles.insertWidget(to, moved)
+        self._adopt(self._chain.moved(place, to))
+        self._name_rows()
+
+    def _attempt(self, make: Callable[[], Chain], refuse: Callable[[str], None]) -> None:
+        try:
+            self._adopt(make())
+        except Refusal as error:
+            refuse(sentence(error))
+
+    def _say(self, said: str) -> None:
+        self.said.setText(said)
+
+    def _adopt(self, chain: Chain) -> None:
+        self.said.setText(self.tr("The tile at the bottom acts first."))
+        if chain != self._chain:
+            self.show_chain(chain)
+            self.edited.emit(chain)
+
+    # -- shown
+
+    def _build(self, chain: Chain) -> None:
+        discard(self._tiles, self.cards)
+        self.cards = [_TileCard(tile, self._reach, self) for tile in chain.tiles]
+        for card in self.cards:
+            self._tiles.addWidget(card)
+        self._name_rows()
+        self.show_highlight(self._highlight)
+        self.said.setVisible(len(self.cards) > 1)
+        self.add.setEnabled(len(self.cards) < MOST_TILES)
+
+    def _name_rows(self) -> None:
+        self.rows.clear()
+        for place, (card, field) in enumerate(zip(self.cards, self._chain.fields(), strict=True)):
+            card.field = field
+            for part, row in card.rows.items():
+                self.rows[f"{field or f'off{place}'}_{part}"] = row
+
+    def _show_product(self) -> None:
+        rows = self.vectors.isChecked()
+        formulas, names = object_product(self._chain, rows=rows)
+        cells = [[written(cell, "own") for cell in line] for line in formulas]
+        if not self.letters.isChecked():
+            product = self._chain.matrix.T if rows else self._chain.matrix
+            cells = [
+                [format_value(float(f"{part:.5g}")) for part in line] for line in product + 0.0
+            ]
+        self.product.set_formula(f"{' '.join(names)} = {matrix(cells)}" if names else matrix(cells))
+        self.product.setVisible(bool(self.cards))
+        for box in (self.letters, self.vectors):
+            box.setVisible(bool(self.cards))
