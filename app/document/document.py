@@ -219,7 +219,7 @@ def read_tiles(texts: Iterable[Any]) -> tuple[Tile, ...]:
 
 
 def _chain(text: str) -> list[str]:
-    return [tile.text for tile in read_tiles(text.split(";") if text.strip() else ())]
+    return [tile.text for tile in read_tiles(map(str.strip, text.split(";")) if text else ())]
 
 
 def _number_or_word(text: str) -> float | str:

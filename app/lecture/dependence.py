@@ -19,6 +19,7 @@ from app.model.formula import (
     Negative,
     Number,
     Pair,
+    Power,
     Quotient,
     Sum,
     parse,
@@ -119,8 +120,8 @@ def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
         return {}, node.number == 0
     if isinstance(node, Letter):
         return _of_name(node.name, state)
-    if isinstance(node, Negative):
-        return _of(node.operand, state)
+    if isinstance(node, Negative | Power):
+        return _of(node.parts[0], state)
     if isinstance(node, Call):
         first = node.arguments[0]
         if node.name == "dot":

@@ -242,7 +242,10 @@ ASPECT = _image(
 DEPTH = stated(
     "depth", section="", place="image", read=attrgetter("depth"), write=Projection.with_depth
 )
-CHAIN = stated("chain", section="object", shows=(), read=attrgetter("placement"))
+CHAIN = stated(
+    "chain", section="object", shows=(), read=attrgetter("placement"),
+    write=lambda p, chain: replace(p, placement=chain),
+)  # fmt: skip
 TRANSLATE = _object(
     "translate", unit="units", letter="move", formula="move", handle="origin",
     read=lambda p: _leftmost(p, "translate"),

@@ -298,7 +298,7 @@ def changed(projection: Projection, change: Mapping[str, float | Vector | Chain]
     parts: dict[str, Change] = {}
     for name, value in change.items():
         if isinstance(value, Chain):
-            projection = replace(projection, placement=value)
+            projection = CHAIN.put(projection, value)
             continue
         parts.setdefault(PARAMETERS[name].part, {})[name] = value
     owners: dict[str, Any] = {part: getattr(projection, part) for part in parts}
@@ -388,13 +388,11 @@ def _scaled(chain: Chain, axis: int, drag: _HandleDrag) -> Chain:
     left, right = Chain(chain.tiles[:place]).matrix, Chain(chain.tiles[place + 1 :]).matrix
     part = int(np.abs(right[:3, axis]).argmax())  # the number of the scale that stretches most
     before = tile.numbers[part]
-    along = left[:3, part] * right[part, axis]
-    origin, reach = chain.matrix[:3, 3], handle.at[0]
-    rest = chain.matrix[:3, axis] - before * along
-    if before:  # somewhere on the axis
-        whole = before * along + rest
-        reach = float(whole @ (grabbed - origin)) / float(whole @ whole)
-    value, per_px = sight.slide(origin + reach * rest, reach * along, pixel)
+    origin, column, reach = chain.matrix[:3, 3], chain.matrix[:3, axis], handle.at[0]
+    if column.any():  # somewhere on the axis
+        reach = float(column @ (grabbed - origin)) / float(column @ column)
+    along = left[:3, part] * (reach * right[part, axis] + right[part, 3])
+    value, per_px = sight.slide(origin + reach * column - before * along, along, pixel)
     numbers = list(tile.numbers)
     numbers[part] = _tidy(value, before, per_px)
     return chain.with_tile(place, Tile("scale", tuple(numbers)), over=1)

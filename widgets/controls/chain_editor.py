@@ -58,7 +58,8 @@ class _TileCard(Rows):
             )
         )  # fmt: skip
         self._column.insertLayout(0, in_row((self.switch, 1), up, down, away, gap=0))
-        self.rows = dict(self._made_rows(tile, title, reach))
+        self.rows = dict(self._made_rows(tile, title))
+        self.set_reach(reach)
         for key, row in self.rows.items():
             self.add(row)
             row.edited.connect(partial(owner.type_in, self, key))
@@ -66,7 +67,7 @@ class _TileCard(Rows):
             owner.join(row)
         self.show_tile(tile)
 
-    def _made_rows(self, tile: Tile, title: str, reach: float) -> Iterator[tuple[str, Row]]:
+    def _made_rows(self, tile: Tile, title: str) -> Iterator[tuple[str, Row]]:
         """Yield a row for each number, or for each column of a matrix and for an axis."""
         parameter = TILES.get(KINDS[tile.kind].field)
         if parameter is None:  # a mirror has no numbers
@@ -85,10 +86,13 @@ class _TileCard(Rows):
             part = letter.rpartition("_")[2]
             name = named.format(title, part) if len(letters) > 1 else title
             row = make_row(replace(parameter, vector=False), name)
-            if tile.kind == "translate" and isinstance(row, NumberRow):
-                row.setScale(Linear.about(0.0, reach))
             row.setDefault(KINDS[tile.kind].neutral[-1])
             yield part, row
+
+    def set_reach(self, reach: float) -> None:
+        for row in self.rows.values():
+            if self.kind == "translate" and isinstance(row, NumberRow):
+                row.setScale(Linear.about(0.0, reach))
 
     def show_tile(self, tile: Tile) -> None:
         self.switch.setChecked(not tile.is_off)
@@ -183,8 +187,7 @@ class ChainEditor(QWidget, RowHolder):
         """Fit the sliders of translations to a scene."""
         self._reach = 2.0 * size
         for card in self.cards:
-            for row in card.rows.values() if card.kind == "translate" else ():
-                row.setScale(Linear.about(0.0, self._reach))
+            card.set_reach(self._reach)
 
     def show_highlight(self, highlighted: Highlight) -> None:
         self._highlight = highlighted
