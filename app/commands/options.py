@@ -403,6 +403,9 @@ def _matrices() -> Parser:
         "--vectors", ("columns", "rows"), "after --convention (default: those of that program)"
     )
     parser.add_flag("--planes", "the six planes of the view volume in world space")
+    parser.add_flag(
+        "--chain", "every factor from the object to the picture, and the products so far"
+    )
     parser.add(
         "--digits", "COUNT",
         "in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)",

@@ -24,7 +24,17 @@ from app.model.formula import (
     Sum,
     parse,
 )
-from app.model.parameters import ASPECT, EYE, FOV_Y, PARAMETERS, ROTATE, TARGET, TILES, UP
+from app.model.parameters import (
+    ASPECT,
+    EYE,
+    FOV_Y,
+    PARAMETERS,
+    ROTATE,
+    TARGET,
+    TILES,
+    TRANSLATE,
+    UP,
+)
 from app.model.projection import Projection
 
 FIELDS = {  # fields of the document by the names in the formulas of `app.lecture.notation`
@@ -99,7 +109,10 @@ def state_of(projection: Projection) -> ProjectionState:
 def _of_product(kinds: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
     """Return the letters of the cells of the object's product, and all that its tiles have."""
     fields = tuple(kind.field for kind in lettered_kinds(kinds) if kind.letters)
-    return tuple((f"o_{i}{j}", fields) for i in range(1, 4) for j in range(1, 5) if fields)
+    linear = tuple(field for field in fields if not field.startswith(TRANSLATE.name))
+    return tuple(
+        (f"o_{i}{j}", fields if j == 4 else linear) for i in range(1, 4) for j in range(1, 5)
+    )
 
 
 def _only_axis(vector: Sequence[float | Fraction]) -> str:

@@ -43,7 +43,8 @@ _CALLED = {
     "matrix": "G",
 }
 """The letters of the object's tiles; neighbouring rotations are one."""
-_LONGEST = 160  # most characters of a cell of the object's product; a longer one has a letter
+_LONGEST, _MOST_TERMS = 300, 48
+"""Most characters of a cell of the object's product; a longer one has a letter."""
 
 _QUANTITIES: dict[str, dict[str, Ratio]] = {  # the lectures' replacements of our quantities
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
@@ -469,9 +470,15 @@ def _of_object(kinds: tuple[str, ...]) -> _Table:
         cells = evaluated(kind.table, Quantities(), SYMBOLS)
         table[f"{FROM_OBJECT}/{kind.factor}"] = _texts(cells)
         whole = whole and product(whole, cells)
-        if any(len(cell.text) > _LONGEST for row in whole for cell in row):
+        if any(len(cell.above) > _MOST_TERMS for row in whole for cell in row):
             whole = []
-    return table | {FROM_OBJECT: _texts(whole) if whole else _OF_OBJECT}
+    short = zip(_texts(whole) if whole else _OF_OBJECT, _OF_OBJECT, strict=True)
+    return table | {
+        FROM_OBJECT: tuple(
+            tuple(cell if len(cell) <= _LONGEST else o for cell, o in zip(*rows, strict=True))
+            for rows in short
+        )
+    }
 
 
 def _texts(cells: list[list[Ratio]]) -> Formulas:

@@ -109,54 +109,31 @@ class TileKind(NamedTuple):
     letters: tuple[str, ...] = ()  # those of the numbers
 
 
-def _turn(axis: str, table: str) -> TileKind:
-    return TileKind(f"rotation_{axis}", "rotate_deg", (0.0,), matrix(table), (f"turn_{axis}",))
+def _kind(
+    factor: str, field: str, neutral: Sequence[float], cells: dict[str, str], *letters: str
+) -> TileKind:
+    """The kind whose matrix is the identity but for some cells, by row and column: ``"xw"``."""
+    rows = [[cells.get(i + j, str(int(i == j))) for j in "xyzw"] for i in "xyzw"]
+    table = matrix("\n".join("  ".join(row) for row in rows))
+    return TileKind(
+        factor, field, tuple(neutral), table, letters or tuple(cells.values())[: len(neutral)]
+    )
 
 
-def _shear(moved: str, along: str) -> TileKind:
-    """The kind that adds a multiple of one coordinate to another."""
-    cells = [["1" if i == j else "0" for j in range(4)] for i in range(4)]
-    cells["xyz".index(moved)]["xyz".index(along)] = letter = f"shear_{moved}{along}"
-    table = matrix("\n".join("  ".join(row) for row in cells))
-    return TileKind(f"shear_{moved}{along}", "shear", (0.0,), table, (letter,))
+def _about(axis: str, along: str, across: str) -> TileKind:
+    """The rotation about an axis that turns the next axis towards the one after it."""
+    cos, sin = f"cos(turn_{axis})", f"sin(turn_{axis})"
+    cells = {along * 2: cos, along + across: f"-{sin}", across + along: sin, across * 2: cos}
+    return _kind(f"rotation_{axis}", "rotate_deg", (0.0,), cells, f"turn_{axis}")
 
 
-def _mirror(axis: str) -> TileKind:
-    cells = [["0"] * i + ["-1" if "xyzw"[i] == axis else "1"] + ["0"] * (3 - i) for i in range(4)]
-    table = matrix("\n".join("  ".join(row) for row in cells))
-    return TileKind(f"mirror_{axis}", "mirror", (), table)
-
-
-_CELLS = tuple(f"g_{row}{column}" for row in range(1, 4) for column in range(1, 5))
 KINDS: dict[str, TileKind] = {
-    "translate": TileKind(
-        "translation", "translate", (0.0, 0.0, 0.0),
-        matrix("""
-            1  0  0  move_x
-            0  1  0  move_y
-            0  0  1  move_z
-            0  0  0  1
-        """),
-        ("move_x", "move_y", "move_z"),
+    "translate": _kind(
+        "translation", "translate", (0.0,) * 3, {f"{x}w": f"move_{x}" for x in "xyz"}
     ),
-    "rotate x": _turn("x", """
-        1  0           0            0
-        0  cos(turn_x)  -sin(turn_x)  0
-        0  sin(turn_x)  cos(turn_x)   0
-        0  0           0            1
-    """),
-    "rotate y": _turn("y", """
-        cos(turn_y)   0  sin(turn_y)  0
-        0            1  0           0
-        -sin(turn_y)  0  cos(turn_y)  0
-        0            0  0           1
-    """),
-    "rotate z": _turn("z", """
-        cos(turn_z)  -sin(turn_z)  0  0
-        sin(turn_z)  cos(turn_z)   0  0
-        0           0            1  0
-        0           0            0  1
-    """),
+    "rotate x": _about(*"xyz"),
+    "rotate y": _about(*"yzx"),
+    "rotate z": _about(*"zxy"),
     "rotate": TileKind(
         "rotation", "rotate_deg", (0.0, 1.0, 0.0, 0.0),
         matrix(
@@ -171,22 +148,15 @@ KINDS: dict[str, TileKind] = {
         ),
         ("about_x", "about_y", "about_z", "turn_a"),
     ),
-    "scale": TileKind(
-        "scale", "scale", (1.0, 1.0, 1.0),
-        matrix("""
-            size_x  0       0       0
-            0       size_y  0       0
-            0       0       size_z  0
-            0       0       0       1
-        """),
-        ("size_x", "size_y", "size_z"),
-    ),
-    **{f"shear {a}{b}": _shear(a, b) for a in "xyz" for b in "xyz" if a != b},
-    **{f"mirror {axis}": _mirror(axis) for axis in "xyz"},
-    "matrix": TileKind(
-        "matrix", "matrix", tuple(float(i % 5 == 0) for i in range(16)),
-        matrix("\n".join(["  ".join(_CELLS[i : i + 4]) for i in (0, 4, 8)] + ["0  0  0  1"])),
-        _CELLS,
+    "scale": _kind("scale", "scale", (1.0,) * 3, {x * 2: f"size_{x}" for x in "xyz"}),
+    **{
+        f"shear {a}{b}": _kind(f"shear_{a}{b}", "shear", (0.0,), {a + b: f"shear_{a}{b}"})
+        for a in "xyz" for b in "xyz" if a != b
+    },
+    **{f"mirror {x}": _kind(f"mirror_{x}", "mirror", (), {x * 2: "-1"}) for x in "xyz"},
+    "matrix": _kind(
+        "matrix", "matrix", [float(i % 5 == 0) for i in range(16)],
+        {a + b: f"g_{i}{j}" for i, a in enumerate("xyz", 1) for j, b in enumerate("xyzw", 1)},
     ),
 }  # fmt: skip
 """The kinds of tile, as their texts begin. ``rotate`` has an axis and an angle; ``shear xy`` adds a

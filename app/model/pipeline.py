@@ -104,6 +104,18 @@ class Stage(NamedTuple):
         return rounded(self.exact)
 
 
+class Link(NamedTuple):
+    """One factor of the way from the object to the picture.
+
+    - `exact`: its matrix before it is rounded; None for the divide by w.
+    - `so_far`: the product of all factors up to it, from object coordinates.
+    """
+
+    name: str
+    exact: Rationals | None
+    so_far: Rationals
+
+
 def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
     whole = reduce(product, [factor for _, factor in factors] or [_diagonal(1, 1, 1, 1)])
     return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
@@ -352,6 +364,29 @@ class Pipeline:
         for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
             row[3] = part
         return view
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """Every factor from the object to the picture, in the order in which they act on a point.
+
+        A tile is named by its text. The product is written in the reverse order.
+        """
+        tiles = zip(self.placement.on, self.placement.factors, strict=True)
+        named: list[tuple[str, Rationals | None]] = [(tile.text, part) for tile, part in tiles][
+            ::-1
+        ]
+        if self.has_camera:
+            moved = _shift(*(Fraction(-part) for part in self.camera.eye))
+            named += [("view translation", moved), ("view rotation", self._exact_rotation)]
+        else:
+            named.append(("view_from_world", self._view_stage.exact))
+        named += [(stage.name, stage.exact) for stage in self.lens_stages or self.direct_stages[:1]]
+        named += [("divide by w", None), (VIEWPORT.name, self.staged(VIEWPORT).exact)]
+        links, so_far = [], _diagonal(1, 1, 1, 1)
+        for name, exact in named:
+            so_far = product(exact, so_far) if exact else so_far
+            links.append(Link(name, exact, so_far))
+        return tuple(links)
 
     @cached_property
     def direct_stages(self) -> tuple[Stage, Stage]:

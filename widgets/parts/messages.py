@@ -77,9 +77,7 @@ FACTORS = {  # names of the stages' factors, except for the lectures' own letter
     "rotation_x": QT_TRANSLATE_NOOP("Factor", "rotation about x"),
     "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
     "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
-    "mirror_x": QT_TRANSLATE_NOOP("Factor", "mirror in x"),
-    "mirror_y": QT_TRANSLATE_NOOP("Factor", "mirror in y"),
-    "mirror_z": QT_TRANSLATE_NOOP("Factor", "mirror in z"),
+    "mirror": QT_TRANSLATE_NOOP("Factor", "mirror"),
     "matrix": QT_TRANSLATE_NOOP("Factor", "typed matrix"),
 }
 
@@ -119,11 +117,12 @@ def stage_title(name: str) -> str:
     if not between:
         factor = name.rstrip("0123456789")
         number = f" {name[len(factor) :]}" if factor != name else ""
-        return (
-            QCoreApplication.translate("Factor", FACTORS[factor]) + number
-            if factor in FACTORS
-            else name
-        )
+        if factor not in FACTORS:  # shear_xy, mirror_x
+            factor, _, letters = factor.partition("_")
+            number = f" {letters}{number}"
+        if factor not in FACTORS:
+            return name
+        return QCoreApplication.translate("Factor", FACTORS[factor]) + number
     spaces = (QCoreApplication.translate("Space", SPACES[space]) for space in (target, source))
     return " ← ".join(spaces)
 
