@@ -16,7 +16,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import cached_property, lru_cache, reduce
+from functools import cached_property, lru_cache
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 import numpy as np
@@ -392,8 +392,19 @@ class Chain:
 
     @cached_property
     def exact(self) -> Rationals:
-        """`world_from_object` before it is rounded."""
-        return reduce(product, self.factors, _identity())
+        """`world_from_object` before it is rounded.
+
+        All denominators are powers of 2, so whole numbers are multiplied, which takes a tenth.
+        """
+        numbers, bits = [[int(i == j) for j in range(4)] for i in range(4)], 0
+        for factor in self.factors:
+            below = max(part.denominator.bit_length() for row in factor for part in row)
+            whole = [
+                [part.numerator << (below - part.denominator.bit_length()) for part in row]
+                for row in factor
+            ]
+            numbers, bits = product(numbers, whole), bits + below - 1
+        return [[Fraction(part, 1 << bits) for part in row] for row in numbers]
 
     @cached_property
     def matrix(self) -> Array:
@@ -408,6 +419,8 @@ class Chain:
     @cached_property
     def rank(self) -> int:
         """Rank of the linear part: 3, or less if a scale of 0 flattens the object."""
+        if all(all(tile.numbers) for tile in self.on if tile.kind == "scale"):
+            return 3
         return eliminate([row[:3] for row in self.exact[:3]]).rank
 
     def placed(self, points_object: Array, one: int = 1) -> WorldPoints:
