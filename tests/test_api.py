@@ -7,7 +7,6 @@ import json
 import math
 import re
 import sys
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -31,9 +30,7 @@ PLAIN = api.Projection(
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Import what the wheel installs, and write in a folder of the test's own."""
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    for folder in settings["tool"]["setuptools"]["packages"]["find"]["where"]:
-        monkeypatch.syspath_prepend(str(ROOT / folder))
+    monkeypatch.syspath_prepend(str(ROOT / "app" / "wheel"))
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -206,6 +203,6 @@ def test_panes_are_a_text_or_a_list() -> None:
 
 
 def test_a_mesh_that_is_not_whole_is_loaded_with_a_warning(tmp_path: Path) -> None:
-    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", encoding="utf-8")
     with pytest.warns(UserWarning, match=r"m\.obj: faces left out: 1 of 2, .* on line 4\.$"):
         api.load(tmp_path / "m.obj")

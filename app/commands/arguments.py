@@ -10,6 +10,7 @@ import contextlib
 import functools
 import os
 import re
+import sys
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -193,11 +194,18 @@ def importing() -> Iterator[None]:
 
 @functools.cache
 def check_drawing() -> None:
-    """Import what draws; raise a `CliError` if VTK cannot draw without a window."""
+    """Import what draws; raise a `CliError` if VTK cannot draw without a window, nor through Qt."""
     with importing():
         from app.drawings import compared_figures, figure_files  # noqa: F401
         from app.drawings.off_screen import check_off_screen
     try:
         check_off_screen()
     except RuntimeError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+        try:
+            if sys.platform != "win32":
+                raise
+            from widgets.program.opengl import draw_through_qt
+
+            draw_through_qt()
+        except RuntimeError as last:
+            raise CliError(str(last), CANNOT_DRAW) from error

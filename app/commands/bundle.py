@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap, modules
-from app.commands.options import WHEEL_PLATFORMS, parser_of
+from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, write_out
 from app.python_packages import pins, requirements
 
@@ -27,14 +27,14 @@ CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.m
 
 def run(arguments: Sequence[str]) -> int:
     """The command ``bundle``."""
-    options, (out,) = parser_of("bundle").read(arguments)
+    options, (out,) = Parser("bundle").read(arguments)
     if not os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         raise CliError("bundle: this program has no folder of its code to make one of.")
     folder = Path(out).absolute() / "frustum-lab"
     if os.path.exists(folder):
         raise CliError(f"{folder}: is there already; remove it, or choose another folder.")
     if options.wheels:
-        _collect(folder, options.platform or WHEEL_PLATFORMS, options.python)
+        _collect(folder, options.platform or choices("bundle", "--platform"), options.python)
     else:
         _freeze(folder)
     kind = "zip" if sys.platform == "win32" else "gztar"
@@ -48,8 +48,7 @@ def run(arguments: Sequence[str]) -> int:
 def _freeze(folder: Path) -> None:
     """Make the program."""
     if importlib.util.find_spec("PyInstaller") is None:
-        needed = requirements(bootstrap.ROOT, ["bundle"])[-1]
-        command = bootstrap.command_line([sys.executable, "-m", "pip", "install", needed.text])
+        command = bootstrap.pip_install(requirements(bootstrap.ROOT, ["bundle"])[-1].text)
         raise CliError(f"bundle needs PyInstaller, which is not installed; run: {command}")
     with tempfile.TemporaryDirectory() as work:
         words = ["--log-level", "WARN", "--distpath", str(folder.parent), "--workpath", work]

@@ -12,7 +12,7 @@ from importlib import import_module
 from pathlib import Path
 
 from app.commands.arguments import check_out, document_before, importing, load_scene, with_values
-from app.commands.options import SUMMARIES, check_file, parser_of
+from app.commands.options import SUMMARIES, Parser, check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
@@ -34,7 +34,7 @@ def _run(arguments: Sequence[str]) -> int:
     try:
         if arguments and arguments[0] in SUMMARIES:
             with importing():
-                command = import_module(f"app.commands.{arguments[0]}")
+                command = import_module(f"{__package__}.{arguments[0]}")
             status: int = command.run(arguments[1:])
             return status
         if arguments:
@@ -49,7 +49,7 @@ def _run(arguments: Sequence[str]) -> int:
 
 
 def _window(arguments: Sequence[str]) -> int:
-    options, words = parser_of("").read(arguments)
+    options, words = Parser("").read(arguments)
     if options.screenshot is not None:
         if not options.screenshot.lower().endswith(".png"):
             raise CliError(f"--screenshot = {options.screenshot!r}: must end in .png.")

@@ -19,7 +19,7 @@ from app.commands.arguments import (
     importing,
     load_scene,
 )
-from app.commands.options import FIGURE_FORMATS, parser_of
+from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import (
@@ -39,14 +39,14 @@ if TYPE_CHECKING:
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = tuple(f".{name}" for name in FIGURE_FORMATS)
+_ENDINGS = tuple(f".{name}" for name in choices("export", "--format"))
 _FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
-    options, (out, *files) = parser_of("export").read(arguments)
+    options, (out, *files) = Parser("export").read(arguments)
     motions = sweep.motions(options)
     if motions and (len(motions) > 1 or options.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")

@@ -8,7 +8,7 @@ import numpy as np
 
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
-from app.commands.options import parser_of
+from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
@@ -28,7 +28,7 @@ NOTICED_PX = 1e-9  # least skew that is no rounding of float64
 
 def run(arguments: Sequence[str]) -> int:
     """Print every stage's matrix; return the exit status."""
-    options, words = parser_of("matrices").read(arguments)
+    options, words = Parser("matrices").read(arguments)
     if options.format != "latex":
         for option in ("digits", "letters", "symbols", "numbers", "width"):
             if getattr(options, option):

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from app.commands.arguments import check_out, document_of, load_scene
-from app.commands.options import parse_number, parser_of
+from app.commands.options import Parser, parse_number
 from app.commands.terminal import (
     CANNOT_DRAW,
     INTERRUPTED,
@@ -29,7 +29,7 @@ from app.model.refusal import Cancelled
 
 def run(arguments: Sequence[str]) -> int:
     """Measure, print and write the results; return the exit status, or raise a `CliError`."""
-    options, words = parser_of("measure").read(arguments)
+    options, words = Parser("measure").read(arguments)
     swept = dict(_range(name, ends) for name, ends in options.sweep or ())
     if options.attended and sys.platform != "win32":
         os.nice(10)  # the program that started this one draws meanwhile and has priority

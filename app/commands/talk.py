@@ -6,7 +6,7 @@ from pathlib import Path
 from app import bootstrap
 from app.commands.arguments import check_drawing, check_out, importing
 from app.commands.composed import SLIDE_PX, Composed, measure, taken
-from app.commands.options import one_of, parser_of
+from app.commands.options import Parser, one_of
 from app.commands.terminal import CliError, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.checking import CheckReport
@@ -20,7 +20,7 @@ READERS = ("teacher", "students")  # of a handout; the first ones unless others 
 
 def run(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
-    options, (name,) = parser_of("talk").read(arguments)
+    options, (name,) = Parser("talk").read(arguments)
     if not options.check and options.handout is None:
         raise CliError(
             f"talk needs --check or --handout OUT.pdf; {bootstrap.PROGRAM} {name} opens the talk."

@@ -11,21 +11,18 @@ import re
 import secrets
 import stat
 import struct
-import sys
 import time
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING
 
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 from app.strangers import decode, log_warning, open_regular
 
-if sys.platform != "win32":
-    import fcntl
 if TYPE_CHECKING:
     from app.document.camera_files import Views
 
@@ -34,7 +31,7 @@ LARGEST_CAMERAS = 2**26
 """Most bytes read as cameras; a thousand images of COLMAP, with their points, may have that."""
 MOST_NAMED = 12  # most views that a refusal names
 LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
-STALE_S = 60.0  # on Windows, the age at which an unfinished file counts as left by a killed program
+STALE_S = 60.0  # the age at which an unfinished file counts as left by a killed program
 
 NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not text")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
@@ -281,8 +278,8 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
     """Write a file completely or not at all, even if the power fails.
 
     The content goes to a new file in the same folder, which replaces the old one once it is safely
-    on the disk. Links are followed, and the permissions of an old file are kept. The next program
-    that writes there removes unfinished files of a killed program. A trial leaves the old file in
+    on the disk. Links are followed, and the permissions of an old file are kept. Whoever writes
+    there a minute later removes unfinished files of killed programs. A trial leaves the old file in
     its place: it only finds out whether another one could be written. Raises a `Refusal` if it
     cannot be written; an old file is unchanged.
     """
@@ -292,21 +289,20 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
         mode = _mode_to_keep(target)
         folder = os.path.dirname(target)
         _remove_unfinished(folder)
-        unfinished = _create_unfinished(folder, 0o666 if mode is None else 0o600)
+        unfinished = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
+        opener = partial(os.open, mode=0o666 if mode is None else 0o600)
+        file = open(unfinished, "xb", opener=opener)  # noqa: SIM115 it is closed below
         try:
-            with unfinished:
+            with file:
                 if mode is not None:
-                    os.chmod(unfinished.name, stat.S_IMODE(mode))
-                unfinished.write(content)
-                unfinished.flush()
-                os.fsync(unfinished.fileno())
-                if sys.platform != "win32":  # while the lock is held
-                    finish(unfinished.name, target)
-            if sys.platform == "win32":  # Windows renames closed files only
-                finish(unfinished.name, target)
+                    os.chmod(unfinished, stat.S_IMODE(mode))
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            finish(unfinished, target)  # Windows renames closed files only
         except BaseException:
             with contextlib.suppress(OSError):
-                os.unlink(unfinished.name)
+                os.unlink(unfinished)
             raise
         _sync_folder(folder)
 
@@ -329,48 +325,21 @@ def _mode_to_keep(target: str) -> int | None:
 _UNFINISHED = re.compile(r"\.frustum-lab-[0-9a-f]{8}\.tmp")
 
 
-def _create_unfinished(folder: str, mode: int) -> BinaryIO:
-    while True:
-        path = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
-        file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
-        if not _lock(file, wait=True) or os.path.exists(path):
-            return file
-        file.close()  # another program took it for an abandoned file before it was locked
-
-
-def _lock(file: BinaryIO, wait: bool) -> bool:
-    """Lock a file for as long as it is open; return False if it cannot be locked."""
-    if sys.platform != "win32":
-        with contextlib.suppress(
-            OSError
-        ):  # locked by another program, or a file system without locks
-            fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
-            return True
-    return False
-
-
 def _remove_unfinished(folder: str) -> None:
-    """Remove files that killed programs left: our own files without a lock."""
+    """Remove files that killed programs left: our own files that nobody has written to lately."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in filter(lambda entry: _UNFINISHED.fullmatch(entry.name), entries):
             with contextlib.suppress(OSError):
-                if sys.platform == "win32":
-                    # On Windows a file is closed, and so not locked, for a moment before it is
-                    # renamed.
-                    if time.time() - entry.stat().st_mtime > STALE_S:
-                        os.unlink(entry.path)
-                else:
-                    with open_regular(entry.path) as file:  # nobody may write to a pipe
-                        if _lock(file, wait=False):
-                            os.unlink(entry.path)
+                is_stale = time.time() - entry.stat().st_mtime > STALE_S
+                if is_stale and entry.is_file(follow_symlinks=False):
+                    os.unlink(entry.path)
 
 
 def _sync_folder(folder: str) -> None:
     """Flush the new name to the disk as well, where the system allows it."""
-    if sys.platform != "win32":
-        with contextlib.suppress(OSError):
-            descriptor = os.open(folder, os.O_RDONLY)
-            try:
-                os.fsync(descriptor)
-            finally:
-                os.close(descriptor)
+    with contextlib.suppress(OSError):  # Windows opens no folder
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

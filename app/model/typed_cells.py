@@ -135,14 +135,7 @@ class TypedCells:
         z_near, z_far = map(int, self._of.depth_range)
         sign = 1 if z_far > z_near else -1
         from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
-        inside = (
-            from_near,
-            to_far,
-            x_clip + w,
-            w - x_clip,
-            y_clip + w,
-            w - y_clip,
-        )
+        inside = (from_near, to_far, x_clip + w, w - x_clip, y_clip + w, w - y_clip)
         return [*view[:3], *clip, *inside]
 
     @property

@@ -22,7 +22,7 @@ NUMPY = "[[1.8,0,0,0],[0,2.4,0,0],[0,0,-1.002,-0.2002],[0,0,-1,0]]"
 
 
 def test_the_options_are_those_of_the_table() -> None:
-    assert tuple(CONVENTIONS) == options.CONVENTIONS
+    assert [*CONVENTIONS] == options.choices("matrices", "--convention")
 
 
 @pytest.mark.parametrize("name", CONVENTIONS)

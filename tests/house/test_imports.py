@@ -31,12 +31,13 @@ FLOORS = (
     ("app.lessons",),
     ("app.drawings",),
     ("app.measure", "app.api"),
-    ("app.wheel",),
     ("widgets.parts",),
     ("widgets.controls", "widgets.panels", "widgets.panes"),
     ("widgets.window",),
     ("widgets.program",),
     ("app.commands",),
+    ("app.__main__",),
+    ("app.wheel",),
 )
 FLOOR = {folder: number for number, folders in enumerate(FLOORS) for folder in folders}
 #: Packages of others that a folder, or one file, may import at once, beside numpy.

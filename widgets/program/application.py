@@ -12,10 +12,10 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import locale
 import logging
-import logging.handlers
 import platform
 import signal
 import socket
@@ -258,21 +258,19 @@ def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:
         if options.canvas == "opengl" or not draws_off_screen():
             raise
         return opengl.NO_OPENGL, "raster"
-    canvas = options.canvas or opengl.canvas(graphics)
     # Windows without a driver: Qt brings an OpenGL in software, and VTK gets the system's 1.1.
-    if canvas == "raster" and sys.platform == "win32" and not draws_off_screen():
-        canvas = "opengl"
-    return graphics, canvas
+    if graphics.software and sys.platform == "win32" and not draws_off_screen():
+        opengl.draw_through_qt()
+    return graphics, options.canvas or opengl.canvas(graphics)
 
 
 def draws_off_screen() -> bool:
     from app.drawings.off_screen import check_off_screen
 
-    try:
+    with contextlib.suppress(RuntimeError):
         check_off_screen()
-    except RuntimeError:
-        return False
-    return True
+        return True
+    return False
 
 
 def _open_panes(window: Any) -> None:
