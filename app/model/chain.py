@@ -228,6 +228,11 @@ class Tile:
             parts = parts[size:]
         return " ".join(words)
 
+    def towards(self, numbers: Sequence[float], part: float) -> Tile:
+        """The tile with its numbers on the way to others."""
+        mixed = ((1.0 - part) * a + part * b for a, b in zip(self.numbers, numbers, strict=True))
+        return replace(self, numbers=tuple(mixed))
+
 
 @lru_cache(maxsize=256)
 def lettered_kinds(kinds: tuple[str, ...]) -> tuple[TileKind, ...]:
@@ -342,22 +347,15 @@ class Chain:
 
     def towards(self, other: Chain, part: float) -> Chain:
         """A chain between two; the other one, if their tiles are of different kinds."""
-        mine = self.tiles or tuple(
-            Tile(tile.kind, KINDS[tile.kind].neutral, tile.is_off) for tile in other.tiles
-        )
-        theirs = other.tiles or tuple(
-            Tile(tile.kind, KINDS[tile.kind].neutral, tile.is_off) for tile in mine
-        )
-        if [(a.kind, a.is_off) for a in mine] != [(b.kind, b.is_off) for b in theirs]:
+        mine, theirs = self.tiles or other._neutral, other.tiles or self._neutral
+        if [tile.kind for tile in mine] != [tile.kind for tile in theirs]:
             return other
-        return Chain(
-            tuple(
-                replace(b, numbers=tuple(
-                    (1.0 - part) * x + part * y for x, y in zip(a.numbers, b.numbers, strict=True)
-                ))
-                for a, b in zip(mine, theirs, strict=True)
-            )
-        )  # fmt: skip
+        return Chain(tuple(a.towards(b.numbers, part) for a, b in zip(mine, theirs, strict=True)))
+
+    @property
+    def _neutral(self) -> tuple[Tile, ...]:
+        """The tiles with the numbers that change nothing."""
+        return tuple(replace(each, numbers=KINDS[each.kind].neutral) for each in self.tiles)
 
     # -- its products
 

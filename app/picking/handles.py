@@ -399,66 +399,27 @@ def _scaled(chain: Chain, axis: int, drag: _HandleDrag) -> Chain:
 
 
 def _turned(chain: Chain, points: Mapping[str, Array], sight: Sight, pixel: Spot) -> Chain:
-    """The chain after a turn about the line of sight to the object's origin.
+    """The chain after its leftmost rotation has turned as the pixel goes round the origin.
 
-    The turn takes the shorter way round on the screen. Three tiles ``Rz Ry Rx`` follow it whole; a
-    tile alone turns about its own axis by as much. A new tile has the axis nearest to the sight.
+    A new rotation has the axis nearest to the line of sight.
     """
     centre, held = sight.seen([points["origin"], points["turn"]])
     start, end = held - centre, np.array(pixel) - centre
     x, y, _, w = sight.rows
     # The axis towards the pane's camera: along it x and y on the screen do not change.
     toward = np.cross((x - centre[0] * w)[:3], (y - centre[1] * w)[:3])
-    toward /= np.linalg.norm(toward)
     angle = math.atan2(start[0] * end[1] - start[1] * end[0], float(start @ end))
     angle_deg = _tidy(math.degrees(angle), 0.0, math.degrees(1.0 / max(math.hypot(*start), 1.0)))
-    place = next(
-        (i for i in range(len(chain.tiles) - 2) if _is_three(chain.tiles[i : i + 3])), None
-    )
-    if place is not None:
-        left = Chain(chain.tiles[:place]).matrix[:3, :3]
-        three = Chain(chain.tiles[place : place + 3]).matrix[:3, :3]
-        toward = np.linalg.pinv(left) @ toward
-        across = np.cross(np.eye(3), toward / np.linalg.norm(toward))  # Rodrigues' formula
-        about = math.radians(angle_deg)
-        turn = np.eye(3) + math.sin(about) * across + (1.0 - math.cos(about)) * across @ across
-        angles = _angles(turn @ three)[::-1]
-        tiles = [Tile(kind, (part,)) for kind, part in zip(_THREE, angles, strict=True)]
-        return chain.with_tile(place, *tiles, over=3)
-    new = len(chain.tiles) - (chain.kinds[-1:] == ("scale",) and not chain.tiles[-1].is_off)
+    new = len(chain.tiles) - (chain.tiles[-1:] == chain.on[-1:] and chain.kinds[-1:] == ("scale",))
     facing = np.abs(Chain(chain.tiles[:new]).matrix[:3, :3].T @ toward)
-    nearest_axis = "xyz"[int(facing.argmax())]
-    axes = dict.fromkeys((f"rotate {nearest_axis}", *_THREE, "rotate"))
-    place = chain.place_of(*axes)
-    if place is None:
-        chain, place = chain.with_tile(new, Tile(f"rotate {nearest_axis}", (0.0,))), new
+    kinds = [f"rotate {axis}" for axis in "xyz"]
+    chain, place = _of_kind(chain, new, kinds[int(facing.argmax())], *kinds, "rotate")
     tile = chain.tiles[place]
-    axis = tile.numbers[:3] if tile.kind == "rotate" else np.eye(3)["xyz".index(tile.kind[-1])]
-    away = float(Chain(chain.tiles[:place]).matrix[:3, :3] @ axis @ toward)
-    turned = round(tile.numbers[-1] + math.copysign(angle_deg, away * angle_deg), 9)
-    numbers = (*tile.numbers[:-1], math.remainder(turned, 360.0))
-    return chain.with_tile(place, Tile(tile.kind, numbers), over=1)
-
-
-_THREE = ("rotate z", "rotate y", "rotate x")
-
-
-def _is_three(tiles: Sequence[Tile]) -> bool:
-    return tuple(tile.kind for tile in tiles if not tile.is_off) == _THREE
-
-
-def _angles(matrix: Array) -> Vector:
-    """The angles in degrees about x, y and z of a rotation (3, 3) ``Rz Ry Rx``."""
-    up = math.hypot(matrix[0, 0], matrix[1, 0])
-    angles = (
-        math.atan2(matrix[2, 1], matrix[2, 2]) if up > 1e-12 else 0.0,
-        math.atan2(-matrix[2, 0], up),
-        math.atan2(matrix[1, 0], matrix[0, 0])
-        if up > 1e-12
-        else math.atan2(-matrix[0, 1], matrix[1, 1]),
-    )
-    about_x, about_y, about_z = (round(math.degrees(part), 9) + 0.0 for part in angles)
-    return about_x, about_y, about_z
+    axis = tile.numbers[:3] if tile.kind == "rotate" else np.eye(3)[kinds.index(tile.kind)]
+    if Chain(chain.tiles[:place]).matrix[:3, :3] @ axis @ toward < 0.0:
+        angle_deg = -angle_deg
+    turned_deg = math.remainder(round(tile.numbers[-1] + angle_deg, 9), 360.0)
+    return chain.with_tile(place, Tile(tile.kind, (*tile.numbers[:-1], turned_deg)), over=1)
 
 
 # --------------------------------------------------------------------------- in the view volume

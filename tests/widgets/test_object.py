@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
@@ -70,57 +70,46 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
     assert row_of(window, "scale_x").value() == 1.0
 
 
+def press(card: Any, place: int) -> None:
+    """Click one of the buttons of a tile: up, down, away."""
+    card.findChildren(QToolButton)[place].click()
+
+
 @pytest.mark.undrawn
-def test_a_tile_is_added_moved_switched_off_and_removed_by_keyboard(window: MainWindow) -> None:
+def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> None:
     editor = build(window, "rotate z 90")
     editor.add.menu().actions()[1].trigger()  # a translation
     assert chain_of(window).text == "translate 0,0,0; rotate z 90"
     enter(row_of(window, "translate_x"), "3")
     card = editor.cards[0]
-    card.switch.setFocus()
-    QTest.keyClick(card.switch, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)
+    press(card, 0)  # it is at the top
+    press(card, 1)
     assert chain_of(window).text == "rotate z 90; translate 3,0,0"
     assert chain_of(window).matrix[:3, 3].tolist() == [0.0, 3.0, 0.0]
-    assert editor.cards[1] is card and card.switch.hasFocus()
-    assert editor.rows["translate_x"] is card.rows["x"]
-    QTest.keyClick(card.switch, Qt.Key.Key_Down, Qt.KeyboardModifier.AltModifier)  # at the end
-    QTest.keyClick(card.switch, Qt.Key.Key_Space)
+    assert editor.cards[1] is card and editor.rows["translate_x"] is card.rows["x"]
+    press(card, 1)  # it is at the bottom
+    card.switch.click()
     assert chain_of(window).text == "rotate z 90; off translate 3,0,0"
-    assert chain_of(window).matrix[0, 3] == 0.0
-    QTest.keyClick(card.switch, Qt.Key.Key_Delete)
+    assert chain_of(window).matrix[0, 3] == 0.0 and not row_of(window, "off1_x").error
+    press(card, 2)
     assert chain_of(window).text == "rotate z 90" and len(editor.cards) == 1
     texts = []
     while window.store.can_undo:
         window.store.undo()
         texts.append(chain_of(window).text)
     assert texts[:2] == ["rotate z 90; off translate 3,0,0", "rotate z 90; translate 3,0,0"]
+    assert texts[-3:] == ["translate 0,0,0; rotate z 90", "rotate z 90", ""]
     settle()
     assert not editor.cards
-
-
-def test_a_tile_is_dragged_by_its_name_as_one_step_of_undo(window: MainWindow) -> None:
-    editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
-    card = editor.cards[2]
-    start = card.switch.rect().center()
-    QTest.mousePress(card.switch, Qt.MouseButton.LeftButton, pos=start)
-    for part in (0.3, 0.6, 1.0):
-        end = editor.cards[0].mapTo(editor, QPoint(20, 2))
-        at = card.switch.mapFrom(editor, QPoint(20, round(end.y() * part)))
-        move_mouse(card.switch, at)
-        settle()
-    QTest.mouseRelease(card.switch, Qt.MouseButton.LeftButton, pos=start)
-    settle()
-    assert chain_of(window).text == "scale 2,1,1; translate 3,0,0; rotate z 90"
-    assert not chain_of(window).tiles[0].is_off, "a drag is no click"
-    window.store.undo()
-    assert chain_of(window).text == "translate 3,0,0; rotate z 90; scale 2,1,1"
+    editor.add.menu().actions()[0].trigger()
+    assert chain_of(window) == FiveTiles().chain
 
 
 @pytest.mark.undrawn
 def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> None:
     editor = build(window, "off scale 1e20,1,1; scale 1e20,1,1")
-    QTest.mouseClick(editor.cards[0].switch, Qt.MouseButton.LeftButton)
-    assert "product" in editor.said.text() and not editor.cards[0].switch.isChecked()
+    editor.cards[0].switch.click()
+    assert "product" in editor.refusal.text() and not editor.cards[0].switch.isChecked()
     assert chain_of(window).text == "off scale 1e+20,1,1; scale 1e+20,1,1"
     editor = build(window, "matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
     column = editor.rows["matrix_x"]

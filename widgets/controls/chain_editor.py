@@ -11,8 +11,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
-from PySide6.QtCore import QCoreApplication, QEvent, QObject, QPoint, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
@@ -23,8 +22,10 @@ from app.model.parameters import TILES
 from app.model.refusal import Refusal, format_value
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
+from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
 from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear
@@ -32,7 +33,6 @@ from widgets.parts.section import GAP_PX, Rows
 from widgets.parts.typeset import TypesetLabel, matrix
 
 _COLUMNS = ("x", "y", "z", "origin")
-_KEYS = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}
 
 
 class _TileCard(Rows):
@@ -40,32 +40,31 @@ class _TileCard(Rows):
 
     def __init__(self, tile: Tile, reach: float, owner: "ChainEditor") -> None:
         super().__init__()
-        self._owner, self.kind = owner, tile.kind
+        self.kind = tile.kind
         self.field = ""  # what its numbers are called in highlights; empty while it is off
         title = stage_title(KINDS[tile.kind].factor)
         self.switch = QCheckBox(title)
-        set_tip(self.switch, self.tr("Whether the product has this tile; drag it to move it"))
-        self.switch.clicked.connect(lambda on: owner.change(self, is_off=not on))
-        self.switch.installEventFilter(self)
+        set_tip(self.switch, self.tr("Whether the product has this tile"))
+        self._tile = tile
+        self.switch.clicked.connect(lambda on: owner.put(self, replace(self._tile, is_off=not on)))
         up, down, away = (
-            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
-            for icon, tip, act in (
-                ("up", self.tr("Move it left in the product: it acts later"),
-                 lambda: owner.step(self, -1)),
-                ("choose", self.tr("Move it right in the product: it acts earlier"),
-                 lambda: owner.step(self, 1)),
-                ("close", self.tr("Remove it"), lambda: owner.remove(self)),
+            tool_button(
+                icon=icon, tip=tip, name=f"{title}: {tip}", act=partial(act, self, *to), flat=True
             )
-        )  # fmt: skip
-        self._column.insertLayout(0, in_row((self.switch, 1), up, down, away, gap=0))
+            for icon, tip, act, *to in (
+                ("up", self.tr("Move it left in the product: it acts later"), owner.step, -1),
+                ("choose", self.tr("Move it right: it acts earlier"), owner.step, 1),
+                ("close", self.tr("Remove it"), owner.put),
+            )
+        )
+        head = QWidget()
+        in_row((self.switch, 1), up, down, away, on=head, margins=(0, 0, 0, 0), gap=0)
+        self._column.insertWidget(0, head)
         self.rows = dict(self._made_rows(tile, title))
         self.set_reach(reach)
         for key, row in self.rows.items():
             self.add(row)
-            row.edited.connect(partial(owner.type_in, self, key))
-            row.highlighted.connect(partial(owner.point_at, self, key))
-            owner.join(row)
-        self.show_tile(tile)
+            owner.join(self, key, row)
 
     def _made_rows(self, tile: Tile, title: str) -> Iterator[tuple[str, Row]]:
         """Yield a row for each number, or for each column of a matrix and for an axis."""
@@ -94,7 +93,8 @@ class _TileCard(Rows):
             if self.kind == "translate" and isinstance(row, NumberRow):
                 row.setScale(Linear.about(0.0, reach))
 
-    def show_tile(self, tile: Tile) -> None:
+    def show_tile(self, tile: Tile, field: str) -> None:
+        self._tile, self.field = tile, field
         self.switch.setChecked(not tile.is_off)
         for row, value in zip(self.rows.values(), self._values(tile), strict=True):
             row.setValue(value)
@@ -114,25 +114,6 @@ class _TileCard(Rows):
             return (*(part for row in zip(*parts, strict=True) for part in row), *tile.numbers[12:])
         return tuple(part for group in parts for part in group)
 
-    def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        """Move the tile: by a drag of its name, or by Alt with an arrow key."""
-        kinds = QEvent.Type
-        if isinstance(event, QKeyEvent) and event.type() == kinds.KeyPress:
-            if event.key() in _KEYS and event.modifiers() & Qt.KeyboardModifier.AltModifier:
-                self._owner.step(self, _KEYS[Qt.Key(event.key())])
-                return True
-            if event.key() == Qt.Key.Key_Delete:
-                self._owner.remove(self)
-                return True
-        if isinstance(event, QMouseEvent) and event.type() == kinds.MouseMove:
-            if event.buttons() & Qt.MouseButton.LeftButton:
-                self._owner.drag(self, self.switch.mapTo(self._owner, event.position().toPoint()))
-            return self._owner.is_dragging
-        if event.type() == kinds.MouseButtonRelease and self._owner.drop():
-            self.switch.setDown(False)
-            return True  # a drag is no click
-        return super().eventFilter(watched, event)
-
 
 class ChainEditor(QWidget, RowHolder):
     """The tiles of the object, a menu for more, and their product."""
@@ -143,17 +124,16 @@ class ChainEditor(QWidget, RowHolder):
     def __init__(self) -> None:
         super().__init__()
         self._chain, self._reach = NOT_MOVED, 10.0
-        self._highlight: Highlight = frozenset()
         self.rows: dict[str, Row] = {}
         self.cards: list[_TileCard] = []
-        self.is_dragging = False
-        self.add = tool_button(self.tr("Add a tile"), self.tr("It acts last: left of the others"))
+        text, tip = self.tr("Add a tile"), self.tr("It acts last: left of the others")
+        self.add = tool_button(text, tip, name=text)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         menu = QMenu(self.add)
         menu.addAction("T Rz Ry Rx S", lambda: self._adopt(FiveTiles().chain))
         for kind in KINDS:
             title = stage_title(KINDS[kind].factor)
-            menu.addAction(title, partial(self.put, Tile(kind, KINDS[kind].neutral)))
+            menu.addAction(title, partial(self.put, None, Tile(kind, KINDS[kind].neutral)))
         self.add.setMenu(menu)
         self.letters = QCheckBox(self.tr("Letters"))
         self.vectors = QCheckBox(self.tr("Row vectors"))
@@ -162,11 +142,13 @@ class ChainEditor(QWidget, RowHolder):
         self.product = TypesetLabel()
         self.product.shrinks = True
         self._tiles = in_column(margins=(0, 0, 0, 0), gap=GAP_PX)
-        self.said = PlainLabel(self.tr("The tile at the bottom acts first."), objectName="paneNote")
-        bar = in_row(self.letters, self.vectors, FREE)
-        in_column(
-            self.add, self._tiles, self.said, self.product, bar, on=self, margins=(0, 0, 0, 0)
+        self.refusal = RefusalLabel()
+        self.first = PlainLabel(
+            self.tr("The tile at the bottom acts first."), objectName="paneNote"
         )
+        bar = in_row(self.letters, self.vectors, FREE)
+        parts = self.add, self.refusal, self._tiles, self.first, self.product, bar
+        in_column(*parts, on=self, margins=(0, 0, 0, 0))
         self._build(NOT_MOVED)
 
     # -- the interface
@@ -176,11 +158,10 @@ class ChainEditor(QWidget, RowHolder):
         if chain == self._chain:
             return
         self._chain = chain
+        self.refusal.show_text("")
         if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
             self._build(chain)
-        self._name_rows()
-        for card, tile in zip(self.cards, chain.tiles, strict=True):
-            card.show_tile(tile)
+        self._show_tiles()
         self._show_product()
 
     def set_scene(self, size: float) -> None:
@@ -190,7 +171,6 @@ class ChainEditor(QWidget, RowHolder):
             card.set_reach(self._reach)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        self._highlight = highlighted
         for card in self.cards:
             for row in card.rows.values():
                 row.set_marked(card.field in highlighted)
@@ -205,85 +185,50 @@ class ChainEditor(QWidget, RowHolder):
 
     # -- edits
 
-    def put(self, tile: Tile) -> None:
-        """Add a tile at the left."""
-        self._attempt(lambda: self._chain.with_tile(0, tile), self._say)
-
-    def change(self, card: _TileCard, *, is_off: bool) -> None:
-        place = self.cards.index(card)
-        tile = replace(self._chain.tiles[place], is_off=is_off)
-        self._attempt(lambda: self._chain.with_tile(place, tile, over=1), self._say)
-        card.show_tile(self._chain.tiles[place])  # which a refusal has not changed
-
-    def remove(self, card: _TileCard) -> None:
-        place = self.cards.index(card)
-        self._adopt(self._chain.with_tile(place, over=1))
-        if self.cards:
-            self.cards[min(place, len(self.cards) - 1)].switch.setFocus()
-        else:
-            self.add.setFocus()
+    def put(self, card: _TileCard | None, *tiles: Tile) -> None:
+        """Put tiles over that of a card, or at the left, which acts last."""
+        place = 0 if card is None else self.cards.index(card)
+        self._attempt(
+            lambda: self._chain.with_tile(place, *tiles, over=int(card is not None)),
+            self.refusal.show_text,
+        )
 
     def step(self, card: _TileCard, by: int) -> None:
-        """Move a tile one place up or down."""
-        self._move(self.cards.index(card), self.cards.index(card) + by)
-        card.switch.setFocus()
-
-    def drag(self, card: _TileCard, at: QPoint) -> None:
-        """Move a tile to the place under the mouse; the whole drag is one gesture."""
+        """Move a tile up or down, which is left or right in the product."""
         place = self.cards.index(card)
-        others = (other for other in self.cards if other is not card)
-        to = sum(other.geometry().center().y() < at.y() for other in others)
-        if to != place:
-            if not self.is_dragging:
-                self.is_dragging = True
-                self.gesture_started.emit()
-            self._move(place, to)
-
-    def drop(self) -> bool:
-        """End a drag; return whether there was one."""
-        was, self.is_dragging = self.is_dragging, False
-        if was:
-            self.gesture_finished.emit()
-        return was
+        to = min(max(place + by, 0), len(self.cards) - 1)
+        self.cards.insert(to, self.cards.pop(place))
+        self._tiles.insertWidget(to, card)
+        self._adopt(self._chain.moved(place, to))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
-        row = card.rows[key]
 
         def edited() -> Chain:
             numbers = card.typed(tile, key, value)
             return self._chain.with_tile(place, replace(tile, numbers=numbers), over=1)
 
-        self._attempt(edited, row.show_error)
+        self._attempt(edited, card.rows[key].show_error)
 
-    def join(self, row: Row) -> None:
+    def join(self, card: _TileCard, key: str, row: Row) -> None:
+        """Follow a new row."""
+        row.edited.connect(partial(self.type_in, card, key))
+        row.highlighted.connect(partial(self._point_at, card, key))
         self._join(row)
 
-    def point_at(self, card: _TileCard, key: str, is_here: bool) -> None:
+    def _point_at(self, card: _TileCard, key: str, is_here: bool) -> None:
         about = frozenset({card.field}) if is_here and card.field else NOTHING
         self.highlighted.emit(f"{card.field}_{key}", about)
-
-    def _move(self, place: int, to: int) -> None:
-        if not 0 <= to < len(self.cards):
-            return
-        moved = self.cards.pop(place)
-        self.cards.insert(to, moved)
-        self._tiles.insertWidget(to, moved)
-        self._adopt(self._chain.moved(place, to))
-        self._name_rows()
 
     def _attempt(self, make: Callable[[], Chain], refuse: Callable[[str], None]) -> None:
         try:
             self._adopt(make())
         except Refusal as error:
-            refuse(sentence(error))
-
-    def _say(self, said: str) -> None:
-        self.said.setText(said)
+            refuse(refusal(sentence(error)))
+            self._show_tiles()
 
     def _adopt(self, chain: Chain) -> None:
-        self.said.setText(self.tr("The tile at the bottom acts first."))
         if chain != self._chain:
             self.show_chain(chain)
             self.edited.emit(chain)
@@ -295,15 +240,15 @@ class ChainEditor(QWidget, RowHolder):
         self.cards = [_TileCard(tile, self._reach, self) for tile in chain.tiles]
         for card in self.cards:
             self._tiles.addWidget(card)
-        self._name_rows()
-        self.show_highlight(self._highlight)
-        self.said.setVisible(len(self.cards) > 1)
         self.add.setEnabled(len(self.cards) < MOST_TILES)
+        for part in (self.first, self.product, self.letters, self.vectors):
+            part.setVisible(bool(self.cards))
 
-    def _name_rows(self) -> None:
+    def _show_tiles(self) -> None:
         self.rows.clear()
-        for place, (card, field) in enumerate(zip(self.cards, self._chain.fields(), strict=True)):
-            card.field = field
+        tiles = zip(self.cards, self._chain.tiles, self._chain.fields(), strict=True)
+        for place, (card, tile, field) in enumerate(tiles):
+            card.show_tile(tile, field)
             for part, row in card.rows.items():
                 self.rows[f"{field or f'off{place}'}_{part}"] = row
 
@@ -317,6 +262,3 @@ class ChainEditor(QWidget, RowHolder):
                 [format_value(float(f"{part:.5g}")) for part in line] for line in product + 0.0
             ]
         self.product.set_formula(f"{' '.join(names)} = {matrix(cells)}" if names else matrix(cells))
-        self.product.setVisible(bool(self.cards))
-        for box in (self.letters, self.vectors):
-            box.setVisible(bool(self.cards))
