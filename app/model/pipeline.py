@@ -371,17 +371,16 @@ class Pipeline:
 
         A tile is named by its text. The product is written in the reverse order.
         """
-        tiles = zip(self.placement.on, self.placement.factors, strict=True)
-        named: list[tuple[str, Rationals | None]] = [(tile.text, part) for tile, part in tiles][
-            ::-1
-        ]
+        named: list[tuple[str, Rationals | None]] = []
+        for tile, factor in zip(self.placement.on, self.placement.factors, strict=True):
+            named.insert(0, (tile.text, factor))
         if self.has_camera:
             moved = _shift(*(Fraction(-part) for part in self.camera.eye))
-            named += [("view translation", moved), ("view rotation", self._exact_rotation)]
+            named.extend([("view translation", moved), ("view rotation", self._exact_rotation)])
         else:
             named.append(("view_from_world", self._view_stage.exact))
-        named += [(stage.name, stage.exact) for stage in self.lens_stages or self.direct_stages[:1]]
-        named += [("divide by w", None), (VIEWPORT.name, self.staged(VIEWPORT).exact)]
+        named.extend((each.name, each.exact) for each in self.lens_stages or self.direct_stages[:1])
+        named.extend([("divide by w", None), (VIEWPORT.name, self.staged(VIEWPORT).exact)])
         links, so_far = [], _diagonal(1, 1, 1, 1)
         for name, exact in named:
             so_far = product(exact, so_far) if exact else so_far

@@ -48,15 +48,14 @@ class _TileCard(Rows):
         self._tile = tile
         self.switch.clicked.connect(lambda on: owner.put(self, replace(self._tile, is_off=not on)))
         up, down, away = (
-            tool_button(
-                icon=icon, tip=tip, name=f"{title}: {tip}", act=partial(act, self, *to), flat=True
+            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
+            for icon, tip, act in (
+                ("up", self.tr("Move it left in the product: it acts later"),
+                 lambda: owner.step(self, -1)),
+                ("choose", self.tr("Move it right: it acts earlier"), lambda: owner.step(self, 1)),
+                ("close", self.tr("Remove it"), lambda: owner.put(self)),
             )
-            for icon, tip, act, *to in (
-                ("up", self.tr("Move it left in the product: it acts later"), owner.step, -1),
-                ("choose", self.tr("Move it right: it acts earlier"), owner.step, 1),
-                ("close", self.tr("Remove it"), owner.put),
-            )
-        )
+        )  # fmt: skip
         head = QWidget()
         in_row((self.switch, 1), up, down, away, on=head, margins=(0, 0, 0, 0), gap=0)
         self._column.insertWidget(0, head)
@@ -187,11 +186,13 @@ class ChainEditor(QWidget, RowHolder):
 
     def put(self, card: _TileCard | None, *tiles: Tile) -> None:
         """Put tiles over that of a card, or at the left, which acts last."""
-        place = 0 if card is None else self.cards.index(card)
-        self._attempt(
-            lambda: self._chain.with_tile(place, *tiles, over=int(card is not None)),
-            self.refusal.show_text,
-        )
+        place, over = (0, 0) if card is None else (self.cards.index(card), 1)
+
+        def refuse(said: str) -> None:
+            self._show_tiles()
+            self.refusal.show_text(said)
+
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
 
     def step(self, card: _TileCard, by: int) -> None:
         """Move a tile up or down, which is left or right in the product."""
@@ -226,7 +227,6 @@ class ChainEditor(QWidget, RowHolder):
             self._adopt(make())
         except Refusal as error:
             refuse(refusal(sentence(error)))
-            self._show_tiles()
 
     def _adopt(self, chain: Chain) -> None:
         if chain != self._chain:
