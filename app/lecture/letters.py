@@ -19,9 +19,9 @@ from typing import NamedTuple, TypeAlias
 
 from app.lecture.highlight import OBJECT_AXES
 from app.model import formula_text
+from app.model.chain import FROM_OBJECT, MOST_TILES
 from app.model.formula import ARROW, parse
 from app.model.limits import ONE_OF
-from app.model.object_transform import FROM_OBJECT
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, nearest
 
 Letters: TypeAlias = str
@@ -47,9 +47,15 @@ ONCE = QT_TRANSLATE_NOOP("Refusal", "is the letter of {0} already; two things ca
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
     "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
-    **{f"move_{x}": f"t_{x}" for x in "xyz"},
-    **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
-    **{f"size_{x}": f"s_{x}" for x in "xyz"},
+    **{
+        f"{stem}{n}_{part}": f"{letter}_{n}{part}"
+        for stem, letter, parts in (
+            ("move", "t", "xyz"), ("turn", "φ", "xyza"), ("size", "s", "xyz"),
+            ("about", "a", "xyz"), ("shear", "h", ("xy", "xz", "yx", "yz", "zx", "zy")),
+        )
+        for part in parts
+        for n in ("", *range(2, MOST_TILES + 1))
+    },
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
     "near_distance": "n", "far_distance": "f", "divided_z": "\u2212A \u2212 B / z",
     "eye_plane": "w = 0", "pixel_x": "x", "pixel_y": "y", "near_in_cube": "\u22121",
@@ -115,13 +121,14 @@ PARAMETERS: dict[str, tuple[str, ...]] = {
     "near": ("n", "near_distance"), "far": ("f", "far_distance"), "fov": ("fov", "theta_v"),
     "fov_x": ("fov_x", "theta_h"), "aspect": ("aspect", "a"), "focal": ("e",),
     "alpha": ("alpha",), "beta": ("beta",), "width": ("W",), "height": ("H",),
-    "translate": tuple(f"move_{x}" for x in "xyz"), "rotate": tuple(f"turn_{x}" for x in "xyz"),
-    "scale": tuple(f"size_{x}" for x in "xyz"),
 }  # fmt: skip
 """What a file calls the parameters, and our own letters for them."""
+_TILES = {
+    "translate": "move", "rotate": "turn", "scale": "size", "about": "about", "shear": "shear",
+}  # fmt: skip
 _KNOWN: dict[str, Sequence[str]] = {
     "": ("base",),
-    "parameters": tuple(PARAMETERS),
+    "parameters": (*PARAMETERS, *_TILES),
     "vectors": ("eye", "target", "up", "u", "v", "n"),
     "matrices": (
         FROM_OBJECT, "view_from_world", "canonical_perspective_from_view",
@@ -209,11 +216,14 @@ def base_of(letters: Letters) -> Letters:
 
 
 def _of_parameter(name: str, letter: str, base: Letters) -> dict[str, str]:
-    ours = PARAMETERS[name]
-    if len(ours) == 3:
-        return {each: _component(letter, x) for each, x in zip(ours, "xyz", strict=True)}
+    if name in _TILES:  # t_x, and t_2x of the second one
+        tile = re.compile(rf"{_TILES[name]}\d*_")
+        return {
+            ours: _component(letter, its.partition("_")[2])
+            for ours, its in _OURS.items() if tile.match(ours)
+        }  # fmt: skip
     minus = "\u2212" if base == "002" else ""  # its planes are at negative z
-    return {each: f"{minus * each.endswith('_distance')}{letter}" for each in ours}
+    return {ours: f"{minus * ours.endswith('_distance')}{letter}" for ours in PARAMETERS[name]}
 
 
 def _of_vector(name: str, letter: str) -> dict[str, str]:

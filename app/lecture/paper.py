@@ -18,7 +18,7 @@ _SIZES = {"": (1.0, 1.0), r"\small": (0.93, 0.95), r"\footnotesize": (0.86, 0.92
 """What a line keeps of its width, and what one with fractions or names does. TeX's smaller letters
 are wider in proportion, the gaps between columns stay, and no index is smaller than 5 points."""
 _SMALLEST = r"\footnotesize"
-_NAMES = "pcghkqsdmrwyzABCDEFGHKLNQ"  # letters for cells that are named and given below
+_NAMES = "pckqdrwyzABCDEFGHKLNQ"  # letters for cells that are named and given below
 _EQUAL_PT, _INDENT_PT, _FURTHER_PT = 13.4, 10.0, 20.0
 _COLUMN_PT, _BRACKETS_PT, _FRACTION_PT = 10.0, 18.0, 2.4
 _READABLE = 1.16  # of a text's width: a wider product of formulas is left to its factors
