@@ -34,6 +34,7 @@ class Elsewhere:
     def pytest_sessionstart(self):
         import asyncio, concurrent.futures, multiprocessing, pathlib, platform, shutil, subprocess
         import hypothesis, matplotlib.pyplot, numpy, psutil, pyvistaqt, tempfile, vtkmodules.all
+        import urllib.request
         import PySide6.QtOpenGLWidgets, PySide6.QtSvg, PySide6.QtTest, tests.__main__
         sys.platform = system
         for name in names if system == "win32" else ():
