@@ -38,7 +38,12 @@ def run(arguments: Sequence[str]) -> int:
     if len(set(targets.values())) < len(targets):
         raise CliError(f"{' and '.join(targets)} must go to different files.")
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
-        raise CliError(f"--chart = {options.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+        known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
+        raise CliError(f"--chart = {options.chart!r}: must end in {known}.")
+    if options.size and options.width:
+        raise CliError("--width: its height is free; leave out --size.")
+    if not options.chart and (options.size or options.width or options.text_size):
+        raise CliError("--size, --width and --text-size: need --chart.")
     # Check now: the measurement takes long.
     for option, out in targets.items():
         if out != "-":
@@ -83,9 +88,10 @@ def run(arguments: Sequence[str]) -> int:
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
         if options.chart is not None:
-            from widgets.parts.chart_picture import picture
+            from widgets.parts.chart_picture import Paper, picture
 
-            drawn = picture(results.by_cost(options.cost), options.chart)
+            paper = Paper(options.size, options.width, options.text_size, options.palette)
+            drawn = picture(results.by_cost(options.cost), options.chart, paper=paper)
             write_bytes_atomically(options.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 

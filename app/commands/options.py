@@ -19,7 +19,7 @@ from typing import Any, NamedTuple, NoReturn
 
 from app import __version__, bootstrap
 from app.commands.terminal import CliError, write_out
-from app.document.lengths import PX_PER, parse_size
+from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -242,6 +242,12 @@ _SET = {
 _COUNT = partial(_whole, "[0-9]{1,9}")
 _SIZE = f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600"
 _LENGTH = f"a length in {', '.join(PX_PER)}, such as 84mm"
+_PAPER: dict[str, dict[str, Any]] = {  # of figures and charts
+    "--size": {"type": _parsed("--size", _SIZE, parse_size)},
+    "--width": {"type": _parsed("--width", _LENGTH, parse_length)},
+    "--text-size": {"type": _parsed("--text-size", "a number of points", parse_points)},
+    "--palette": {"default": "screen"},
+}
 _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
     "": {
         "--size": {"type": _size},
@@ -249,19 +255,10 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
         "--set": _SET,
     },
     "export": {
-        "--size": {"type": _parsed("--size", _SIZE, parse_size)},
-        "--width": {
-            "type": _parsed("--width", _LENGTH, lambda text: parse_size(f"{text}x{text}").px[0])
-        },
-        "--fit": {"default": "named"},
+        **_PAPER,
+        "--fit": {"default": "named"}, "--sweep": {"action": "append"},
+        "--ease": {"default": "linear"},
         "--scale": {"type": _parsed("--scale", "a finite number"), "default": 1.0},
-        "--text-size": {
-            "type": _parsed(
-                "--text-size", "a number of points",
-                lambda text: parse_number(text.removesuffix("pt")),
-            )
-        },
-        "--palette": {"default": "screen"},
         "--orbit": {
             "type": _parsed("--orbit", "a number of degrees"), "nargs": "?", "const": FULL_TURN,
         },
@@ -283,6 +280,7 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
         "--set": _SET,
     },
     "measure": {
+        **_PAPER,
         "--trade": {"action": "append"},
         "--sweep": {"type": _sweep, "action": "append"},
         "--cost": {"default": "time"},

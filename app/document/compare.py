@@ -188,6 +188,16 @@ def names_in(
     return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
 
 
+def values_in(
+    path: str, states: Sequence[Held], settings: Sequence[Parameter], written: DifferenceWriter
+) -> list[str]:
+    """The value of a path in each state, with its name; empty if no picture shows it."""
+    values = dict(differences(states)).get(path, ("",) * len(states))
+    setting = next((each for each in settings if each.path == path), None)
+    label, texts = _written(path, values, setting, written)
+    return [f"{label} {text}" if text else "" for text in texts]
+
+
 def _written(
     path: str, values: Sequence[Any], setting: Parameter | None, written: DifferenceWriter
 ) -> tuple[str, list[str]]:

@@ -32,7 +32,7 @@ from app.model import parameters
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
-ENDINGS = (".png", ".pdf")  # the formats of `widgets.parts.chart_picture`
+ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
 TITLES = {  # the title of every trade and every sweep
     "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
     "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
@@ -100,6 +100,10 @@ CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far", "ink", "frustum")
+DASHES: tuple[tuple[float, ...], ...] = (  # which tell curves apart without their colours
+    (), (6.0, 2.0), (2.0, 2.0), (9.0, 2.0, 2.0, 2.0), (4.0, 4.0), (9.0, 2.0, 2.0, 2.0, 2.0, 2.0),
+    (12.0, 4.0), (1.0, 3.0),
+)  # fmt: skip
 _WIDEST = 1e6  # largest error in px that a sweep's chart shows; beyond it the picture is useless
 _WIDE_DEG = 179.0  # a sweep to larger angles has a chart of its own for those above 90 degrees
 _SAME = 0.005  # largest distance, in decades, of points that share one name
@@ -320,13 +324,14 @@ def _of_sweep(
                 curves.append(Curve(np.empty((0, 2)), "muted", other_name, width))
             for number, (name, curve) in enumerate(each.curves.items()):
                 colour = _COLOURS[number % len(_COLOURS)]
+                dash = DASHES[number % len(DASHES)]
                 ys = [curve.errors[i] for i in kept]
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])
                 own = named(name, translate) if each is sweep else ""
                 keys = [f"{i},{number + 1}" for i in kept] if each is sweep else []
                 chosen = keys if each.use(kept[0], number + 1) else []
-                curves.append(Curve(line, colour, own, width, keys=tuple(chosen)))
+                curves.append(Curve(line, colour, own, width, keys=tuple(chosen), dash=dash))
                 if each is sweep and name in broken:
                     bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (broken.index(name) + 0.5))
                     notes = [curve.notes[i] for i in kept]

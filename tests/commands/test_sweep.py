@@ -26,7 +26,8 @@ from app.scenes.scene import load
 from tests.support.commands import one_sentence, refused, run_here
 
 SMALL = ("--size=48x32", "--panes=image")
-WORLD = ("--size=48x48", "--panes=world")
+WORLD = ("--size=48x48", "--panes=world", "--set=view.layers=labels")
+"""Without labels: a film places them on all of its frames together."""
 
 
 def frames_of(path: Path) -> list[np.ndarray]:
@@ -148,11 +149,11 @@ def test_the_stages_rest_at_each_stop_and_come_back(tmp_path: Path) -> None:
     assert all(there_and_back.count(stop) >= 5 for stop in range(6))
     assert max(abs(a - b) for a, b in pairwise(there_and_back)) < 0.3
     assert positions("--loop=once", "--frames=6") == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
-    stages = ("--stages", "--frames=6", "--panes=ndc", "--size=48x48")
+    bare = ("--panes=ndc", "--size=48x48", "--set=view.layers=labels")
+    stages = ("--stages", "--frames=6", *bare)
     assert run_here("export", tmp_path / "%d.png", *stages).returncode == 0
     alone = tmp_path / "alone.png"
-    set_ = ("--set=view.stage=pyramid", "--panes=ndc", "--size=48x48")
-    assert run_here("export", alone, *set_).returncode == 0
+    assert run_here("export", alone, "--set=view.stage=pyramid", *bare).returncode == 0
     assert alone.read_bytes() == (tmp_path / "2.png").read_bytes()
 
 
@@ -342,6 +343,10 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
         (["a.gif", "--sweep=lens.near=1:2", "--frames=1"], "must be a whole number from 2 to 1000"),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=4.5"], "--frames = '4.5': must be a whole"),
         (["a.gif", "--sweep=lens.near=1:2", "--fps=nan"], "--fps = nan: must be from 1 to 50."),
+        (["a.gif", "--sweep=lens.near=1:2", "--sweep=lens.near=1:3"], "is swept already"),
+        (["a.gif", "--sweep=camera.eye=1,2,3:1,2,-3", "--ease=log"], "no equal ratios from 3 to"),
+        (["a.gif", "--orbit", "--show-value"], "--show-value: needs --sweep."),
+        (["a.png", "--ease=log"], "--ease: needs --sweep."),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=5", "--loop=back-and-forth"], "be even"),
         (["a.gif", "--sweep=lens.near=1:2", "--crop"], "--crop: is for single figures"),
         (["a.gif", "--sweep=lens.near=1:2", "--transparent"], "--transparent: .gif has no"),
