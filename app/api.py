@@ -49,7 +49,7 @@ from app.model.projection import (
     Trace,
     checked_points,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.scene import BUILT_IN
@@ -81,13 +81,6 @@ Fit: TypeAlias = Literal["named", "frustum", "scene"]
 Ease: TypeAlias = Literal["linear", "log", "smooth"]
 Loop: TypeAlias = Literal["repeat", "once", "back-and-forth"]
 
-A_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm, or two numbers of pixels.",
-)
-A_LENGTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0}: must be a length in {1}, such as 84mm, or a number of pixels."
-)
 A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
@@ -364,7 +357,7 @@ def _size(size: str | Sequence[float] | None) -> Size | None:
         width, height = map(_real, size)
         return Size(width, height)
     except (ValueError, TypeError):  # of what is neither, such as 84
-        raise Refusal.saying(A_SIZE, repr(size), ", ".join(PX_PER)) from None
+        raise Refusal.saying(REFUSALS["a-size"], repr(size), ", ".join(PX_PER)) from None
 
 
 def _width(width: str | float | None) -> float | None:
@@ -373,7 +366,7 @@ def _width(width: str | float | None) -> float | None:
             return None if width is None else parse_length(width)
         return _real(width)
     except (ValueError, TypeError):
-        raise Refusal.saying(A_LENGTH, repr(width), ", ".join(PX_PER)) from None
+        raise Refusal.saying(REFUSALS["a-length"], repr(width), ", ".join(PX_PER)) from None
 
 
 def _points(size: str | float | None) -> float | None:

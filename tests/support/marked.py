@@ -6,14 +6,18 @@ import ast
 from pathlib import Path
 from types import ModuleType
 
+from app.model.refusal import SENTENCES
+
 
 def marked(*modules: ModuleType, context: str = "Refusal") -> set[str]:
-    """The literals inside ``QT_TRANSLATE_NOOP(context, ...)`` of some modules."""
-    return {
-        ast.literal_eval(call.args[1])
-        for module in modules
-        for call in ast.walk(ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8")))
-        if isinstance(call, ast.Call)
-        and getattr(call.func, "id", "") == "QT_TRANSLATE_NOOP"
-        and ast.literal_eval(call.args[0]) == context
-    }
+    """The texts of a context that some modules mark, or take from the page of sentences."""
+    texts = set()
+    for module in modules:
+        for node in ast.walk(ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
+                if ast.literal_eval(node.args[0]) == context:
+                    texts.add(ast.literal_eval(node.args[1]))
+            elif isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
+                if getattr(node.value, "id", "") in (context.upper(), f"{context.upper()}S"):
+                    texts.add(SENTENCES[context][node.slice.value])
+    return texts
