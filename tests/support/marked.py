@@ -14,10 +14,10 @@ def marked(*modules: ModuleType, context: str = "Refusal") -> set[str]:
     texts = set()
     for module in modules:
         for node in ast.walk(ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8"))):
-            if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "QT_TRANSLATE_NOOP":
-                if ast.literal_eval(node.args[0]) == context:
+            if isinstance(node, ast.Call):
+                if ast.unparse(node).startswith(f"QT_TRANSLATE_NOOP('{context}', "):
                     texts.add(ast.literal_eval(node.args[1]))
-            elif isinstance(node, ast.Subscript) and isinstance(node.slice, ast.Constant):
-                if getattr(node.value, "id", "") in (context.upper(), f"{context.upper()}S"):
-                    texts.add(SENTENCES[context][node.slice.value])
+            elif isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name):
+                if node.value.id in (context.upper(), f"{context.upper()}S"):
+                    texts.add(SENTENCES[context][ast.literal_eval(node.slice)])
     return texts
