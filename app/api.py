@@ -90,11 +90,6 @@ A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, suc
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
 CLOUD = QT_TRANSLATE_NOOP("Refusal", "cloud: must have 1 to {1} points, and {0} were given.")
 A_DOT = QT_TRANSLATE_NOOP("Refusal", "must be from {0} to {1} points")
-SOME_COLOURS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up"
-    " to 255, or parts of 1",
-)
 MOST_DOTS = 1_000_000  # most points of a cloud
 DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
 _HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
@@ -399,7 +394,7 @@ def _rgb(colours: object, count: int) -> Colours:
         if whole.min() >= 0 and whole.max() <= 255:
             return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
     shown = colours if isinstance(colours, str) else getattr(given, "shape", colours)
-    raise Refusal("colours", shown, SOME_COLOURS, count)
+    raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 
 def _projection(of: Source) -> Projection:

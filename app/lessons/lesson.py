@@ -47,9 +47,6 @@ _MOST_READ = 20_000  # most lines of a block whose faults are all found; of a lo
 
 NOT_UTF8 = REFUSALS["not-utf8"]
 NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
-LETTERS_OF = QT_TRANSLATE_NOOP(
-    "Refusal", "must be one of {0}, or a file of letters beside the lesson, such as letters.toml"
-)
 NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
 NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
 NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
@@ -227,7 +224,7 @@ def _check_top(key: str, value: str, line: int) -> None:
     elif key == "minutes":
         number_in(value, line, 0, 1000)
     elif key == "letters" and value not in LETTERS and not _BESIDE.fullmatch(value):
-        raise refused(line, LETTERS_OF, ", ".join(LETTERS), value=value)
+        raise refused(line, REFUSALS["letters-of"], ", ".join(LETTERS), value=value)
     elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
         raise refused(line, TOPICS, value=value)
 
