@@ -260,7 +260,7 @@ class WorldDrawing(Drawing):
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
         return Framed(
             at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,
-            volume.corners if volume.exists and "frustum" not in state.left_out else None,
+            volume.corners if volume.exists and "frustum" not in state.left_out else points,
             state.projection.lens.central, self._lengths.below_em, self._shot,
         )  # fmt: skip
 
@@ -329,6 +329,6 @@ class WorldDrawing(Drawing):
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
         self.layers.follow()
-        self.state.nearest = self.own.fit_range(self.layers.reach(), *self.camera.depths)
+        self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)
