@@ -288,14 +288,13 @@ class WorldDrawing(Drawing):
     def refit(self) -> bool:
         """Frame the view again if something that has to be inside has left it.
 
-        The direction of looking stays. The labels are placed afresh: at rest the picture depends on
-        nothing that was before. During a gesture the pane stands still, so that the model is seen
-        moving.
+        The direction of looking stays. During a gesture the pane stands still, so that the model is
+        seen moving.
         """
         if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
             self.reset_clipping_range()
             return True
-        return self.layers.place_labels(afresh=True)
+        return self.layers.place_labels(at_rest=True)
 
     def begin_glide(self, start: Any) -> None:
         self._goes_to = self._framed()
