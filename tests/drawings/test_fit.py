@@ -89,7 +89,10 @@ def test_a_scene_opens_with_all_that_has_to_be_inside(
     camera = screen.renderer.GetActiveCamera()
     seen = on_screen(camera, size[0] / size[1], np.concatenate(list(inside.values())))
     assert np.abs(seen).max() <= 0.93, "a margin of 4 % on each side, and labels"
-    assert np.ptp(seen, axis=0).max() > 1.0, "and as large as it can be"
+    filled, is_small = np.ptp(seen, axis=0).max() / 2.0, size == SIZES[-1]
+    assert filled >= (0.55 if is_small else 0.77), "and as large as labels allow"
+    subject = on_screen(camera, size[0] / size[1], inside["subject"])
+    assert is_small or np.ptp(subject[:, 1]) / 2.0 >= 0.195, "a fifth of the pane's height"
 
 
 @pytest.mark.parametrize("turns", [(0.0,), (0.0, 90.0, 180.0, 270.0), (0.0, 20.0, 40.0)])
