@@ -45,11 +45,14 @@ def main() -> int:
             del sys.argv[:2]
             runpy.run_module(sys.argv[0], run_name="__main__", alter_sys=True)
             return 0
-        if arguments[:1] == ["doctor"] or not HELP.isdisjoint(arguments):
-            from app.commands import terminal  # which takes its time
+        end = arguments.index("--") if "--" in arguments else None  # files may have such names
+        if not HELP.isdisjoint(arguments[:end]):
+            _check(arguments)  # which prints it
+            return 0
+        if arguments[:1] == ["doctor"]:
+            from app.commands import doctor, terminal
 
-            if (status := terminal.outcome(lambda: _without_set_up(arguments))) is not None:
-                return status
+            return terminal.outcome(lambda: doctor.run(arguments[1:]))
         from app import bootstrap
 
         bootstrap.start(need_of(arguments), before=lambda: _check(arguments))
@@ -65,19 +68,11 @@ def main() -> int:
 
 
 def _check(arguments: Sequence[str]) -> None:
-    """Refuse misspelt words and options: the set-up takes minutes."""
+    """Refuse misspelt words and options, or print the help: the set-up takes minutes."""
     from app.commands import options, terminal
 
     if status := terminal.outcome(lambda: options.check(arguments)):
         raise SystemExit(status)
-
-
-def _without_set_up(arguments: Sequence[str]) -> int | None:
-    """Do what needs no set-up, or return None: after -- a file may have such a name."""
-    from app.commands import doctor, options
-
-    options.answer(arguments)
-    return doctor.run(arguments[1:]) if arguments[0] == "doctor" else None
 
 
 if __name__ == "__main__":

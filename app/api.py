@@ -14,32 +14,35 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 """
 
 import os
+import re
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Real
-from typing import TypeAlias
+from typing import Any, Literal, TypeAlias
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from app import __version__
 from app.document.document import Document, is_mesh
-from app.document.lengths import PX_PER, Size, parse_size
+from app.document.lengths import DPI, PX_PER, Size, parse_length, parse_points, parse_size
 from app.document.settings import open_with, set_values
+from app.document.sweeping import FPS, FRAMES
 from app.document.view import MOST_PROBES, PANES
+from app.drawings import figure as drawn
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
-from app.drawings.figure import Figure
+from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
 from app.model.projection import (
-    FINITE_NUMBER,
     Array,
     Camera,
+    Chain,
     FreeMatrix,
     Frustum,
     Intrinsics,
     Lens,
-    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -49,27 +52,111 @@ from app.model.projection import (
     Trace,
     checked_points,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
-from app.scenes.scene import BUILT_IN
+from app.scenes.mesh import Colours
+from app.scenes.scene import BUILT_IN, Scene, cloud_alone
 from app.scenes.scene import load as load_scene
 
 __all__ = [
-    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
-    "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection",
+    "Camera", "Chain", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
+    "Intrinsics", "Lens", "Oblique", "Orthographic", "Perspective", "Projection",
     "Refusal", "Stage", "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
 ]  # fmt: skip
 
 Source: TypeAlias = Document | Projection
 """What points are projected through: a document stands for its projection."""
 
-A_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal", "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm."
-)
+Pane: TypeAlias = Literal["world", "ndc", "image", "equation"]
+Row: TypeAlias = Literal[
+    "world,ndc,image", "world,image,ndc", "ndc,world,image", "ndc,image,world", "image,world,ndc",
+    "image,ndc,world", "world,ndc", "world,image", "ndc,world", "ndc,image", "image,world",
+    "image,ndc",
+]  # fmt: skip
+Column: TypeAlias = Literal[
+    "world/ndc/image", "world/image/ndc", "ndc/world/image", "ndc/image/world", "image/world/ndc",
+    "image/ndc/world", "world/ndc", "world/image", "ndc/world", "ndc/image", "image/world",
+    "image/ndc",
+]  # fmt: skip
+Palette: TypeAlias = Literal["screen", "print", "dark", "contrast"]
+Hidden: TypeAlias = Literal["none", "dashed", "grey"]
+Fit: TypeAlias = Literal["named", "frustum", "scene"]
+Ease: TypeAlias = Literal["linear", "log", "smooth"]
+Loop: TypeAlias = Literal["repeat", "once", "back-and-forth"]
+
+A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
+CLOUD = QT_TRANSLATE_NOOP("Refusal", "cloud: must have 1 to {1} points, and {0} were given.")
+A_DOT = QT_TRANSLATE_NOOP("Refusal", "must be from {0} to {1} points")
+MOST_DOTS = 1_000_000  # most points of a cloud
+DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
+_HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
 MARKED = QT_TRANSLATE_NOOP("Refusal", "points: at most {0} can be marked, and {1} were given.")
+
+
+class ScriptFigure(drawn.Figure):
+    """A figure as scripts have it, ``frustum_lab.Figure``: it is drawn when it is asked for."""
+
+    def __repr__(self) -> str:
+        width, height, unit = self.full_size
+        panes = ("/" if self.column else ",").join(self.panes)
+        return f"<frustum_lab.Figure: {self.scene.title}, {panes}, {width:g} x {height:g} {unit}>"
+
+    def axes(self, ax: Any) -> Any:
+        """Draw it into axes of matplotlib, and return what `imshow` does.
+
+        The image alone has its own pixels as coordinates: ``ax.plot(*project(...).image.T)``.
+        """
+        pixels = self.array()
+        high, wide = pixels.shape[:2]
+        if self.panes == ("image",) and not self.document.view.compare:
+            wide, high = self.document.projection.image_size
+        ax.set_axis_off()
+        return ax.imshow(pixels, extent=(0.0, wide, high, 0.0))
+
+    def plotter(self, **options: Any) -> Any:
+        """Return the world as a `pyvista.Plotter`, in world coordinates.
+
+        `options` are those of the plotter. A `Refusal` where pyvista is not installed.
+        """
+        from app.drawings.guests import plotter_of
+
+        return plotter_of(self, **options)
+
+    def film(
+        self,
+        path: str | os.PathLike[str],
+        *sweeps: str,
+        frames: int = FRAMES,
+        fps: float = FPS,
+        ease: Ease = "linear",
+        loop: Loop = "repeat",
+        show_value: bool = False,
+    ) -> None:
+        """Write a .gif, .apng, .webp or .mp4 in which values change, as ``export --sweep`` does.
+
+        Parameters
+        ----------
+        *sweeps : str
+            ``"lens.near=0.5:8"``, ``"camera.eye=3,2,6:6,2,3"``; they change together.
+        ease : {"linear", "log", "smooth"}
+            In equal steps, in equal ratios, or slowly at both ends.
+        show_value : bool
+            Write the values below the panes.
+
+        Raises
+        ------
+        Refusal
+            For a state that is impossible, and a file that cannot be written.
+        """
+        from app.drawings.film import sweep_film
+
+        sweep_film(self, os.fspath(path), sweeps, frames, fps, ease, loop, show_value)
+
+
+Figure = ScriptFigure
 
 
 def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
@@ -189,11 +276,16 @@ def figure(
     of: Source,
     points: ArrayLike | None = None,
     *,
-    panes: str | Sequence[str] = "world,ndc,image",
-    size: str | None = None,
-    text_size: float | None = None,
-    palette: str = "screen",
-    hidden: str = "none",
+    cloud: ArrayLike | None = None,
+    colours: str | ArrayLike | None = None,
+    dot_size: str | float | None = None,
+    panes: Pane | Row | Column | Sequence[Pane] = "world,ndc,image",
+    size: str | Sequence[float] | None = None,
+    width: str | float | None = None,
+    text_size: str | float | None = None,
+    fit: Fit = "named",
+    palette: Palette = "screen",
+    hidden: Hidden = "none",
     crop: bool = False,
     transparent: bool = False,
 ) -> Figure:
@@ -206,13 +298,25 @@ def figure(
     points : (n, 3) or (n, 4) array_like, optional
         At most six points in world units, or directions (w = 0), which are marked in all panes.
         They replace those of the document.
+    cloud : (n, 3) array_like, optional
+        1 to 1 000 000 points that are drawn as dots beside the scene's objects, in their
+        coordinates; alone, if `of` is a projection. What faces hide is not seen, and near and far
+        cut it. Up to 5 000 dots are circles, and more are pixels. A PNG does not contain them.
+    colours : str or (3,) or (n, 3) array_like, optional
+        Of the cloud: ``"#rrggbb"``, or red, green and blue, whole up to 255 or parts of 1.
+    dot_size : str or float, optional
+        Diameter of a dot in points, ``2`` or ``"2pt"``; smaller by default the more dots there are.
     panes : str or sequence of str
         In a row, ``"world,image"`` or ``["world", "image"]``, or in a column, ``"world/image"``.
-    size : str, optional
+    size : str or (width, height), optional
         On paper, ``"120mmx80mm"``, in mm, cm or in; or in pixels, 300 an inch. By default 640
         pixels a side for each pane.
-    text_size : float, optional
-        Height of the letters' em in points.
+    width : str or float, optional
+        Instead of a size: ``"84mm"``, or pixels. It is cropped to that, and its height is free.
+    text_size : str or float, optional
+        Height of the letters' em in points: ``8`` or ``"8pt"``.
+    fit : {"named", "frustum", "scene"}
+        What the world frames.
     palette : {"screen", "print", "dark", "contrast"}
     hidden : {"none", "dashed", "grey"}
         What becomes of lines behind faces, in SVG and PDF.
@@ -241,13 +345,56 @@ def figure(
         raise Refusal("panes", panes, SOME_PANES, ", ".join(PANES))
     column = isinstance(panes, str) and "/" in panes
     named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
-    if not isinstance(text_size, Real | None):
-        raise Refusal("text_size", text_size, FINITE_NUMBER)
-    sides = None if size is None else _size(size)
-    return Figure(
-        document, load_scene(document.scene, mesh=document.mesh), named, sides, column=column,
-        text_pt=text_size, palette=palette, hidden=hidden, crop=crop, transparent=transparent,
+    if cloud is None:
+        scene = load_scene(document.scene, mesh=document.mesh)
+    else:
+        scene = _clouded(document, cloud, colours, dot_size, alone=isinstance(of, Projection))
+    return ScriptFigure(
+        document, scene, named, _size(size),
+        column=column, text_pt=_points(text_size), palette=palette, hidden=hidden, crop=crop,
+        transparent=transparent, width=_width(width), fit=fit,
     )  # fmt: skip
+
+
+def _clouded(
+    document: Document,
+    cloud: ArrayLike,
+    colours: object,
+    dot_size: str | float | None,
+    *,
+    alone: bool,
+) -> Scene:
+    """Return the scene with a cloud, or the cloud alone."""
+    points = checked_points(cloud, (3,)).reshape(-1, 3)
+    if not 1 <= len(points) <= MOST_DOTS:
+        raise Refusal.saying(CLOUD, len(points), MOST_DOTS)
+    size_pt, (least, most) = _points(dot_size, "dot_size"), DOT_PT
+    if size_pt is not None and not least <= size_pt <= most:
+        raise Refusal("dot_size", dot_size, A_DOT, least, most)
+    widths = None if size_pt is None else size_pt * DPI / 72.0 / LIGHT.line_width
+    rgb = None if colours is None else _rgb(colours, len(points))
+    if alone:
+        return cloud_alone(points, rgb, widths)
+    scene = load_scene(document.scene, mesh=document.mesh)
+    return scene.with_cloud(points, rgb, widths)
+
+
+def _rgb(colours: object, count: int) -> Colours:
+    """Return the colours of so many points, (n, 3) uint8."""
+    if isinstance(colours, str):
+        text = colours.removeprefix("#")
+        given = np.frombuffer(bytes.fromhex(text), dtype=np.uint8) if _HEX(colours) else None
+    else:
+        try:
+            given = np.asarray(colours)
+        except ValueError:  # rows of other lengths
+            given = None
+    if given is not None and given.dtype.kind in "uif" and given.shape in ((3,), (count, 3)):
+        whole = 255.0 * given if given.dtype.kind == "f" else given
+        if whole.min() >= 0 and whole.max() <= 255:
+            return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
+    shown = colours if isinstance(colours, str) else getattr(given, "shape", colours)
+    raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 
 def _projection(of: Source) -> Projection:
@@ -268,8 +415,35 @@ def _checked(points: ArrayLike) -> Array:
     return given if given.shape[-1] == 3 else homogeneous_rows(given)
 
 
-def _size(text: str) -> Size:
+def _size(size: str | Sequence[float] | None) -> Size | None:
     try:
-        return parse_size(text)
-    except (ValueError, AttributeError):  # of what is no text, such as (84, 60)
-        raise Refusal.saying(A_SIZE, repr(text), ", ".join(PX_PER)) from None
+        if size is None or isinstance(size, str):
+            return None if size is None else parse_size(size)
+        width, height = map(_real, size)
+        return Size(width, height)
+    except (ValueError, TypeError):  # of what is neither, such as 84
+        raise Refusal.saying(REFUSALS["a-size"], repr(size), ", ".join(PX_PER)) from None
+
+
+def _width(width: str | float | None) -> float | None:
+    try:
+        if width is None or isinstance(width, str):
+            return None if width is None else parse_length(width)
+        return _real(width)
+    except (ValueError, TypeError):
+        raise Refusal.saying(REFUSALS["a-length"], repr(width), ", ".join(PX_PER)) from None
+
+
+def _points(size: str | float | None, name: str = "text_size") -> float | None:
+    try:
+        if size is None or isinstance(size, str):
+            return None if size is None else parse_points(size)
+        return _real(size)
+    except (ValueError, TypeError):
+        raise Refusal(name, size, A_TEXT_SIZE) from None
+
+
+def _real(value: float) -> float:
+    if not isinstance(value, Real) or isinstance(value, bool):
+        raise TypeError(value)
+    return float(value)

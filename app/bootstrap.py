@@ -34,21 +34,14 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import NoReturn
 
 from app import modules
 from app.held_lock import HeldLock, lock, log
 from app.python_packages import Requirement, are_importable, pins, requirements, unmet
-from app.system_packages import (
-    Need,
-    SetupError,
-    install,
-    last_line,
-    missing_system,
-    venv_module,
-)
+from app.system_packages import Need, SetupError, install, last_line, missing_system, venv_module
 
 ROOT = Path(modules.ROOT)
 #: The command that starts the program: an installed one has no checkout around it.
@@ -88,7 +81,7 @@ _REMEDIES = (
         r"Permission|Read-only|Errno (13|21|30)\b",
         "put Frustum Lab into a folder that you may write to",
     ),
-    ("", "check the network and run again: {again}"),
+    ("", "run again: {again}; {program} doctor says more"),
 )
 """What helps, by a pattern of what pip or the system says; the first that fits."""
 _INSTALLING = "Installing collected packages: "
@@ -96,21 +89,16 @@ _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 _AS_IT_IS = "as it is"
 
 
-def _failure(what: str, said: Iterable[str], why: str, folder: Path) -> SetupError:
+def _failure(what: str, why: str, folder: Path, said: str = "") -> SetupError:
     """Return a sentence of what failed, why, and what helps."""
-    said = [*said, why]
-    remedy = next(text for pattern, text in _REMEDIES if _shows(said, pattern))
-    if remedy is _REMEDIES[0][1]:
+    remedy = next(text for pattern, text in _REMEDIES if re.search(pattern, f"{said}\n{why}"))
+    if remedy == _REMEDIES[0][1]:
         why = "no package server could be reached"  # whatever pip's own conclusion
     bits = 64 if sys.maxsize > 2**32 else 32
     python = f"Python {platform.python_version()}, {bits} bits, {platform.machine()},"
-    again = _command_again()
-    helps = remedy.format(again=again, folder=folder, space=SPACE_GB, python=python)
+    names = {"again": _command_again(), "program": PROGRAM, "space": SPACE_GB}
+    helps = remedy.format(folder=folder, python=python, **names)
     return SetupError(f"{what} ({why}); {helps}")
-
-
-def _shows(output: Iterable[str], pattern: str) -> bool:
-    return any(re.search(pattern, line) for line in output)
 
 
 # --- the virtual environment ----------------------------------------------------------------------
@@ -184,7 +172,7 @@ class Environment:
                 held.show(f"bringing {self.folder} up to date")
             else:
                 if shutil.disk_usage(self.folder.parent).free < SPACE_GB * 1e9:
-                    raise _failure("there is no room", (), "No space left", self.folder)
+                    raise _failure("there is no room", "No space left", self.folder)
                 network = "" if os.path.exists(self.root / WHEELS) else "; needs the network"
                 held.show(f"first start: setting up {self.folder} (once{network})")
                 self._make_anew(held)
@@ -209,8 +197,9 @@ class Environment:
         output: list[str] = []
         command = [sys.executable, "-I", "-m", "venv", str(self.folder)]
         if status := held.run(command, output.append):
-            what = f"{command_line(command)} failed"
-            raise _failure(what, output, last_line(output) or f"status {status}", self.folder)
+            why = last_line(output) or f"status {status}"
+            said = "\n".join(output)
+            raise _failure(f"{command_line(command)} failed", why, self.folder, said)
 
     def mark_unfinished(self) -> None:
         self.stamp.write_text(_UNFINISHED, encoding="utf-8")
@@ -246,16 +235,17 @@ class Environment:
         while True:
             kept.write_text("\n".join(tested), encoding="utf-8")
             status, output = self._pip(held, [*pip, "-c", str(kept), *wanted])
-            names = {_plain(name) for name in re.findall(_PIN, "\n".join(output))}
+            said = "\n".join(output)
+            names = {_plain(name) for name in re.findall(_PIN, said)}
             others = [pin for pin in tested if _plain(re.split("[= ]", pin)[0]) not in names]
-            if status == 0 or len(others) == len(tested) or _shows(output, _NO_ANSWER):
+            if status == 0 or len(others) == len(tested) or re.search(_NO_ANSWER, said):
                 break
             held.show(f"no tested version of {', '.join(sorted(names))} here: trying others")
             tested = others
         if status != 0:
             why = last_line(output, "ERROR:") or f"exit status {status}"
             what = "the Python packages could not be installed"
-            raise _failure(what, output, why, self.folder)
+            raise _failure(what, why, self.folder, said)
 
     def _pip(self, held: HeldLock, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
@@ -291,13 +281,11 @@ def data_folder() -> Path:
 
 def _has_room(root: Path) -> bool:
     """Whether an environment in this folder can be written, and read by Windows."""
-    if sys.platform == "win32" and len(str(root)) > LONGEST_ROOT:
-        return False
     try:
         tempfile.TemporaryFile(dir=root).close()
     except OSError as error:
         return not isinstance(error, PermissionError) and error.errno != 30  # a read-only disk
-    return True
+    return sys.platform != "win32" or len(str(root)) <= LONGEST_ROOT
 
 
 def _progress(line: str) -> str | None:
@@ -308,9 +296,8 @@ def _progress(line: str) -> str | None:
     if match and not match[2].startswith(".metadata"):
         name, version = match[1].split("-")[:2]
         return f"{name} {version}{match[2].rstrip()}"
-    return (
-        "the package server does not answer; trying again" if _shows([line], _NO_ANSWER) else None
-    )
+    is_lost = re.search(_NO_ANSWER, line)
+    return "the package server does not answer; trying again" if is_lost else None
 
 
 # --- the start ------------------------------------------------------------------------------------
@@ -369,8 +356,8 @@ def damage(error: ImportError) -> str:
     if of_package is None:
         return ""
     environment = Environment(ROOT)
-    words = [sys.executable, "-m", "pip", "install", "--force-reinstall", of_package.text]
-    how = _remove(environment.folder) if environment.is_running() else command_line(words)
+    how = pip_install("--force-reinstall", of_package.text)
+    how = _remove(environment.folder) if environment.is_running() else how
     return f"the package {of_package.name} is damaged ({error}); replace it, and start again: {how}"
 
 
@@ -433,7 +420,7 @@ def _in_one_sentence() -> Iterator[None]:
     except SetupError as error:
         fail(str(error))
     except OSError as error:
-        fail(str(_failure("the set-up failed", (), str(error), ROOT)))
+        fail(str(_failure("the set-up failed", str(error), ROOT)))
     except KeyboardInterrupt:  # whichever process was setting up has reported it
         raise SystemExit(130) from None
 
@@ -475,6 +462,10 @@ def command_line(words: Sequence[str]) -> str:
     if sys.platform != "win32":
         return shlex.join(words)
     return " ".join(word if re.fullmatch(r"[\w\\:./=+-]+", word) else f'"{word}"' for word in words)
+
+
+def pip_install(*words: str) -> str:
+    return command_line([sys.executable, "-m", "pip", "install", *words])
 
 
 def _remove(folder: Path) -> str:

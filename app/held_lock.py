@@ -1,7 +1,4 @@
-"""One set-up at a time: the lock, the programs that run under it, and their one line of progress.
-
-This module imports the standard library only.
-"""
+"""One set-up at a time: its lock, the programs that run under it, their one line of progress."""
 
 from __future__ import annotations
 
@@ -17,6 +14,8 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
+
+from app.strangers import without_waiting
 
 #: Interval at which a terminal's line of progress counts its seconds.
 TICK_S = 0.5
@@ -38,7 +37,7 @@ class HeldLock:
     def __init__(self, file: IO[bytes]) -> None:
         self._file = file
         self._live = sys.stderr is not None and sys.stderr.isatty()
-        self._over = threading.Event()
+        self.over = threading.Event()
         self._text, self._since = "", 0.0
 
     def show(self, text: str) -> None:
@@ -46,26 +45,15 @@ class HeldLock:
         if not self._live:
             log(text)
 
-    @contextlib.contextmanager
-    def ticking(self) -> Iterator[HeldLock]:
-        """Keep the line of progress up to date."""
-        thread = threading.Thread(target=self._tick, daemon=True)
-        if self._live:
-            thread.start()
-        try:
-            yield self
-        finally:
-            self._over.set()
-            if self._live:
-                thread.join()
-                print(file=sys.stderr, flush=True)
-
-    def _tick(self) -> None:
-        while not self._over.wait(TICK_S):
+    def tick(self) -> None:
+        """Keep a terminal's line of progress up to date until the end."""
+        while self._live and not self.over.wait(TICK_S):
             room = max(0, shutil.get_terminal_size().columns - 1)
             seconds = f", {time.monotonic() - self._since:.0f} s"
             line = f"frustum-lab: {self._text}"[: max(0, room - len(seconds))] + seconds
             print(f"\r{line.ljust(room)}", end="", file=sys.stderr, flush=True)
+        if self._live:
+            print(file=sys.stderr, flush=True)
 
     def run(self, command: Sequence[str], follow: Callable[[str], object]) -> int:
         """Run a command, pass each line of its output to `follow`, and return its exit status."""
@@ -102,17 +90,19 @@ def die_with_parent() -> None:
 @contextlib.contextmanager
 def lock(path: Path) -> Iterator[HeldLock]:
     """Hold a lock that the operating system releases if the process dies."""
-
-    def without_waiting(name: str, flags: int) -> int:  # for the reader of a pipe
-        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0), 0o666)
-
     with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
             log("another start is setting up Frustum Lab; waiting for it to finish")
             while not _try_lock(file):
                 time.sleep(0.2)
-        with HeldLock(file).ticking() as held:
+        held = HeldLock(file)
+        ticking = threading.Thread(target=held.tick, daemon=True)
+        ticking.start()
+        try:
             yield held
+        finally:
+            held.over.set()
+            ticking.join()
 
 
 def _try_lock(file: IO[bytes]) -> bool:

@@ -9,8 +9,12 @@ from __future__ import annotations
 import os
 import sys
 
-ROOT = os.path.dirname(os.path.dirname(os.path.realpath(__file__)))
-PACKAGES = ("app", "widgets")
+INSIDE = __name__.removesuffix("app.modules")
+"""Where the packages lie: ``frustum_lab.`` once installed, nowhere in a checkout."""
+PACKAGES = (f"{INSIDE}app", f"{INSIDE}widgets")
+ROOT = os.path.realpath(__file__)
+for _ in __name__.split("."):
+    ROOT = os.path.dirname(ROOT)
 SET_ASIDE = "FRUSTUM_LAB_SET_ASIDE"
 """Variable of the environment that names the variables that are not followed, for `doctor`."""
 FROZEN = getattr(sys, "frozen", False)
@@ -51,7 +55,12 @@ def set_aside(name: str) -> bool:
 
 
 def command(module: str, *arguments: str) -> list[str]:
-    """Return the command that runs a module in a process of its own, with this one's modules."""
+    """Return the command that runs a module in a process of its own, with this one's modules.
+
+    Our own have their names in a checkout: ``app.scenes.reading``.
+    """
+    if f"{INSIDE}{module.partition('.')[0]}" in PACKAGES:
+        module = INSIDE + module
     if FROZEN:  # `app.__main__` takes it
         return [sys.executable, "-m", module, *arguments]
     code = (

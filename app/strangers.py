@@ -23,10 +23,6 @@ def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
     """
     _check_regular(os.stat(path))  # first: merely opening a device may have an effect
 
-    def without_waiting(name: str, flags: int) -> int:
-        # It may have become a pipe meanwhile, whose opening waits for a writer.
-        return os.open(name, flags | getattr(os, "O_NONBLOCK", 0))
-
     file = open(path, "rb", opener=without_waiting)  # noqa: SIM115 the caller closes it
     try:
         _check_regular(os.fstat(file.fileno()))
@@ -34,6 +30,11 @@ def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
         file.close()
         raise
     return file
+
+
+def without_waiting(path: str, flags: int) -> int:
+    """Open for `open` what may be a pipe, without a wait for its other end."""
+    return os.open(path, flags | getattr(os, "O_NONBLOCK", 0), 0o666)
 
 
 def _check_regular(status: os.stat_result) -> None:

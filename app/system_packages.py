@@ -92,36 +92,30 @@ class _EnsurePip(System):
         return importlib.util.find_spec("ensurepip") is not None
 
 
+def _library(name: str, needs: tuple[Need, ...] = _WINDOW) -> System:
+    """Return a library whose package is named after it: libxkbcommon-x11.so.0, with a second -0."""
+    stem, _, version = name.lower().replace("_", "-").partition(".so.")
+    return System(name, f"{stem}{'-' * stem[-1].isdigit()}{version}", needs)
+
+
+_OF_WINDOWS = (
+    "libX11-xcb.so.1 libxkbcommon.so.0 libxkbcommon-x11.so.0 libxcb-cursor.so.0 libxcb-glx.so.0 "
+    "libxcb-icccm.so.4 libxcb-image.so.0 libxcb-keysyms.so.1 libxcb-randr.so.0 "
+    "libxcb-render-util.so.0 libxcb-shape.so.0 libxcb-sync.so.1 libxcb-util.so.1 "
+    "libxcb-xfixes.so.0 libxcb-xkb.so.1 libfontconfig.so.1 libfreetype.so.6 libdbus-1.so.3"
+)
 #: The libGL and libEGL of the loader lead to Mesa or to a vendor's driver, as the machine is
 #: configured, so only these two are checked. If apt has to install them, the Mesa packages are
 #: installed as well.
 SYSTEM = (
     System("libGL.so.1", "libgl1 libglx-mesa0 libgl1-mesa-dri", _PICTURE),
     System("libEGL.so.1", "libegl1 libegl-mesa0", _PICTURE),
-    System("libX11.so.6", "libx11-6", _PICTURE),
-    System("libX11-xcb.so.1", "libx11-xcb1"),
-    System("libXcursor.so.1", "libxcursor1", _PICTURE),
-    System("libxkbcommon.so.0", "libxkbcommon0"),
-    System("libxkbcommon-x11.so.0", "libxkbcommon-x11-0"),
-    System("libxcb-cursor.so.0", "libxcb-cursor0"),
-    System("libxcb-glx.so.0", "libxcb-glx0"),
-    System("libxcb-icccm.so.4", "libxcb-icccm4"),
-    System("libxcb-image.so.0", "libxcb-image0"),
-    System("libxcb-keysyms.so.1", "libxcb-keysyms1"),
-    System("libxcb-randr.so.0", "libxcb-randr0"),
-    System("libxcb-render-util.so.0", "libxcb-render-util0"),
-    System("libxcb-shape.so.0", "libxcb-shape0"),
-    System("libxcb-sync.so.1", "libxcb-sync1"),
-    System("libxcb-util.so.1", "libxcb-util1"),
-    System("libxcb-xfixes.so.0", "libxcb-xfixes0"),
-    System("libxcb-xkb.so.1", "libxcb-xkb1"),
-    System("libfontconfig.so.1", "libfontconfig1"),
+    _library("libX11.so.6", _PICTURE),
+    _library("libXcursor.so.1", _PICTURE),
+    *map(_library, _OF_WINDOWS.split()),
     _Fonts("a font", "fonts-dejavu-core"),
-    System("libfreetype.so.6", "libfreetype6"),
     System("libglib-2.0.so.0", "libglib2.0-0"),
-    System("libdbus-1.so.3", "libdbus-1-3"),
-    # pyside6-lrelease, which compiles Qt's translations, is linked with it.
-    System("libgssapi_krb5.so.2", "libgssapi-krb5-2", ("tests",)),
+    _library("libgssapi_krb5.so.2", ("tests",)),  # pyside6-lrelease, for translations, needs it
     System("Xvfb", "xvfb xauth", ("tests",)),
 )
 

@@ -5,8 +5,10 @@ from __future__ import annotations
 import atexit
 import contextlib
 import gc
+import inspect
 import itertools
 import os
+import re
 import subprocess
 import sys
 from collections.abc import Callable, Generator, Iterator
@@ -200,7 +202,7 @@ def make_window(
 def talk(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     """A file with the module's `TALK`."""
     path = tmp_path / "talk.md"
-    path.write_text(request.module.TALK)
+    path.write_text(request.module.TALK, encoding="utf-8")
     return path
 
 
@@ -215,7 +217,19 @@ def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> I
     request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought
 
 
+LACKING = {
+    "win32": r"symlink_to|mkfifo|chmod\(|umask|/bin/sh|/dev/\w+|ge?te?uid|SIGKILL|rlimit|os\.fork",
+    "darwin": r"/dev/full|/proc/\w+|rlimit",
+}
+"""What tests name that a system has not, or not as they need it."""
+
+
 @pytest.hookimpl(trylast=True)
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Run first what takes longest alone."""
+    """Run first what takes longest alone; skip what this system cannot do, and say what that is."""
     items.sort(key=lambda item: item.path.name != "test_quality.py")
+    lacking = re.compile(LACKING.get(sys.platform, "(?!)"))
+    for item in items:
+        text = inspect.getsource(item.function) if isinstance(item, pytest.Function) else ""
+        if (named := lacking.search(text)) and "sys.platform" not in text:
+            item.add_marker(pytest.mark.skip(reason=f"needs {named[0]}"))

@@ -7,7 +7,6 @@ import json
 import math
 import re
 import sys
-import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -31,9 +30,7 @@ PLAIN = api.Projection(
 @pytest.fixture
 def installed(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
     """Import what the wheel installs, and write in a folder of the test's own."""
-    settings = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    for folder in settings["tool"]["setuptools"]["packages"]["find"]["where"]:
-        monkeypatch.syspath_prepend(str(ROOT / folder))
+    monkeypatch.syspath_prepend(str(ROOT / "app" / "wheel"))
     monkeypatch.chdir(tmp_path)
     return tmp_path
 
@@ -177,14 +174,16 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
         (lambda: call("matrices")("focus"), "such as load('focus')."),
         (lambda: call("load")("focus", {"lens.near": 2}), "must be written as NAME=VALUE"),
         (lambda: call("project")(None, [(1, 2, 3)]), "such as load('letter-f')"),
-        (lambda: call("figure")(document, size=(84, 60)), "size = (84, 60): must be WIDTHxHEIGHT"),
+        (lambda: call("figure")(document, size=84), "size = 84: must be WIDTHxHEIGHT"),
+        (lambda: call("figure")(document, width="84"), "width = 84: must be a whole number of"),
+        (lambda: call("figure")(document, width="84km"), "width = '84km': must be a length in mm"),
         (lambda: call("figure")(document, panes=3), "panes = 3: must be a text or a list of some"),
-        (lambda: api.figure(document, panes=["world", "film"]), "pane = 'film'"),
+        (lambda: call("figure")(document, panes=["world", "film"]), "pane = 'film'"),
         (lambda: call("figure")(document, palette=["print"]), "palette = ('print')"),
-        (lambda: call("figure")(document, text_size="8pt"), "text_size = '8pt'"),
-        (lambda: api.figure(document, panes="world/ndc,image"), "'ndc,image'"),
+        (lambda: call("figure")(document, text_size="8mm"), "text_size = '8mm'"),
+        (lambda: call("figure")(document, panes="world/ndc,image"), "'ndc,image'"),
         (lambda: api.figure(document, size="120"), "WIDTHxHEIGHT in mm"),
-        (lambda: api.figure(document, palette="grey"), "palette = 'grey'"),
+        (lambda: call("figure")(document, palette="grey"), "palette = 'grey'"),
         (lambda: api.figure(document, text_size=0.0), "text size = 0"),
         (lambda: api.figure(document).save("figure.gif"), "must end in"),
     ):
@@ -206,6 +205,6 @@ def test_panes_are_a_text_or_a_list() -> None:
 
 
 def test_a_mesh_that_is_not_whole_is_loaded_with_a_warning(tmp_path: Path) -> None:
-    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n")
+    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\n", encoding="utf-8")
     with pytest.warns(UserWarning, match=r"m\.obj: faces left out: 1 of 2, .* on line 4\.$"):
         api.load(tmp_path / "m.obj")

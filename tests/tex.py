@@ -42,7 +42,9 @@ WIDTHS_PT = 345.0, 239.0, 200.0
 def compiled(folder: Path, body: str) -> tuple[str, str]:
     """Return what a document says while it is compiled, and the error that ended it."""
     head = r"\documentclass{article}\usepackage[T2A]{fontenc}\usepackage{amsmath,tikz}"
-    (folder / "document.tex").write_text(f"{head}\\begin{{document}}\n{body}\n\\end{{document}}\n")
+    (folder / "document.tex").write_text(
+        f"{head}\\begin{{document}}\n{body}\n\\end{{document}}\n", encoding="utf-8"
+    )
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "document.tex"]
     done = subprocess.run(command, cwd=folder, capture_output=True, check=False)
     said = done.stdout.decode(errors="replace")

@@ -12,7 +12,7 @@ import tempfile
 
 from app import bootstrap
 from app.commands.bundle import target_words
-from app.commands.options import WHEEL_PLATFORMS
+from app.commands.options import choices
 from app.python_packages import pins
 
 PYTHONS = ("3.11", "3.12", "3.13", "3.14", "3.15")
@@ -41,7 +41,7 @@ def missing(platform: str, python: str) -> list[str]:
 def main() -> int:
     status = 0
     for python in PYTHONS:
-        for platform in WHEEL_PLATFORMS:
+        for platform in choices("bundle", "--platform"):
             lacking = missing(platform, python)
             status |= bool(lacking)
             print(f"Python {python}, {platform}: {', '.join(lacking) or 'all'}", flush=True)

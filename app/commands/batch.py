@@ -17,7 +17,7 @@ from urllib.parse import quote
 
 from app.commands import sweep
 from app.commands.arguments import course_of, full_path, lesson_file
-from app.commands.options import SETTABLE, Parser, parser_of
+from app.commands.options import SETTABLE, Parser
 from app.commands.terminal import BAD_INPUT, CANNOT_DRAW, CliError, print_error, write_out
 from app.document.document import is_mesh
 from app.document.files import (
@@ -39,7 +39,7 @@ _NOT_OF_A_LINE = (
     "batch", "resume", "format", "sweep", "orbit", "stages", "transition", "frames", "fps", "loop",
     "help",
 )  # fmt: skip
-_YES = {"yes": True, "no": False}
+_YES = {"true": True, "yes": True, "false": False, "no": False}
 
 Draw = Callable[[argparse.Namespace, str, "str | None"], str]
 
@@ -60,7 +60,7 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
         raise CliError("--batch: takes one name, the folder of the figures.")
     lines = list(_lines(options))
     _make(folder)
-    parser, entries, taken = parser_of("export"), list[tuple[str, str, str]](), dict[str, str]()
+    parser, entries, taken = Parser("export"), list[tuple[str, str, str]](), dict[str, str]()
     for number, line in enumerate(lines, 1):
         out, wrong, said, about = printable(line.cells.get("out", "")), "", "", ""
         try:
@@ -186,7 +186,7 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
 
 
 def _checked_columns(columns: list[str], where: str) -> list[str]:
-    known = ["out", "file", *_options(parser_of("export")), *SETTABLE]
+    known = ["out", "file", *_options(Parser("export")), *SETTABLE]
     for number, column in enumerate(columns):
         shown = shown_name(column)
         if ";" in column:
@@ -228,7 +228,7 @@ def _asked(
             given[options[column].dest] = False
             words += [f"--{column}"] * _YES[cell]
         else:
-            raise CliError(f"{column} = {cell!r}: must be yes or no.")
+            raise CliError(f"{column} = {cell!r}: must be true or false.")
     asked, _ = parser.read([*words, "--", "out"])
     for name, value in vars(common).items():
         if name == "set":

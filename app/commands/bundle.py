@@ -14,27 +14,27 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap, modules
-from app.commands.options import WHEEL_PLATFORMS, parser_of
+from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, write_out
 from app.python_packages import pins, requirements
 
 NEWEST_GLIBC = 40
 """Wheels for Linux name the oldest glibc that they work with, 2.5 to this one."""
-NEWEST_MACOS = 15
+OLDEST_MACOS = 14  # the oldest for which Qt and NumPy have their newest wheels
 CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.md")
 """What belongs to the code beside its packages."""
 
 
 def run(arguments: Sequence[str]) -> int:
     """The command ``bundle``."""
-    options, (out,) = parser_of("bundle").read(arguments)
+    options, (out,) = Parser("bundle").read(arguments)
     if not os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         raise CliError("bundle: this program has no folder of its code to make one of.")
     folder = Path(out).absolute() / "frustum-lab"
     if os.path.exists(folder):
         raise CliError(f"{folder}: is there already; remove it, or choose another folder.")
     if options.wheels:
-        _collect(folder, options.platform or WHEEL_PLATFORMS, options.python)
+        _collect(folder, options.platform or choices("bundle", "--platform"), options.python)
     else:
         _freeze(folder)
     kind = "zip" if sys.platform == "win32" else "gztar"
@@ -48,8 +48,7 @@ def run(arguments: Sequence[str]) -> int:
 def _freeze(folder: Path) -> None:
     """Make the program."""
     if importlib.util.find_spec("PyInstaller") is None:
-        needed = requirements(bootstrap.ROOT, ["bundle"])[-1]
-        command = bootstrap.command_line([sys.executable, "-m", "pip", "install", needed.text])
+        command = bootstrap.pip_install(requirements(bootstrap.ROOT, ["bundle"])[-1].text)
         raise CliError(f"bundle needs PyInstaller, which is not installed; run: {command}")
     with tempfile.TemporaryDirectory() as work:
         words = ["--log-level", "WARN", "--distpath", str(folder.parent), "--workpath", work]
@@ -87,6 +86,6 @@ def target_words(platform: str, python: str) -> list[str]:
         tags = [f"manylinux_2_{minor}_{machine}" for minor in range(5, NEWEST_GLIBC)]
         tags.append(f"manylinux2014_{machine}")
     else:
-        tags = [f"macosx_{NEWEST_MACOS}_0_{machine}" if system == "macos" else "win_amd64"]
+        tags = [f"macosx_{OLDEST_MACOS}_0_{machine}" if system == "macos" else "win_amd64"]
     words = ["--only-binary", ":all:", "--python-version", python]
     return words + [word for tag in tags for word in ("--platform", tag)]

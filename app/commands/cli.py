@@ -11,8 +11,15 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
-from app.commands.arguments import check_out, document_before, importing, load_scene, with_values
-from app.commands.options import SUMMARIES, check_file, parser_of
+from app.commands.arguments import (
+    check_out,
+    document_before,
+    importing,
+    load_scene,
+    set_letters,
+    with_values,
+)
+from app.commands.options import SUMMARIES, Parser, check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
@@ -34,7 +41,7 @@ def _run(arguments: Sequence[str]) -> int:
     try:
         if arguments and arguments[0] in SUMMARIES:
             with importing():
-                command = import_module(f"app.commands.{arguments[0]}")
+                command = import_module(f"{__package__}.{arguments[0]}")
             status: int = command.run(arguments[1:])
             return status
         if arguments:
@@ -49,7 +56,7 @@ def _run(arguments: Sequence[str]) -> int:
 
 
 def _window(arguments: Sequence[str]) -> int:
-    options, words = parser_of("").read(arguments)
+    options, words = Parser("").read(arguments)
     if options.screenshot is not None:
         if not options.screenshot.lower().endswith(".png"):
             raise CliError(f"--screenshot = {options.screenshot!r}: must end in .png.")
@@ -62,6 +69,8 @@ def _window(arguments: Sequence[str]) -> int:
     if lesson and options.set:
         given = options.set[0]
         raise CliError(f"--set {given}: {file} is a lesson, whose steps set what is shown.")
+    is_bare = not words and not options.set
+    letters = set_letters(options)
     saved = document_before(file, options.set)
     document = with_values(saved, options.set)
     from_file = is_mesh(document.scene) or document.mesh
@@ -77,9 +86,8 @@ def _window(arguments: Sequence[str]) -> int:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if options.screenshot is None else Path(options.screenshot)
-    is_bare = not words and not options.set
     window_options = application.Options(
-        options.theme, options.size, screenshot, options.canvas, start_card=is_bare
+        options.theme, options.size, screenshot, options.canvas, is_bare, letters
     )
     try:
         if lesson:

@@ -14,8 +14,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from app import __version__, bootstrap, modules, system_packages
-from app.commands.options import parser_of
-from app.commands.terminal import CANNOT_DRAW, write_out
+from app.commands.options import Parser
+from app.commands.terminal import CANNOT_DRAW, CliError, write_out
 from app.python_packages import requirements
 
 LONGEST_TRIAL_S = 60.0  # longest time for a driver to answer
@@ -31,7 +31,7 @@ class Finding(NamedTuple):
 
 def run(arguments: Sequence[str]) -> int:
     """The command ``doctor``: print the findings, and at the end what is missing."""
-    parser_of("doctor").read(arguments)
+    Parser("doctor").read(arguments)
     missing = []
     for finding in examine():
         write_out([f"{finding.name:<20}{finding.text}\n"])
@@ -85,12 +85,9 @@ def _packages() -> Iterator[Finding]:
             try:
                 version = metadata.version(requirement.name)
             except metadata.PackageNotFoundError:
-                remedy = f"install it with: {_pip(requirement.text)}"
-                yield Finding(requirement.name, f"missing, needed: {bounds}", remedy)
-                continue
-            text = f"{version} (needed: {bounds})"
-            remedy = "" if requirement.admits(version) else f"change it: {_pip(requirement.text)}"
-            yield Finding(requirement.name, text, remedy)
+                version = "missing"
+            helps = "" if requirement.admits(version) else bootstrap.pip_install(requirement.text)
+            yield Finding(requirement.name, f"{version} (needed: {bounds})", helps)
     try:
         from PySide6.QtCore import qVersion
     except ImportError as error:
@@ -102,10 +99,6 @@ def _packages() -> Iterator[Finding]:
 def _not_loaded(name: str, error: ImportError) -> Finding:
     remedy = bootstrap.damage(error) or "see the system libraries above"
     return Finding(name, f"cannot be loaded: {error}", remedy)
-
-
-def _pip(requirement: str) -> str:
-    return bootstrap.command_line([sys.executable, "-m", "pip", "install", requirement])
 
 
 def _folders() -> Iterator[Finding]:
@@ -196,12 +189,13 @@ def _try(module: str, environment: dict[str, str]) -> tuple[dict[str, Any] | Non
 
 def _draw_off_screen() -> None:
     """Draw a red square without a window, check its colour, and print what drew it."""
+    from app.commands.arguments import check_drawing
     from app.drawings.actors import face_actor, identity_camera
-    from app.drawings.off_screen import check_off_screen, off_screen, pixels_of
+    from app.drawings.off_screen import off_screen, pixels_of
 
     try:
-        check_off_screen()
-    except RuntimeError as error:
+        check_drawing()
+    except CliError as error:
         raise SystemExit(str(error)) from None
     square = [(x, y, 0.0) for x, y in ((-0.5, -0.5), (0.5, -0.5), (0.5, 0.5), (-0.5, 0.5))]
     with off_screen(40, 30) as screen:

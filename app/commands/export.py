@@ -18,16 +18,14 @@ from app.commands.arguments import (
     document_of,
     importing,
     load_scene,
+    set_letters,
 )
-from app.commands.options import FIGURE_FORMATS, parser_of
+from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import (
-    LARGEST_PICTURE,
     UNWRITABLE,
     blamed_on,
-    content_of,
-    write_bytes_atomically,
 )
 from app.document.view import PANES
 from app.lessons.lesson import is_lesson
@@ -39,14 +37,14 @@ if TYPE_CHECKING:
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = tuple(f".{name}" for name in FIGURE_FORMATS)
+_ENDINGS = tuple(f".{name}" for name in choices("export", "--format"))
 _FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
 def run(arguments: Sequence[str]) -> int:
     """Draw the figures that the arguments ask for; return the exit status."""
-    options, (out, *files) = parser_of("export").read(arguments)
+    options, (out, *files) = Parser("export").read(arguments)
     motions = sweep.motions(options)
     if motions and (len(motions) > 1 or options.batch is not None):
         raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
@@ -59,6 +57,8 @@ def run(arguments: Sequence[str]) -> int:
         for option in names:
             if sweep.is_given(options, option):
                 raise CliError(f"--{option}: needs {needed}.")
+    if not options.sweep and (options.show_value or options.ease != "linear"):
+        raise CliError(f"--{'show-value' if options.show_value else 'ease'}: needs --sweep.")
     draw = _draw_moving if motions else _draw
     if _ending(out) == ".html":
         draw = _draw_page
@@ -103,16 +103,15 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
         _check_film(options, out, {figure.size_px for figure in figures})
     check_drawing()
     figures = sweep.with_views(options, file, figures)
+    figures = sweep.steady(options, figures, fades=True)
+    from app.drawings.film import write_film, write_frames
+
     if names:
-        first: dict[int, str] = {}
-        for name, state in zip(names, _with_progress(order), strict=True):
-            if state in first:
-                write_bytes_atomically(name, content_of(first[state], LARGEST_PICTURE))
-            else:
-                first[state] = name
-                figures[state].save(name)
+        write_frames(names, figures, order, _with_progress)
     else:
-        _write_film(options, out, [figures[state] for state in order])
+        with blamed_on(out, UNWRITABLE):
+            once, fps = options.loop == "once", sweep.speed(options)
+            write_film(out, figures, order, fps, once, _with_progress)
     return next(filter(None, warnings), "")
 
 
@@ -131,12 +130,13 @@ def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
     check_drawing()
     moving = figures["world" if "world" in panes else panes[0]]
     states = [figure.document for figure in sweep.with_views(asked, file, moving)]
-    large = page.write(options, out, _with_progress(states), states, scene, alone)
+    large = page.write(options, out, _with_progress, states, scene, alone)
     return next(filter(None, [large, *warnings]), "")
 
 
 def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
     """Take all panes where none is asked for, and of a lesson's step those that a class sees."""
+    set_letters(options)
     if options.panes is not None:
         return
     panes: Sequence[str] = PANES
@@ -219,21 +219,6 @@ def _figure(
         of_size = asked and str(error).startswith(("width", "height"))
         text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
         raise CliError(f"{f'--{asked} ' if of_size else ''}{text}") from error
-
-
-def _write_film(options: argparse.Namespace, out: str, frames: Sequence[Figure]) -> None:
-    with importing():
-        from app.drawings.moving import encoded, moving
-    # There and back, a state is drawn once.
-    done: dict[int, bytes] = {}
-    for frame in _with_progress(frames):
-        if id(frame) not in done:
-            done[id(frame)] = encoded(frame, _ending(out))
-    parts = [done[id(frame)] for frame in frames]
-    once, fps = options.loop == "once", sweep.speed(options)
-    with blamed_on(out, UNWRITABLE):
-        film = moving(parts, _ending(out), frames[0].size_px, fps, once)
-    write_bytes_atomically(out, film)
 
 
 def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:

@@ -5,7 +5,7 @@ from pathlib import Path
 
 from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
-from app.commands.options import one_of, parser_of
+from app.commands.options import Parser, one_of
 from app.commands.results import results
 from app.commands.terminal import CliError, write_out
 from app.lessons.checking import CheckReport
@@ -18,7 +18,7 @@ from app.strangers import printable
 
 def run(arguments: Sequence[str]) -> int:
     """Do what the first argument says; return 1 if something is wrong with a lesson."""
-    options, (what, *names) = parser_of("lesson").read(arguments)
+    options, (what, *names) = Parser("lesson").read(arguments)
     one_of("lesson", what, ("check", "list", "names", "print", "results"))
     if options.csv and what != "results":
         raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
 from app.commands.arguments import check_out, document_of, load_scene
-from app.commands.options import parse_number, parser_of
+from app.commands.options import Parser, parse_number
 from app.commands.terminal import (
     CANNOT_DRAW,
     INTERRUPTED,
@@ -29,7 +29,7 @@ from app.model.refusal import Cancelled
 
 def run(arguments: Sequence[str]) -> int:
     """Measure, print and write the results; return the exit status, or raise a `CliError`."""
-    options, words = parser_of("measure").read(arguments)
+    options, words = Parser("measure").read(arguments)
     swept = dict(_range(name, ends) for name, ends in options.sweep or ())
     if options.attended and sys.platform != "win32":
         os.nice(10)  # the program that started this one draws meanwhile and has priority
@@ -38,7 +38,12 @@ def run(arguments: Sequence[str]) -> int:
     if len(set(targets.values())) < len(targets):
         raise CliError(f"{' and '.join(targets)} must go to different files.")
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
-        raise CliError(f"--chart = {options.chart!r}: must end in {' or '.join(chart.ENDINGS)}.")
+        known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
+        raise CliError(f"--chart = {options.chart!r}: must end in {known}.")
+    if options.size and options.width:
+        raise CliError("--width: its height is free; leave out --size.")
+    if not options.chart and (options.size or options.width or options.text_size):
+        raise CliError("--size, --width and --text-size: need --chart.")
     # Check now: the measurement takes long.
     for option, out in targets.items():
         if out != "-":
@@ -83,9 +88,10 @@ def run(arguments: Sequence[str]) -> int:
             if out not in (None, "-"):
                 write_bytes_atomically(out, text.encode())
         if options.chart is not None:
-            from widgets.parts.chart_picture import picture
+            from widgets.parts.chart_picture import Paper, picture
 
-            drawn = picture(results.by_cost(options.cost), options.chart)
+            paper = Paper(options.size, options.width, options.text_size, options.palette)
+            drawn = picture(results.by_cost(options.cost), options.chart, paper=paper)
             write_bytes_atomically(options.chart, drawn)
     return 0 if results.complete else INTERRUPTED
 

@@ -5,21 +5,15 @@ from __future__ import annotations
 import os
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Sequence
-from functools import reduce
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from app.commands import sweep
 from app.commands.arguments import importing
 from app.commands.terminal import CliError
-from app.document.compare import DifferenceWriter, names_in
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
-from app.lecture.dependence import FIELDS as LETTERS
-from app.lecture.letters import in_letters
 from app.lecture.stages import IMAGE, WORLD
-from app.lessons.text import in_line
-from app.model.parameters import TITLES
-from app.scenes.phenomena.words import digits_apart, figure
+from app.scenes.phenomena.words import digits_apart
 
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
@@ -30,8 +24,8 @@ FRAMES = 21  # states under the slider, unless another number is asked for
 
 def check(options: Namespace) -> None:
     """Refuse options that are of other figures."""
-    for option in ("crop", "width", "transparent", "loop", "fps"):
-        if getattr(options, option) not in (None, False):
+    for option in ("crop", "width", "transparent", "loop", "fps", "show-value"):
+        if getattr(options, option.replace("-", "_")) not in (None, False):
             raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
 
 
@@ -39,7 +33,7 @@ def asked(options: Namespace) -> Namespace:
     """Return the options for the states of a page, which does not rest at stages."""
     if options.stages:
         sweep.check_stages(options)
-        options.sweep, options.stages = f"view.stage={WORLD}:{IMAGE}", False
+        options.sweep, options.stages = [f"view.stage={WORLD}:{IMAGE}"], False
     # The page has each pane alone.
     alone = "world" if "world" in sweep.panes(options) else options.panes
     frames = FRAMES if options.frames is None else options.frames
@@ -49,24 +43,28 @@ def asked(options: Namespace) -> Namespace:
 def write(
     options: Namespace,
     out: str,
-    told: Iterable[Document],
+    told: Callable[[Sequence[Document]], Iterable[Document]],
     states: Sequence[Document],
     scene: Scene,
     alone: Callable[[Document, str], Figure],
 ) -> str:
-    """Write the page of states, which `told` yields too; return a warning if it is large.
+    """Write the page of states, which `told` yields; return a warning if it is large.
 
     `alone` returns the figure of a pane.
     """
     with importing():
         from app.drawings.describing import describe
-        from app.drawings.page import LARGEST, SliderPosition, drawn, page
+        from app.drawings.film import steady
+        from app.drawings.page import LARGEST, SliderPosition, drawn, page, sized
     values = _values(options, states, scene)
+    panes = sweep.panes(options)
+    figures = {pane: steady([sized(alone(each, pane)) for each in states], fades=False)
+               for pane in panes}  # fmt: skip
     shown = []
-    for value, state in zip(values, told, strict=True):
-        about = describe(state, scene, sweep.panes(options))
-        panes = [drawn(alone(state, pane), said) for pane, said in about.panes.items()]
-        shown.append(SliderPosition(value, panes, about.general, (*about.cut, *about.risky)))
+    for number, (value, state) in enumerate(zip(values, told(states), strict=True)):
+        about = describe(state, scene, panes)
+        pictures = [drawn(figures[pane][number], said) for pane, said in about.panes.items()]
+        shown.append(SliderPosition(value, pictures, about.general, (*about.cut, *about.risky)))
     content = page(about.title, shown, "/" in options.panes)
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
@@ -85,18 +83,4 @@ def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> lis
         return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
     if options.transition:
         return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
-    path, letters = (options.sweep or "").partition("=")[0].strip(), states[0].view.letters
-
-    def named(field: str) -> str:
-        letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
-        symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
-        return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
-
-    written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
-    settings = () if scene.phenomenon is None else scene.phenomenon.settings
-    values = names_in([""] * len(states), [each.state for each in states], settings, written)
-    if len(states) > 1 and not all(values):  # nothing that a picture compares, such as a stage
-        numbers: list[Any] = [reduce(getattr, path.split("."), each) for each in states]
-        digits = digits_apart(*numbers)
-        values = [f"{path.rpartition('.')[2]} = {number:.{digits}g}" for number in numbers]
-    return values
+    return sweep.shown_values(options, states, scene)

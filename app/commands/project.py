@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from app.commands import points
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of
-from app.commands.options import parser_of
+from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import MESH_ENDINGS
 from app.model.projection import PLANES, Array, Projection, Space, Trace
@@ -30,7 +30,7 @@ from app.precision.levels import (
 def run(arguments: Sequence[str]) -> int:
     """Print points at every stage; return the exit status."""
     points.check_typed(arguments)
-    options, (*file, source) = parser_of("project").read(arguments)
+    options, (*file, source) = Parser("project").read(arguments)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
         raise CliError(f"POINTS is missing: {source} gives the camera only.")
     projection = document_of(file[0] if file else None, options.set).projection

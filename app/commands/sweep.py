@@ -1,6 +1,6 @@
 """The states of a moving picture: a document that changes from frame to frame.
 
-``--sweep`` changes a value, ``--orbit`` the place from which the world is seen, ``--stages`` the
+``--sweep`` changes values, ``--orbit`` the place from which the world is seen, ``--stages`` the
 stage of the NDC pane, and ``--transition`` goes from one step of a talk to the next. The world
 pane's own view stands still, or goes round.
 """
@@ -8,12 +8,12 @@ pane's own view stands still, or goes round.
 from __future__ import annotations
 
 import argparse
-import math
+import contextlib
 import os
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from app.commands.arguments import (
     course_of,
@@ -25,20 +25,20 @@ from app.commands.arguments import (
 )
 from app.commands.options import FULL_TURN
 from app.commands.terminal import CliError
-from app.document.document import Document, fields_of
+from app.document import sweeping
+from app.document.document import Document
+from app.document.sweeping import FPS, FRAMES, eased
 from app.lecture.stages import IMAGE
-from app.model.numerals import numbers
 from app.model.projection import Camera
+from app.model.refusal import Refusal
 
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
+    from app.scenes.scene import Scene
 
 MOTIONS = ("sweep", "orbit", "stages", "transition")  # options that move a picture, one at a time
-FRAMES = {"sweep": 48, "orbit": 48, "stages": 120, "transition": 24}
-FPS = 12.0  # frames, and frames a second, unless others are asked for
+_FRAMES = {"stages": 120, "transition": 24}  # unless others are asked for
 _RESTING = 0.5  # of the time, at the stops of the stages
-MOST_FRAMES = 1000
-FASTEST = 50  # most frames a second: players slow a GIF down that asks for more
 _NUMBER = re.compile(r"%(?:0[1-9])?d")
 
 
@@ -53,26 +53,26 @@ def is_given(options: argparse.Namespace, option: str) -> bool:
 
 
 def order(options: argparse.Namespace) -> list[int]:
-    """Return the number of the state that each frame shows; refuse impossible frames.
-
-    There and back, neither the first nor the last state comes twice in a row.
-    """
-    usual = next((FRAMES[name] for name in motions(options)), FRAMES["sweep"])
+    """Return the number of the state that each frame shows; refuse impossible frames."""
+    usual = next((_FRAMES.get(name, FRAMES) for name in motions(options)), FRAMES)
     frames = usual if options.frames is None else options.frames
-    is_back = options.loop == "back-and-forth"
-    if not 2 <= frames <= MOST_FRAMES:
-        raise CliError(f"--frames = {frames}: must be a whole number from 2 to {MOST_FRAMES}.")
-    if is_back and frames % 2:
-        raise CliError(f"--frames = {frames}: must be even for --loop back-and-forth.")
-    return [min(frame, frames - frame) if is_back else frame for frame in range(frames)]
+    with _options():
+        return sweeping.order(frames, options.loop or "repeat")
 
 
 def speed(options: argparse.Namespace) -> float:
     """Return the frames a second."""
-    fps: float = FPS if options.fps is None else options.fps
-    if not 1.0 <= fps <= FASTEST:
-        raise CliError(f"--fps = {fps:g}: must be from 1 to {FASTEST}.")
-    return fps
+    with _options():
+        return sweeping.checked_speed(FPS if options.fps is None else options.fps)
+
+
+@contextlib.contextmanager
+def _options() -> Iterator[None]:
+    """Turn the refusal of a value into one of an option."""
+    try:
+        yield
+    except Refusal as error:
+        raise CliError(f"--{error}") from error
 
 
 def states(options: argparse.Namespace, file: str | None) -> list[Document]:
@@ -92,19 +92,13 @@ def states(options: argparse.Namespace, file: str | None) -> list[Document]:
     parts = [step / (count - 1) for step in range(count)]
     if options.stages:
         check_stages(options)
-        values = [f"view.stage={_position(part)!r}" for part in parts]
+        values = [[f"view.stage={_position(part)!r}"] for part in parts]
     else:
-        path, first, last = _ends(options.sweep)
         start = with_values(before, options.set)
-        fields = fields_of(start.scene, start.projection.lens.kind)
-        is_whole = any(each.path == path and each.whole for each in fields)
-        values = []
-        for part in parts:
-            ends = zip(first, last, strict=True)
-            between = [a * (1.0 - part) + b * part for a, b in ends]
-            texts = [repr(float(round(x)) if is_whole else x).removesuffix(".0") for x in between]
-            values.append(f"{path}={','.join(texts)}")
-    return [with_values(before, [*options.set, value]) for value in values]
+        with _options():
+            sweeps = sweeping.parse_sweeps(options.sweep)
+            values = sweeping.swept(sweeps, start, count, options.ease)
+    return [with_values(before, [*options.set, *each]) for each in values]
 
 
 def with_views(
@@ -115,7 +109,24 @@ def with_views(
         return _along(options, file, figures)
     if options.orbit is not None:
         return _round(options, figures)
-    return _still(options, figures) if options.sweep else figures
+    return _film().still(figures) if options.sweep else figures
+
+
+def shown_values(
+    options: argparse.Namespace, states: Sequence[Document], scene: Scene
+) -> list[str]:
+    """Return the swept values in each state: ``near n = 4``."""
+    paths = [text.partition("=")[0].strip() for text in options.sweep or ()]
+    return list(_film().shown_values(states, scene, paths))
+
+
+def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -> list[Figure]:
+    """Return figures whose labels are placed on all of them together, with their values."""
+    if options.show_value:
+        notes = shown_values(options, [each.document for each in figures], figures[0].scene)
+        figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
+    is_round = options.loop == "repeat" and options.orbit is not None
+    return list(_film().steady(figures, is_round=is_round, fades=fades))
 
 
 def check_stages(options: argparse.Namespace) -> None:
@@ -140,12 +151,7 @@ def _position(part: float) -> float:
     """Return the position on the stage strip at a part of the way, which rests at each stop."""
     stop = min(int(part * IMAGE), IMAGE - 1)
     way = (part * IMAGE - stop - _RESTING / 2.0) / (1.0 - _RESTING)
-    return round(stop + _eased(min(1.0, max(0.0, way))), 9)
-
-
-def _eased(part: float) -> float:
-    """Ease a share of the way: begin and end slowly, as in the window."""
-    return 0.5 - 0.5 * math.cos(math.pi * part)
+    return round(stop + eased(min(1.0, max(0.0, way))), 9)
 
 
 def _transition(options: argparse.Namespace, file: str | None, count: int) -> list[Document]:
@@ -164,7 +170,7 @@ def _transition(options: argparse.Namespace, file: str | None, count: int) -> li
         )
     states = list[Document]()
     for step in range(count):
-        part = _eased(step / (count - 1))
+        part = eased(step / (count - 1))
         state = transition.between(start, end, part) if moves and part < 1.0 else end
         state = state or (states or [end])[-1]
         stage = (1.0 - part) * start.view.stage + part * end.view.stage
@@ -191,8 +197,8 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
     place, *ends = _steps(options, file)
     views: list[Camera | None] = [None, None]
     shown = [replace(figures[0], document=end) for end in ends]
-    if not any(map(_is_fixed, shown)):
-        views = [_still(options, [end])[0].document.view.panes.get("world") for end in shown]
+    if not any(map(_film().is_fixed, shown)):
+        views = [_film().still([end])[0].document.view.panes.get("world") for end in shown]
     first, last = views
     stages = {end.view.stage for end in ends}
     if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
@@ -200,29 +206,12 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
     if first is None or last is None:
         return figures
     return [
-        _seen(figure, camera_between(first, last, _eased(step / (len(figures) - 1))))
+        _film().seen_by(figure, camera_between(first, last, eased(step / (len(figures) - 1))))
         for step, figure in enumerate(figures)
     ]
 
 
 # --------------------------------------------------------------------------- the world's view
-
-
-def _still(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
-    """Return figures whose world is seen from one place, as in the window while a value changes."""
-    first = figures[0]
-    is_turned = "world" in first.document.view.panes
-    if is_turned or "world" not in panes(options) or _is_fixed(first):
-        return figures
-    (view,) = _standing(figures, [0.0])
-    return [_seen(figure, view) for figure in figures]
-
-
-def _is_fixed(figure: Figure) -> bool:
-    """Whether the world is seen from a viewpoint that moves with the camera."""
-    from app.document.naming import seen_from
-
-    return bool(seen_from(figure.document.view, figure.scene))
 
 
 def _check_orbit(options: argparse.Namespace) -> None:
@@ -250,13 +239,13 @@ def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
             Camera.from_orbit(view.target, at._replace(azimuth_deg=at.azimuth_deg + turn_deg))
             for turn_deg in turns_deg[1:]
         )
-    return [_seen(figure, view) for view in views]
+    return [_film().seen_by(figure, view) for view in views]
 
 
-def _seen(figure: Figure, view: Camera) -> Figure:
-    state = figure.document
-    panes = state.view.panes | {"world": view}
-    return replace(figure, document=replace(state, view=replace(state.view, fixed="", panes=panes)))
+def _film() -> Any:
+    with importing():
+        from app.drawings import film
+    return film
 
 
 def _standing(figures: Sequence[Figure], turns_deg: list[float]) -> list[Camera]:
@@ -266,20 +255,6 @@ def _standing(figures: Sequence[Figure], turns_deg: list[float]) -> list[Camera]
 
 
 # --------------------------------------------------------------------------- the options
-
-
-def _ends(sweep: str) -> tuple[str, list[float], list[float]]:
-    path, _, ends = sweep.partition("=")
-    try:
-        first, last = map(numbers, ends.split(":"))
-    except ValueError:
-        first = last = None
-    if not first or not last or len(first) != len(last):
-        raise CliError(
-            f"--sweep = {sweep!r}: must be NAME=FIRST:LAST with finite numbers, such as"
-            " lens.near=0.5:8 or camera.eye=3,2,4:0,2,5."
-        )
-    return path.strip(), first, last
 
 
 def names(out: str, frames: int) -> list[str]:

@@ -12,24 +12,16 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
+from app.model.chain import FiveTiles
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane
 
-SOME_PICTURES = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"
-)
-SOME_DIVIDERS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for"
-    " side by side",
-)
-ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
-)
+SOME_PICTURES = REFUSALS["some-pictures"]
+SOME_DIVIDERS = REFUSALS["some-dividers"]
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
 NAME_ENDS = ": "  # separates the name of a picture from its values
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
@@ -68,7 +60,7 @@ class ComparedPicture:
         for change in self.changes:
             path, equals, _ = change.partition("=")
             if not equals or path.strip().partition(".")[0] not in PARTS:
-                raise Refusal("set", change, ONLY_OF_THE_PICTURE)
+                raise Refusal("set", change, REFUSALS["only-of-the-picture"])
 
 
 def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float]) -> None:
@@ -121,11 +113,13 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
         if all(each.name in {other.name for other in fields(lens)} for lens in lenses):
             compared(f"lens.{each.name}", [getattr(lens, each.name) for lens in lenses])
     compared("image", [projection.image_size for projection in shown])
-    for each in fields(shown[0].placement):
-        compared(
-            f"object.{each.name}",
-            [getattr(projection.placement, each.name) for projection in shown],
-        )
+    chains = [projection.placement for projection in shown]
+    fives = [five for chain in chains if (five := chain.five) is not None]
+    if len(fives) == len(chains):
+        for each in fields(FiveTiles):
+            compared(f"object.{each.name}", [getattr(five, each.name) for five in fives])
+    else:
+        compared("object.chain", [chain.text for chain in chains])
     compared("depth", [projection.depth for projection in shown])
     return differing
 
@@ -186,6 +180,16 @@ def names_in(
         if all(name or values.count(texts) == 1 for name, texts in zip(own, values, strict=True)):
             break
     return [name or ", ".join(texts) for name, texts in zip(own, values, strict=True)]
+
+
+def values_in(
+    path: str, states: Sequence[Held], settings: Sequence[Parameter], written: DifferenceWriter
+) -> list[str]:
+    """The value of a path in each state, with its name; empty if no picture shows it."""
+    values = dict(differences(states)).get(path, ("",) * len(states))
+    setting = next((each for each in settings if each.path == path), None)
+    label, texts = _written(path, values, setting, written)
+    return [f"{label} {text}" if text else "" for text in texts]
 
 
 def _written(

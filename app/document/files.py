@@ -11,21 +11,19 @@ import re
 import secrets
 import stat
 import struct
-import sys
 import time
 import zlib
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
-from typing import TYPE_CHECKING, BinaryIO
+from typing import TYPE_CHECKING
 
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.lecture.letters import LONGEST_FILE, Letters, lettering
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 from app.strangers import decode, log_warning, open_regular
 
-if sys.platform != "win32":
-    import fcntl
 if TYPE_CHECKING:
     from app.document.camera_files import Views
 
@@ -34,36 +32,17 @@ LARGEST_CAMERAS = 2**26
 """Most bytes read as cameras; a thousand images of COLMAP, with their points, may have that."""
 MOST_NAMED = 12  # most views that a refusal names
 LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
-STALE_S = 60.0  # on Windows, the age at which an unfinished file counts as left by a killed program
+STALE_S = 60.0  # the age at which an unfinished file counts as left by a killed program
 
 NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not text")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
 FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
 WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
-NOT_REGULAR = QT_TRANSLATE_NOOP(
-    "Refusal", "cannot be written: it is a pipe or a device, not a regular file"
-)
 UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
 CLOUDS = frozenset({".xyz", ".pts", ".pcd", ".las", ".laz", ".e57"})
-CLOUD = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points”"
-    " reads a table of x, y, z",
-)
-BROKEN_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "is not a complete PNG picture: it is damaged or cut short"
-)
-NEITHER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a"
-    " camera file (.json, .yml, .xml, cameras.txt, images.txt)",
-)
-VIEWS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be followed by # and the number, up to {0}, or the name of a view: {1}"
-)
 NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 
@@ -97,6 +76,21 @@ def content_of(path: Path, largest: int) -> bytes:
     if len(content) > largest:
         raise Refusal.in_document(TOO_LARGE, largest // 2**20)
     return content
+
+
+def read_letters(path: Path) -> Letters:
+    """Read a file of one's own letters; a `Refusal` names it and the line."""
+    with blamed_on(path, UNREADABLE):
+        letters, note = decode(content_of(path, 4 * LONGEST_FILE))
+        log_warning(path, note)
+        try:
+            lettering(letters)
+        except Refusal as error:
+            field = error.field.removeprefix("letters, ")
+            raise Refusal.in_document(
+                error.bound, *error.limits, field=field, value=error.value
+            ) from error
+        return letters
 
 
 def read(
@@ -142,8 +136,8 @@ def read(
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
             if ending == ".png":
-                raise Refusal.in_document(BROKEN_PICTURE) from error
-            raise Refusal.in_document(NEITHER, ", ".join(MESH_ENDINGS)) from error
+                raise Refusal.in_document(REFUSALS["broken-picture"]) from error
+            raise Refusal.in_document(REFUSALS["neither"], ", ".join(MESH_ENDINGS)) from error
 
 
 def split_view(path: Path) -> tuple[str, str]:
@@ -195,7 +189,7 @@ def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) 
     if sum(alike) == 1:
         return names[alike.index(True)]
     some = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
-    raise Refusal.in_document(VIEWS, len(names), some)
+    raise Refusal.in_document(REFUSALS["views"], len(names), some)
 
 
 def holds_document(path: Path) -> bool:
@@ -212,7 +206,7 @@ def _read_bytes(path: Path) -> bytes:
         raise Refusal.in_document(FOLDER)
     ending = os.path.splitext(path)[1].lower()
     if ending in CLOUDS and os.path.exists(path):
-        raise Refusal.in_document(CLOUD, ending)
+        raise Refusal.in_document(REFUSALS["cloud"], ending)
     with open_regular(path) as file:
         is_picture = file.read(len(_PNG)) == _PNG
     return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_CAMERAS)
@@ -234,7 +228,7 @@ def extract(png: bytes, keyword: str = FORMAT) -> str | None:
         begin = keyword.encode() + b"\0"
         texts = [_text(body, begin) for kind, body in chunks(png) if kind == b"iTXt"]
     except (ValueError, struct.error, zlib.error) as error:
-        raise Refusal.in_document(BROKEN_PICTURE) from error
+        raise Refusal.in_document(REFUSALS["broken-picture"]) from error
     return next((text for text in texts if text is not None), None)
 
 
@@ -281,8 +275,8 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
     """Write a file completely or not at all, even if the power fails.
 
     The content goes to a new file in the same folder, which replaces the old one once it is safely
-    on the disk. Links are followed, and the permissions of an old file are kept. The next program
-    that writes there removes unfinished files of a killed program. A trial leaves the old file in
+    on the disk. Links are followed, and the permissions of an old file are kept. Whoever writes
+    there a minute later removes unfinished files of killed programs. A trial leaves the old file in
     its place: it only finds out whether another one could be written. Raises a `Refusal` if it
     cannot be written; an old file is unchanged.
     """
@@ -292,21 +286,20 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
         mode = _mode_to_keep(target)
         folder = os.path.dirname(target)
         _remove_unfinished(folder)
-        unfinished = _create_unfinished(folder, 0o666 if mode is None else 0o600)
+        unfinished = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
+        opener = partial(os.open, mode=0o666 if mode is None else 0o600)
+        file = open(unfinished, "xb", opener=opener)  # noqa: SIM115 it is closed below
         try:
-            with unfinished:
+            with file:
                 if mode is not None:
-                    os.chmod(unfinished.name, stat.S_IMODE(mode))
-                unfinished.write(content)
-                unfinished.flush()
-                os.fsync(unfinished.fileno())
-                if sys.platform != "win32":  # while the lock is held
-                    finish(unfinished.name, target)
-            if sys.platform == "win32":  # Windows renames closed files only
-                finish(unfinished.name, target)
+                    os.chmod(unfinished, stat.S_IMODE(mode))
+                file.write(content)
+                file.flush()
+                os.fsync(file.fileno())
+            finish(unfinished, target)  # Windows renames closed files only
         except BaseException:
             with contextlib.suppress(OSError):
-                os.unlink(unfinished.name)
+                os.unlink(unfinished)
             raise
         _sync_folder(folder)
 
@@ -320,7 +313,7 @@ def _mode_to_keep(target: str) -> int | None:
     if stat.S_ISDIR(mode):
         raise Refusal.in_document(FOLDER)
     if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
-        raise Refusal.in_document(NOT_REGULAR)
+        raise Refusal.in_document(REFUSALS["not-regular"])
     if not os.access(target, os.W_OK):  # replacing it would bypass its owner's write protection
         raise Refusal.in_document(WRITE_PROTECTED)
     return mode
@@ -329,48 +322,21 @@ def _mode_to_keep(target: str) -> int | None:
 _UNFINISHED = re.compile(r"\.frustum-lab-[0-9a-f]{8}\.tmp")
 
 
-def _create_unfinished(folder: str, mode: int) -> BinaryIO:
-    while True:
-        path = os.path.join(folder, f".frustum-lab-{secrets.token_hex(4)}.tmp")
-        file = open(path, "xb", opener=partial(os.open, mode=mode))  # noqa: SIM115 the caller closes it
-        if not _lock(file, wait=True) or os.path.exists(path):
-            return file
-        file.close()  # another program took it for an abandoned file before it was locked
-
-
-def _lock(file: BinaryIO, wait: bool) -> bool:
-    """Lock a file for as long as it is open; return False if it cannot be locked."""
-    if sys.platform != "win32":
-        with contextlib.suppress(
-            OSError
-        ):  # locked by another program, or a file system without locks
-            fcntl.flock(file, fcntl.LOCK_EX | (0 if wait else fcntl.LOCK_NB))
-            return True
-    return False
-
-
 def _remove_unfinished(folder: str) -> None:
-    """Remove files that killed programs left: our own files without a lock."""
+    """Remove files that killed programs left: our own files that nobody has written to lately."""
     with contextlib.suppress(OSError), os.scandir(folder) as entries:
         for entry in filter(lambda entry: _UNFINISHED.fullmatch(entry.name), entries):
             with contextlib.suppress(OSError):
-                if sys.platform == "win32":
-                    # On Windows a file is closed, and so not locked, for a moment before it is
-                    # renamed.
-                    if time.time() - entry.stat().st_mtime > STALE_S:
-                        os.unlink(entry.path)
-                else:
-                    with open_regular(entry.path) as file:  # nobody may write to a pipe
-                        if _lock(file, wait=False):
-                            os.unlink(entry.path)
+                is_stale = time.time() - entry.stat().st_mtime > STALE_S
+                if is_stale and entry.is_file(follow_symlinks=False):
+                    os.unlink(entry.path)
 
 
 def _sync_folder(folder: str) -> None:
     """Flush the new name to the disk as well, where the system allows it."""
-    if sys.platform != "win32":
-        with contextlib.suppress(OSError):
-            descriptor = os.open(folder, os.O_RDONLY)
-            try:
-                os.fsync(descriptor)
-            finally:
-                os.close(descriptor)
+    with contextlib.suppress(OSError):  # Windows opens no folder
+        descriptor = os.open(folder, os.O_RDONLY)
+        try:
+            os.fsync(descriptor)
+        finally:
+            os.close(descriptor)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from typing import NamedTuple
 
+from app.model.numerals import number
+
 DPI = 300
 """Pixels an inch of a figure at scale 1, as its file says: three panes of 640 pixels are 163 mm
 wide, the text of a page; a scale makes it no larger, but finer."""
@@ -37,6 +39,19 @@ def parse_size(text: str) -> Size:
     if unit not in PX_PER or (first or unit) != unit:
         raise ValueError(text)
     return Size(float(width), float(height), unit)
+
+
+def parse_length(text: str) -> float:
+    """Parse ``84mm`` into pixels; raises a `ValueError` as `parse_size` does."""
+    return parse_size(f"{text}x{text}").px[0]
+
+
+def parse_points(text: str) -> float:
+    """Parse a number of points, ``8`` or ``8pt``; raises a `ValueError` for anything else."""
+    points = number(text.removesuffix("pt"))
+    if points is None:
+        raise ValueError(text)
+    return points
 
 
 def whole_pixels(size: tuple[float, float]) -> tuple[int, int]:

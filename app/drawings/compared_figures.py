@@ -13,14 +13,12 @@ from app.drawings.label import SceneLabel
 from app.drawings.label import drawn as drawn_label
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import Ends, PanePicture
-from app.drawings.side_by_side import places_of
+from app.drawings.side_by_side import line_px, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
 from app.model.parameters import TITLES
 from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
-
-LINE_EM = 1.5
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,7 +53,7 @@ class Compared:
             parts = [pixels for pixels, _ in drawn]
             if self._is_titled:
                 named = zip(parts, self.pictures, strict=True)
-                parts = [_titled(part, picture.caption, style) for part, picture in named]
+                parts = [titled(part, picture.caption, style) for part, picture in named]
             whole = np.empty((self.size[1], self.size[0], parts[0].shape[2]), np.uint8)
             whole[:] = parts[0][0, 0]  # beside the pictures
             for part, (left, top, wide, high) in zip(parts, self.places, strict=True):
@@ -74,7 +72,7 @@ class Compared:
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
         (width, height), style, shapes = self.size, self._style, list[Shape]()
-        line_px = _line_px(style)
+        line = line_px(style)
         drawn = [picture.shapes_and_ends(hidden, watch) for picture in self.pictures]
         if self.dividers:
             edges = self._edges(drawn[self.live][1])
@@ -87,7 +85,7 @@ class Compared:
             drawn, self.pictures, self.places, strict=False
         ):
             if self._is_titled:
-                part.append(_line_of_text(picture.caption, wide / 2.0, line_px / 2.0, style))
+                part.append(line_of_text(picture.caption, wide / 2.0, line / 2.0, style))
             shapes += (moved(shape, left, top) for shape in part)
         ground = next((each for each in shapes if isinstance(each, Area)), None)
         if ground is not None and ground.colour == rgb(style.background):  # beside the pictures
@@ -140,24 +138,20 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
     return Compared(shown, places, dividers if is_divided else (), live, whole.size)
 
 
-def _line_of_text(text: str, x: float, y: float, style: Style) -> TextShape:
-    """A line of words round a point."""
-    written = SceneLabel(text, style, plain=True).written
+def line_of_text(text: str, x: float, y: float, style: Style, anchor: int = 0) -> TextShape:
+    """A line of words round a point, or from there on to the right."""
+    written = SceneLabel(text, style, plain=True, anchor=(anchor, 0)).written
     left, low = written.place
     return TextShape(written, (x + left, y - low), written.em)
 
 
-def _titled(pixels: Pixels, text: str, style: Style) -> Pixels:
+def titled(pixels: Pixels, text: str, style: Style, *, centred: bool = True) -> Pixels:
     """A picture with its name at the top, where a pane has its title."""
     name = drawn_label(text, style.font_size, style.tone(""), style.background, plain=True)
-    top = max(0, (_line_px(style) - len(name)) // 2)
-    titled, name = pixels.copy(), name[: len(pixels) - top, : pixels.shape[1]]
-    left = (pixels.shape[1] - name.shape[1]) // 2
-    part = titled[top : top + len(name), left : left + name.shape[1]]
+    top = max(0, (line_px(style) - len(name)) // 2)
+    whole, name = pixels.copy(), name[: len(pixels) - top, : pixels.shape[1]]
+    left = (pixels.shape[1] - name.shape[1]) // 2 if centred else round(style.font_size / 2.0)
+    part = whole[top : top + len(name), left : left + name.shape[1]]
     part[:] = np.round(part + name[..., 3:] / 255.0 * (name[..., : part.shape[2]] - part * 1.0))
     part[..., 3:] = np.maximum(part[..., 3:], name[..., 3:])
-    return titled
-
-
-def _line_px(style: Style) -> int:
-    return round(LINE_EM * style.font_size)
+    return whole

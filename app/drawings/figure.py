@@ -25,10 +25,10 @@ from app.document.view import PANES
 from app.drawings import DrawingWords
 from app.drawings.describing import Description, Translate, describe, in_english
 from app.drawings.shades import printed
-from app.drawings.side_by_side import panes_in
-from app.drawings.style import PALETTES, rgb
+from app.drawings.side_by_side import line_px, panes_in
+from app.drawings.style import PALETTES, Style, rgb
 from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
 
@@ -36,6 +36,7 @@ if TYPE_CHECKING:
     from app.drawings.drawing import Drawing
     from app.drawings.equation_picture import EquationPicture
     from app.drawings.off_screen import Pixels
+    from app.drawings.one_pane import PanePicture
     from app.drawings.vectors import Shape
 
 Drawn = TypeVar("Drawn")
@@ -60,30 +61,15 @@ _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
 UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
 SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
-WIDTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
-)
-HEIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "height = {0}: must be a whole number of pixels from {1} to {2}."
-)
-SCALED_WIDTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0} times scale {3}: must be from {1} to {2} pixels."
-)
-SCALED_HEIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
-)
+SCALED_WIDTH = REFUSALS["scaled-width"]
 LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to {2} {3}.")
 LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
-TEXT = QT_TRANSLATE_NOOP(
-    "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
-)
-TOO_MANY_FOR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
-    "write {2}",
-)
+TEXT = REFUSALS["text"]
 AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
-_SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
+_SIDES = (
+    (REFUSALS["width"], SCALED_WIDTH, LENGTH_WIDE),
+    (REFUSALS["height"], REFUSALS["scaled-height"], LENGTH_HIGH),
+)
 
 
 @dataclass(frozen=True, repr=False)
@@ -108,6 +94,8 @@ class Figure:
     - `transparent`: leave the background transparent.
     - `words`: the words in the drawings; by default English with the view's letters.
     - `translate`: puts the texts of the description into another language.
+    - `note`: a line below the panes.
+    - `labels`: where they stand in a frame of a film, a `Standing` for each picture.
     """
 
     document: Document
@@ -125,6 +113,8 @@ class Figure:
     translate: Translate = in_english
     width: float | None = None
     fit: str = "named"
+    note: str = ""
+    labels: Sequence[Any] = field(default=(), hash=False)
 
     def __post_init__(self) -> None:
         for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
@@ -257,8 +247,16 @@ class Figure:
 
     def _whole(self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
         """Its pixels before it is cropped."""
+        from app.drawings.compared_figures import titled
+
         parts = [part.pixels(seen) for part, _ in self._parts(self.scale, watch)]
-        return parts[0] if len(parts) == 1 else np.concatenate(parts, axis=int(not self.column))
+        whole = parts[0] if len(parts) == 1 else np.concatenate(parts, axis=int(not self.column))
+        if not self.note:
+            return whole
+        style = self._style(self.scale)
+        ground = np.round(255.0 * np.array([*rgb(style.background), 0.0]))[: whole.shape[2]]
+        line = np.full((line_px(style), *whole.shape[1:]), ground, dtype=np.uint8)
+        return np.concatenate([whole, titled(line, self.note, style, centred=False)])
 
     def _as_wide(self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]) -> Drawn:
         """Draw it in a box so large that what is seen in it is as wide as asked for."""
@@ -305,6 +303,7 @@ class Figure:
         The size is exactly the one asked for; what lies beyond is for the writer to cut off. A
         `Refusal` for too many shapes, else as for `pixels`.
         """
+        from app.drawings.compared_figures import line_of_text
         from app.drawings.vectors import Area, box_of, moved
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
@@ -317,6 +316,10 @@ class Figure:
             lambda shapes: float(np.ptp((box_of(shapes, background) or (0.0,) * 4)[::2])),
         )
         width, height = self.full_size.px
+        if self.note:
+            style = self._style(1.0)
+            low = height - line_px(style) / 2.0
+            shapes.append(line_of_text(self.note, style.font_size / 2.0, low, style, -1))
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:
             width, height = self.width, box[3] - box[1]
@@ -343,22 +346,36 @@ class Figure:
         # Beside an image several worlds that are compared would be small.
         aspect = None if view.compare else document.projection.aspect
         images = [aspect if pane == "image" else None for pane in self.panes]
-        style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
-        style = replace(
-            style, margin=style.background, font_size=em_px, one_size=self.has_one_size
-        ).enlarged(scale)
+        style = self._style(scale)
         words = DrawingWords(view.letters) if self.words is None else self.words
         illustration = self.scene.illustration(document.projection, document.settings)
         scene = printed(reduced(self.scene, document.quality.detail), style)
-        places = panes_in(self._scaled(scale), images, self.column)
+        width, height = self._scaled(scale)
+        size = width, height - (line_px(style) if self.note else 0)
+        places, labels = panes_in(size, images, self.column), iter(self.labels)
         for number, (pane, (left, top, *sides)) in enumerate(zip(self.panes, places, strict=True)):
             watch.begin(number)
             picture = PanePicture(
                 pane, document, scene, illustration, (sides[0], sides[1]), style, words,
                 framed=len(self.panes) > 1, transparent=self.transparent, fit=self.fit,
             )  # fmt: skip
-            is_compared = pane == view.compares_in and view.compare
-            yield compared_in(picture, self.scene) if is_compared else picture, (left, top)
+            if pane == view.compares_in and view.compare:
+                several = compared_in(picture, self.scene)
+                pictures = [replace(p, labels=next(labels, None)) for p in several.pictures]
+                yield replace(several, pictures=pictures), (left, top)
+            else:
+                yield replace(picture, labels=next(labels, None)), (left, top)
+
+    def pictures(self) -> Iterator[PanePicture]:
+        """Yield what it draws, one by one: of compared pictures each."""
+        for part, _ in self._parts(self.scale, _Watch(None, 1)):
+            yield from getattr(part, "pictures", (part,))
+
+    def _style(self, scale: float) -> Style:
+        style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
+        return replace(
+            style, margin=style.background, font_size=em_px, one_size=self.has_one_size
+        ).enlarged(scale)
 
     def _equation(self, size: tuple[float, float]) -> EquationPicture:
         from app.drawings.equation_picture import EquationPicture
@@ -368,9 +385,24 @@ class Figure:
 
     # -- files
 
-    @cached_property
+    def array(self) -> Pixels:
+        """Return its pixels, (height, width, 3) uint8; with a fourth channel if transparent."""
+        from app.drawings.off_screen import check_off_screen
+
+        check_off_screen()
+        return self.pixels()
+
+    def png(self, progress: Callable[[float], bool] | None = None) -> bytes:
+        """Return it as a PNG file, which contains the document."""
+        from app.drawings.figure_files import png_bytes
+        from app.drawings.off_screen import check_off_screen
+
+        check_off_screen()
+        json, pixels = picture_json(self.document), self.pixels(progress)
+        return png_bytes(pixels, json, self.scale, self.description)
+
     def svg(self) -> str:
-        """The figure as SVG, without reference to another file.
+        """Return it as SVG, without reference to another file.
 
         Raises
         ------
@@ -388,7 +420,7 @@ class Figure:
 
     def _repr_svg_(self) -> str:
         """What a notebook shows."""
-        return self.svg
+        return self.svg()
 
     def save(
         self, path: str | os.PathLike[str], progress: Callable[[float], bool] | None = None
@@ -405,19 +437,17 @@ class Figure:
         RuntimeError, Cancelled
             As for `svg` and `pixels`.
         """
-        from app.drawings.figure_files import png_bytes, write_shapes
+        from app.drawings.figure_files import write_shapes
         from app.drawings.off_screen import check_off_screen
         from app.drawings.vectors import TOO_MANY
 
         name = os.fspath(path)
         if not name.lower().endswith(ENDINGS):
             raise Refusal.saying(AN_ENDING, name)
-        check_off_screen()
         if name.lower().endswith(".png"):
-            json, pixels = picture_json(self.document), self.pixels(progress)
-            content = png_bytes(pixels, json, self.scale, self.description)
-            write_bytes_atomically(name, content)
+            write_bytes_atomically(name, self.png(progress))
             return
+        check_off_screen()
         tell = progress or (lambda _part: True)
         try:
             size, shapes = self.shapes(lambda part: tell(part / 2.0))
@@ -426,7 +456,9 @@ class Figure:
                 raise
             png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
             limits = (*error.limits, png)
-            raise Refusal.in_document(TOO_MANY_FOR, *limits, field=error.field) from error
+            raise Refusal.in_document(
+                REFUSALS["too-many-for"], *limits, field=error.field
+            ) from error
         watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
         watch.begin(0)
         write_shapes(name, shapes, size, self.description, watch)

@@ -354,7 +354,7 @@ def place(
     chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, ground.em, crossings)
     for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
         if which is not None:
-            stays[wish.key] = _placed(wish, places, numbers[which], ground.em)
+            stays[wish.key] = placed_label(wish, places, numbers[which], ground.em)
     return stays
 
 
@@ -401,12 +401,26 @@ def _is_as_good(wish: Wish, one: KeptSpot, other: KeptSpot, ground: Ground) -> b
     return one.leads <= other.leads and bool(mine <= its + _LITTLE_INK)
 
 
-def _costs(
-    choices: Sequence[tuple[Wish, Places]], ground: Ground
-) -> tuple[list[list[int]], Floats, Floats, NDArray[np.bool_]]:
-    """The candidates to be tried, label by label: their numbers, and for all of them what each
-    costs alone, its box, and which boxes its leader would run over.
-    """
+class Candidates(NamedTuple):
+    """The candidates of several labels, one label after the other."""
+
+    counts: NDArray[np.int64]  # of each label
+    costs: Floats  # of each candidate alone; infinite where it may not be
+    boxes: Floats  # (n, 4)
+    anchors: Floats  # (n, 2)
+    has_leader: NDArray[np.bool_]
+
+    def part(self, start: int, end: int) -> Candidates:
+        """Return some of them, of one label."""
+        which = slice(start, end)
+        return Candidates(
+            np.array([end - start]), self.costs[which], self.boxes[which], self.anchors[which],
+            self.has_leader[which],
+        )  # fmt: skip
+
+
+def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candidates:
+    """Return the candidates of labels, and what each costs alone."""
     em, all_places = ground.em, [places for _, places in choices]
     counts = np.array([len(places.centres) for places in all_places])
     first = np.cumsum(counts) - counts
@@ -428,16 +442,30 @@ def _costs(
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
     costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
-    tried = []
-    for start, count in zip(first.tolist(), counts.tolist(), strict=True):
-        free_here = np.flatnonzero(free[start : start + count])
-        best = free_here[np.argsort(costs[start + free_here], kind="stable")[:_TRIED]]
-        tried.append(sorted({*free_here[:_TRIED].tolist(), *best.tolist()}))
+    return Candidates(counts, costs, boxes, anchors, leads & far)
+
+
+def cheapest(costs: Floats) -> list[int]:
+    """Return which candidates of a label are tried: the first that are free, and the cheapest."""
+    free = np.flatnonzero(np.isfinite(costs))
+    best = free[np.argsort(costs[free], kind="stable")[:_TRIED]]
+    return sorted({*free[:_TRIED].tolist(), *best.tolist()})
+
+
+def _costs(
+    choices: Sequence[tuple[Wish, Places]], ground: Ground
+) -> tuple[list[list[int]], Floats, Floats, NDArray[np.bool_]]:
+    """The candidates to be tried, label by label: their numbers, and for all of them what each
+    costs alone, its box, and which boxes its leader would run over.
+    """
+    counts, costs, boxes, anchors, leads = candidates(choices, ground)
+    first = np.cumsum(counts) - counts
+    tried = [cheapest(part) for part in np.split(costs, first[1:])]
     at = np.array([start + each for start, here in zip(first, tried, strict=True) for each in here])
     at = at.astype(np.int64)
-    boxes, leads = boxes[at], (leads & far)[at]
+    boxes, leads = boxes[at], leads[at]
     crossings = np.zeros((len(at), len(at)), dtype=np.bool_)
-    crossings[leads] = _crossed(anchors[at][leads], boxes[leads], boxes)
+    crossings[leads] = crossed(anchors[at][leads], boxes[leads], boxes)
     return tried, costs[at], boxes, crossings
 
 
@@ -452,8 +480,8 @@ def _stray_costs(
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
     costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
-    crossed = _crossed(anchors[far], boxes[far], rims) & foreign[far]
-    costs[far] += _CROSSES * crossed.any(axis=1)
+    over = crossed(anchors[far], boxes[far], rims) & foreign[far]
+    costs[far] += _CROSSES * over.any(axis=1)
     return costs
 
 
@@ -468,7 +496,7 @@ def _hidden(centres: Floats, turns: Floats, size: Floats, ground: Ground) -> Flo
     return np.asarray(parts.reshape(3, -1).mean(axis=0))
 
 
-def _crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
+def crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:
     """Whether the leader of each candidate, (n,), runs over each of these boxes, (m, 4)."""
     first, last = np.array(0.1), np.array(0.95)
     for axis in (0, 1):
@@ -543,7 +571,7 @@ def _pairs(boxes: Floats, em: float) -> NDArray[np.bool_]:
     return clash
 
 
-def _placed(wish: Wish, places: Places, number: int, em: float) -> PlacedLabel:
+def placed_label(wish: Wish, places: Places, number: int, em: float) -> PlacedLabel:
     (x, y), (at_x, at_y) = places.centres[number].tolist(), places.anchors[number].tolist()
     turn = float(places.turns[number])
     leads = places.leads and bool(places.away[number] > LEADER_FROM_EM * em)

@@ -4,7 +4,7 @@ import math
 import weakref
 from collections.abc import Callable, Hashable, Mapping, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -39,6 +39,9 @@ DOT_EM = 0.4  # half the width of the square at a point that labels keep free
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
 _AWAY_PX = -1e4
+Standing: TypeAlias = Mapping[Hashable, tuple[KeptSpot, float]]
+"""Where labels stand in a frame of a film, with the part of their opacity that is shown."""
+Director: TypeAlias = Callable[[Sequence[Wish], Ground], Standing]
 _MOST_INSIDE = 6  # places on a plane that are tried
 
 
@@ -59,6 +62,8 @@ class Board:
         self._kept: dict[Hashable, KeptSpot] = {}
         self.is_patient = False
         """Whether labels wait for `pass_time` before they leave a place that is not free."""
+        self.director: Director | None = None
+        """Who says where labels stand in a frame of a film, and how visible they are."""
         self.is_soft = False
         """Whether labels that leave their places fade, by `pass_time`."""
         self._asked: tuple[list[Wish], Ground, int] | None = None
@@ -134,6 +139,12 @@ class Board:
         a place that hides much less or needs no leader.
         """
         self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
+        lights = dict[Hashable, float]()
+        if self.director is not None:
+            stands, afresh, self.is_patient = self.director(self._wishes, ground), False, True
+            self._wishes = [wish for wish in self._wishes if wish.key in stands]
+            self._kept = {key: spot for key, (spot, _) in stands.items()}
+            lights = {key: light for key, (_, light) in stands.items()}
         self._asked = self._wishes, ground, len(ground.taken)
         best = {key: each.kept for key, each in self._place(None).items()} if at_rest else None
         placed = self._place(None if afresh else self._kept, best)
@@ -153,6 +164,8 @@ class Board:
             self._fade(key, 1.0)
             del self._fades[key]
         self._show(placed)
+        for key, light in lights.items():
+            self._fade(key, light)
         self._forget_asked()
         return self._kept != before
 

@@ -4,7 +4,7 @@ import atexit
 import functools
 import os
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeAlias
 
@@ -21,11 +21,18 @@ _SMALL_PX = 8, 8
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
 
 
+make_window: Callable[[], Any] | None = None
+"""Makes windows that draw through Qt, on Windows where VTK itself has no OpenGL 3.2."""
+
+
+@functools.cache
 def check_off_screen() -> None:
     """Raise RuntimeError, with what to do, if VTK cannot draw without a window.
 
     With too little OpenGL, VTK would end the process.
     """
+    if make_window is not None:
+        return
     # No warnings about the search through X, EGL and Mesa, if it leads to a picture.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
     window: Any = _window_that_draws()()
@@ -45,11 +52,9 @@ class OffScreen:
     """
 
     def __init__(self, width: int, height: int) -> None:
-        self.render_window: Any = _window_that_draws()()
+        self.render_window: Any = (make_window or _window_that_draws())()
         self.render_window.SetOffScreenRendering(1)
-        if (
-            sys.platform == "darwin"
-        ):  # or there is a window after all, which only the main thread may use
+        if sys.platform == "darwin":  # or only the main thread may use it, as a window on screen
             self.render_window.SetConnectContextToNSView(False)
         self.clear(width, height)
         self.render_window.SetAlphaBitPlanes(1)
@@ -58,7 +63,7 @@ class OffScreen:
     def clear(self, width: int, height: int) -> None:
         """Return to the first state, in another size, but keep the compiled shaders."""
         window = self.render_window
-        window.RemoveAllObservers()
+        window.RemoveObservers("StartEvent")
         for renderer in list(window.GetRenderers()):
             window.RemoveRenderer(renderer)
         window.SetNumberOfLayers(1)

@@ -4,7 +4,7 @@ It is drawn several times as large as asked for and averaged: every driver does 
 multisampling differs from driver to driver.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import Any, TypeAlias
@@ -15,7 +15,10 @@ from app.document.document import Document
 from app.document.naming import named_in, seen_from
 from app.drawings import AXES
 from app.drawings.drawing import Drawing
+from app.drawings.film_labels import Wanted
 from app.drawings.image import ImageDrawing
+from app.drawings.label_placement import Ground, Wish
+from app.drawings.labels import Standing
 from app.drawings.off_screen import Pixels, off_screen, pixels_of
 from app.drawings.picture_frame import PictureOptions
 from app.drawings.stage import StageDrawing
@@ -50,6 +53,7 @@ class PanePicture:
     - `middle`: where the caption is, as a part of the image's width.
     - `bare`: whether an image has no pixel axes.
     - `fit`: what a world frames, as in `Figure`.
+    - `labels`: where they stand in a frame of a film.
     """
 
     pane: str
@@ -65,6 +69,24 @@ class PanePicture:
     middle: float = 0.5
     bare: bool = False
     fit: str = "named"
+    labels: Standing | None = None
+
+    def wanted(self) -> Wanted:
+        """Return what its labels want; nothing is drawn."""
+        asked = []
+
+        def direct(wishes: Sequence[Wish], ground: Ground) -> Standing:
+            ground.hidden(np.empty((0, 4)))  # it counts the ink of a drawing that is there
+            asked.append(Wanted([(wish, wish.places()) for wish in wishes], ground))
+            return {}
+
+        def lay_out(drawing: Drawing) -> None:
+            drawing.board.director = direct
+            drawing.state.canvas.relayout()
+            drawing.state.canvas.lay_out()
+
+        with self.drawn(_oversampling(self.size), lay_out=lay_out):
+            return asked[-1] if asked else Wanted([], Ground((0.0, 0.0, 0.0, 0.0), 1.0))
 
     def pixels(self, seen: Callable[[Drawing, int], object] | None = None) -> Pixels:
         """Draw it; `seen` gets the drawing, and how many of its pixels are one of the picture's."""
@@ -99,9 +121,12 @@ class PanePicture:
 
     @contextmanager
     def drawn(
-        self, finer: int = 1, before: Callable[[Any], None] = lambda window: None
+        self,
+        finer: int = 1,
+        before: Callable[[Any], None] = lambda window: None,
+        lay_out: Callable[[Drawing], object] | None = None,
     ) -> Iterator[tuple[Any, Drawing]]:
-        """Draw it `finer` times as large; yield the window and the drawing.
+        """Draw it `finer` times as large, or only `lay_out` it; yield the window and the drawing.
 
         ``before(window)`` is called before it is drawn.
         """
@@ -139,10 +164,16 @@ class PanePicture:
                     renderer.SetBackground(0.0, 0.0, 0.0)
                     renderer.SetBackgroundAlpha(0.0)
             before(window)
-            drawing.refine(whole=True)
-            window.Render()
-            if isinstance(drawing, ImageDrawing) and drawing.problem is not None:
-                window.Render()  # it is known from now on
+            if self.labels is not None:
+                labels = self.labels
+                drawing.board.director = lambda wishes, ground: labels
+            if lay_out is not None:
+                lay_out(drawing)
+            else:
+                drawing.refine(whole=True)
+                window.Render()
+                if isinstance(drawing, ImageDrawing) and drawing.problem is not None:
+                    window.Render()  # it is known from now on
             yield window, drawing
             drawing.remove()
 

@@ -12,11 +12,12 @@ Texts of documents are escaped before they become parts.
 
 import base64
 import hashlib
+import io
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from html import escape
-from typing import NamedTuple
+from html import escape, unescape
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -26,6 +27,7 @@ from app.drawings.hidden import TANGLED
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
 from app.drawings.vectors import TOO_MANY, PixelShape, Shape
+from app.lecture.typesetting import font_file
 from app.model.refusal import Refusal
 from app.strangers import printable
 
@@ -33,6 +35,7 @@ LARGEST = 500_000  # most bytes of a page that opens at once where the network i
 TEXT_PT = 6.0  # of letters in a pane of 640 pixels, which a phone shows as wide as itself
 _SHARPER = 2.0  # of pixels, for the screens of phones
 
+_SPAN = re.compile(r"<tspan([^>]*)>([^<]*)</tspan>")
 _PART = re.compile(r'<path[^<>]* d="|M[^M"<]*|"/>|<[^<>]*>|[^<]+')
 STYLE = f"""
 :root{{color-scheme:light dark}}
@@ -118,6 +121,7 @@ def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> 
         f".p{number}{{flex-grow:{aspect:.3f};max-width:{85.0 * aspect:.3f}vh}}\n"
         for number, aspect in enumerate(aspects)
     )
+    style += fonts("".join(slot) for state in slots for slot in state[:-3:2])
     *drawn, value, general, heard = ("".join(parts) for parts in slots[middle])
     figures = [
         f'<figure class="p{number}">'
@@ -149,19 +153,21 @@ def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> 
     return html(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
 
 
-def drawn(figure: Figure, said: str) -> PagePane:
-    """Draw a figure of one pane, in a size for a page unless it has one.
-
-    Of too many shapes it is a picture of pixels.
-    """
+def sized(figure: Figure) -> Figure:
+    """Return a figure of one pane in a size for a page, unless it has one."""
+    if figure.size is not None:
+        return figure
     document = figure.document
-    if figure.size is None:
-        is_wide = figure.panes == ("image",) and not (
-            document.view.compare and not document.view.dividers
-        )
-        aspect = document.projection.aspect if is_wide else 1.0
-        size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
-        figure = replace(figure, size=size, text_pt=figure.text_pt or TEXT_PT)
+    is_wide = figure.panes == ("image",) and not (
+        document.view.compare and not document.view.dividers
+    )
+    aspect = document.projection.aspect if is_wide else 1.0
+    size = Size(PANE_PX * min(1.0, aspect), PANE_PX / max(1.0, aspect))
+    return replace(figure, size=size, text_pt=figure.text_pt or TEXT_PT)
+
+
+def drawn(figure: Figure, said: str) -> PagePane:
+    """Draw a `sized` figure; of too many shapes it is a picture of pixels."""
     try:
         return PagePane(*figure.shapes(), said)
     except Refusal as error:
@@ -186,6 +192,35 @@ def drawing(shapes: Sequence[Shape], name: str) -> str:
     return "".join(elements(shapes, name)).replace("\n", " ")
 
 
+def fonts(drawings: Iterable[str]) -> str:
+    """Return the style of the labels' fonts, which have no other letters than the labels do."""
+    signs: dict[str, set[str]] = {}
+    for given, text in _SPAN.findall("".join(drawings)):
+        name = "STIXGeneral" if "STIX" in given else "DejaVuSans"
+        signs.setdefault(f"{name}{'Italic' * ('italic' in given)}", set()).update(unescape(text))
+    return "".join(_font(name, "".join(sorted(signs[name]))) for name in sorted(signs))
+
+
+def _font(name: str, signs: str) -> str:
+    from fontTools import subset  # type: ignore[import-untyped]
+
+    options, buffer = subset.Options(flavor="woff", hinting=False, layout_features=[]), io.BytesIO()
+    options.drop_tables += ["FFTM"]  # a date of the font
+    font: Any = subset.load_font(font_file(name), options)
+    subsetter = subset.Subsetter(options)
+    subsetter.populate(text=signs)
+    subsetter.subset(font)
+    subset.save_font(font, buffer, options)
+    font.close()
+    family = "STIXGeneral" if "STIX" in name else "DejaVu Sans"
+    style = "italic" if "Italic" in name else "normal"
+    data = base64.b64encode(buffer.getvalue()).decode()
+    return (
+        f"@font-face{{font-family:{family};font-style:{style};"
+        f"src:url(data:font/woff;base64,{data})}}\n"
+    )
+
+
 def escaped(text: str) -> str:
     """Return a text of a document for HTML."""
     return escape(printable(text))
@@ -193,7 +228,7 @@ def escaped(text: str) -> str:
 
 def html(title: str, style: str, body: Iterable[str], script: str = "") -> bytes:
     """Return an HTML file that runs nothing but its own script, and loads nothing."""
-    policy = f"default-src 'none'; img-src data:; style-src {_hash(style)}"
+    policy = f"default-src 'none'; img-src data:; font-src data:; style-src {_hash(style)}"
     if script:
         policy += f"; script-src {_hash(script)}"
     lines = [

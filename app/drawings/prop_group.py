@@ -37,7 +37,7 @@ class PropGroup:
         def start(_window: object, _event: str) -> None:
             canvas = itself()
             if canvas is not None:
-                canvas._before_render()
+                canvas.lay_out()
 
         self._observer: int | None = self.window.AddObserver("StartEvent", start)
 
@@ -113,7 +113,8 @@ class PropGroup:
         self._unwanted.clear()
         self._labels.clear()
 
-    def _before_render(self) -> None:
+    def lay_out(self) -> None:
+        """Lay out what was not laid out since the window has its size; a rendering does it, too."""
         now = width_px, height_px = self.window.GetSize()
         layout = self._layout()
         if now == self._laid_out or layout is None or 0 in now:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from itertools import accumulate, pairwise
 
-from app.drawings.style import TITLE_EM
+from app.drawings.style import TITLE_EM, Style
 
 BARE_EM = 0.4  # margin of a picture without axes; its title is above it
 _LEAST_PX = 24.0
@@ -12,6 +12,11 @@ _HARDLY = 0.15  # of the largest height: fewer rows are worth it
 _BETWEEN_EM = 0.3
 _FILLED = 0.7  # at least this part of an image's pane is filled, along each side
 _LEAST_SHARE = 0.75  # of an equal share, for the panes beside an image
+
+
+def line_px(style: Style) -> int:
+    """The height of a line of words beside pictures."""
+    return round(TITLE_EM * style.font_size)
 
 
 def cells(

@@ -31,12 +31,7 @@ from app.drawings.label_placement import Ground
 from app.drawings.labels import NUMBER, PLANE, vector, want_plane
 from app.drawings.layer import Layer, PaneState, Placing
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import (
-    FACES,
-    FAR_FACE,
-    NEAR_FACE,
-    outline,
-)
+from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
 from app.drawings.style import rgb

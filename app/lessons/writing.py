@@ -20,18 +20,15 @@ from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
-from app.lecture.letters import Letters
+from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode
 
 NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
-OURS = QT_TRANSLATE_NOOP(
-    "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
-)
 A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
 NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
@@ -49,7 +46,10 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     wanted = _as_state(document)
     view = replace(AS_EVER, letters=letters or AS_EVER.letters)
     start = Document(document.scene, scene_of(document).start, view=view, mesh=document.mesh)
-    lists = [texts for texts in _lists(start, wanted) if _gives(start, texts, wanted)]
+    lists = [
+        texts for texts in _lists(start, wanted)
+        if _gives(start, texts, wanted) and "\n" not in "".join(texts.values())
+    ]  # fmt: skip
     if not lists:
         raise Refusal.in_document(NOT_IN_WORDS, field="state")
     texts = min((_needed(start, each, wanted) for each in lists), key=len)
@@ -85,7 +85,8 @@ def _texts(document: Document) -> dict[str, str]:
     texts = {"depth": str(tree["depth"])}
     for section in ("lens", "camera", "object", "image", "quality", "settings"):
         for key, value in tree.get(section, {}).items():
-            texts[f"{section}.{key}"] = _text(value)
+            is_chain = (section, key) == ("object", "chain")
+            texts[f"{section}.{key}"] = "; ".join(value) if is_chain else _text(value)
     ever = {"layout": "pictures", "large": "", "stage": "ndc", "letters": "own", "layers": "",
             "fixed": ""}  # fmt: skip
     texts |= {f"view.{key}": text for key, text in ever.items()}
@@ -193,8 +194,10 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
     """Begin a talk with a state, in a new file or over an old one; see `add_step`."""
     _check_own(path)
     with blamed_on(path, UNREADABLE):
-        letters = document.view.letters
-        top = ["---", f"title: {_one_line(title)}", f"letters: {letters}", "---"]
+        given = document.view.letters
+        letters = given if given in LETTERS else None  # those of a file go with the document
+        line = [f"letters: {letters}"] if letters else []
+        top = ["---", f"title: {_one_line(title)}", *line, "---"]
         lesson = Lesson(Path(path), title, (), letters=letters)
         step = _step(lesson, title, slug(title), document, panes)
         note = ["", "```note", f"minutes: {NEW_TALK_MINUTES}", "```"]
@@ -206,7 +209,7 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
 
 def _check_own(path: AnyPath) -> None:
     if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT)):
-        error = Refusal.in_document(OURS)
+        error = Refusal.in_document(REFUSALS["ours"])
         error.file = os.fspath(path)
         raise error
 

@@ -29,77 +29,25 @@ from app.measure.results import (
     plain,
 )
 from app.model import parameters
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
-ENDINGS = (".png", ".pdf")  # the formats of `widgets.parts.chart_picture`
-TITLES = {  # the title of every trade and every sweep
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "Drift"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "Jitter"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
-    "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "Depth gap over the distance"),
-}
-_ACROSS = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "near": QT_TRANSLATE_NOOP("Measure", "near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "distance from the eye plane"),
-}
-_BYTES = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "bytes a camera"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-}
+ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
+TITLES = SENTENCES["Measure/titles"]
+_ACROSS = SENTENCES["Measure/across"]
+_BYTES = SENTENCES["Measure/bytes"]
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
-_UP = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "error, texels"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "error after 360°, px"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "error of a jump, px"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
-}
+_UP = SENTENCES["Measure/up"]
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
 SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far", "ink", "frustum")
+DASHES: tuple[tuple[float, ...], ...] = (  # which tell curves apart without their colours
+    (), (6.0, 2.0), (2.0, 2.0), (9.0, 2.0, 2.0, 2.0), (4.0, 4.0), (9.0, 2.0, 2.0, 2.0, 2.0, 2.0),
+    (12.0, 4.0), (1.0, 3.0),
+)  # fmt: skip
 _WIDEST = 1e6  # largest error in px that a sweep's chart shows; beyond it the picture is useless
 _WIDE_DEG = 179.0  # a sweep to larger angles has a chart of its own for those above 90 degrees
 _SAME = 0.005  # largest distance, in decades, of points that share one name
@@ -320,13 +268,14 @@ def _of_sweep(
                 curves.append(Curve(np.empty((0, 2)), "muted", other_name, width))
             for number, (name, curve) in enumerate(each.curves.items()):
                 colour = _COLOURS[number % len(_COLOURS)]
+                dash = DASHES[number % len(DASHES)]
                 ys = [curve.errors[i] for i in kept]
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])
                 own = named(name, translate) if each is sweep else ""
                 keys = [f"{i},{number + 1}" for i in kept] if each is sweep else []
                 chosen = keys if each.use(kept[0], number + 1) else []
-                curves.append(Curve(line, colour, own, width, keys=tuple(chosen)))
+                curves.append(Curve(line, colour, own, width, keys=tuple(chosen), dash=dash))
                 if each is sweep and name in broken:
                     bar_y = up[1] / (up[1] / up[0]) ** (_HEIGHT * (broken.index(name) + 0.5))
                     notes = [curve.notes[i] for i in kept]

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from app.arithmetic.double_double import DoubleDouble
+from app.model.chain import WorldPoints
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
-from app.model.object_transform import WorldPoints
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, checked_pixels, checked_points
 from app.model.refusal import Refusal
 from app.model.tables import rounded
@@ -135,14 +135,7 @@ class TypedCells:
         z_near, z_far = map(int, self._of.depth_range)
         sign = 1 if z_far > z_near else -1
         from_near, to_far = (z_clip - w * z_near) * sign, (w * z_far - z_clip) * sign
-        inside = (
-            from_near,
-            to_far,
-            x_clip + w,
-            w - x_clip,
-            y_clip + w,
-            w - y_clip,
-        )
+        inside = (from_near, to_far, x_clip + w, w - x_clip, y_clip + w, w - y_clip)
         return [*view[:3], *clip, *inside]
 
     @property

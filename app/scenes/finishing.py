@@ -11,26 +11,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.limits import Vector, vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.mesh import PAINT_RGB, Colours, Floats, Ints, Mesh, Progress, report
 from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
-ONE_POINT = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: all vertices are at one point, so there is nothing to see; check the export."
-)
-ONE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: all vertices are on one line, so there is nothing to see; check the export."
-)
-WRONG_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.",
-)
-TOO_FAR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
-    " move the mesh to the origin.",
-)
+ONE_POINT = REFUSALS["one-point"]
+ONE_LINE = REFUSALS["one-line"]
+WRONG_SIZE = REFUSALS["wrong-size"]
+TOO_FAR = REFUSALS["too-far"]
 FARTHEST = 1e12  # largest distance from the origin, in sizes of the mesh: vertices keep four digits
 DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000
@@ -72,18 +61,18 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     """
     report(progress, 0.5)
     faces = len(mesh.offsets) - 1
-    _check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
+    check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
     has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
     edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
     lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
-    dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
+    dot_rgb = dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
     divided_faces = _divided(mesh, rgb, progress)
     return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
 
 
-def _check(path: Path, points: Floats, *, has_area: bool) -> None:
+def check(path: Path | str, points: Floats, *, has_area: bool = False) -> None:
     lower, upper = points.min(axis=0), points.max(axis=0)
     size = math.dist(lower, upper)
     if size == 0.0:
@@ -121,7 +110,7 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     return (paint * light).astype(np.uint8)
 
 
-def _dot_colours(dots: Floats) -> Colours:
+def dot_colours(dots: Floats) -> Colours:
     """Return colours (d, 3) of dots; many are shaded like a ball, or they would be one blot."""
     if len(dots) <= FLAT_DOTS:
         return flat(DRAWN_RGB, len(dots))

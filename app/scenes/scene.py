@@ -26,10 +26,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.limits import vector
-from app.model.projection import Array, ObjectTransform, Projection, Space, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.projection import Array, Chain, Projection, Space, Vector
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
-from app.scenes.finishing import Finished
+from app.scenes.finishing import Finished, check, dot_colours
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -55,23 +55,8 @@ from app.strangers import printable
 if TYPE_CHECKING:
     from app.scenes.poly_mesh import PolyMesh
 
-WRONG_ENDING = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
-)
-NOT_A_SCENE = QT_TRANSLATE_NOOP(
-    "Refusal", "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
-)
-NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
-    "Refusal", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
-)
-NO_OWN_MESH = QT_TRANSLATE_NOOP(
-    "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
-)
-NO_SURFACE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; "
-    "open the file as a scene of its own.",
-)
+NEARLY_A_SCENE = REFUSALS["nearly-a-scene"]
+NO_SURFACE = REFUSALS["no-surface"]
 SAMPLE = 100_000  # number of vertices with which speed is measured for a larger mesh
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
@@ -122,6 +107,7 @@ class Scene(Appearance):
     - `lines`: ground-grid lines, then edges of the objects and the lines of a file, with
       ``cell_data["rgb"]`` like the surface.
     - `dots`: points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
+    - `dot_widths`: diameter of a dot in widths of a line; None for one that suits their number.
     - `lower`, `upper`: world bounds of the objects, without the grid.
     - `start`: the camera and lens with which the scene opens.
     - `own_mesh`: whether a mesh from a file replaces the phenomenon's subject.
@@ -138,6 +124,7 @@ class Scene(Appearance):
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
     dots: PolyMesh | None = None
+    dot_widths: float | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
 
@@ -165,6 +152,25 @@ class Scene(Appearance):
             return None
         chosen = self.phenomenon.checked(settings)
         return self.phenomenon.illustration(projection, chosen, self.subject)
+
+    def with_cloud(self, points: Array, rgb: Colours | None, widths: float | None) -> Scene:
+        """Return the scene with more dots, (n, 3) in its objects' coordinates.
+
+        `rgb` (n, 3) are their colours, and `widths` is their diameter as `dot_widths`.
+        """
+        lower = np.minimum(self.lower, points.min(axis=0))
+        upper = np.maximum(self.upper, points.max(axis=0))
+        check("cloud", np.stack([lower, upper]))
+        dots = points - self.origin
+        colours = dot_colours(points) if rgb is None else rgb
+        if self.dots is not None:
+            dots = np.concatenate([self.dots.points, dots])
+            colours = np.concatenate([self.dots.point_data["rgb"], colours])
+        held = {name: self.__dict__[name] for name in ("surface", "lines")}
+        return replace(
+            self, **held, dots=dot_set(dots, colours), dot_widths=widths,
+            lower=vector(lower), upper=vector(upper),
+        )  # fmt: skip
 
     @cached_property
     def subject(self) -> Subject:
@@ -268,7 +274,7 @@ class Scene(Appearance):
             replace(self, surface=None, lines=ground, dots=None),
         )
 
-    def parts(self, placement: ObjectTransform) -> tuple[tuple[Scene, Space], ...]:
+    def parts(self, placement: Chain) -> tuple[tuple[Scene, Space], ...]:
         """Return the parts that are drawn under one matrix each, with their spaces.
 
         The whole scene is one part unless the object is moved; then objects and ground are two.
@@ -278,7 +284,7 @@ class Scene(Appearance):
         objects, ground = self.apart
         return (objects, "object"), (ground, "world")
 
-    def reach(self, placement: ObjectTransform) -> Array:
+    def reach(self, placement: Chain) -> Array:
         """Return corners (8 or 16, 3) of boxes around everything drawn, in world coordinates."""
         if placement.is_identity:
             return self.corners
@@ -356,7 +362,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     """
     phenomenon = PHENOMENA.get(name_or_path)
     if mesh and not (phenomenon is not None and phenomenon.own_mesh):
-        raise Refusal.saying(NO_OWN_MESH, name_or_path, mesh)
+        raise Refusal.saying(REFUSALS["no-own-mesh"], name_or_path, mesh)
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     if name_or_path in BUILDERS:
@@ -367,7 +373,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if name_or_path and (is_file_name or os.path.exists(path)):
         return _scene_of_mesh(name_or_path, path, progress)
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
-    template = NEARLY_A_SCENE if likely else NOT_A_SCENE
+    template = NEARLY_A_SCENE if likely else REFUSALS["not-a-scene"]
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
@@ -405,7 +411,7 @@ BUILT_IN = (*BUILDERS, *PHENOMENA)
 def _read_mesh(path: Path, progress: Progress | None) -> Finished:
     if path.suffix.lower() not in ENDINGS:
         open_mesh(path).close()
-        raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
+        raise Refusal.saying(REFUSALS["wrong-ending"], path, *_but_last(ENDINGS))
     return read(path, progress)
 
 
@@ -466,7 +472,13 @@ def _scene_of_phenomenon(
 
 
 def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
-    mesh = _read_mesh(path, progress)
+    scene = _finished_scene(name, _read_mesh(path, progress))
+    report(progress, 1.0)
+    return scene
+
+
+def _finished_scene(name: str, mesh: Finished) -> Scene:
+    check(name, np.array(mesh.bounds))
     lower, upper = mesh.bounds
     size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that lies around the origin.
@@ -476,7 +488,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     surface = None
     if len(mesh.corners):
         surface = poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb)
-    scene = Scene(
+    return Scene(
         name=name,
         origin=origin,
         surface=surface,
@@ -487,8 +499,17 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
         start=frame_camera(lower, upper),
         notes=_notes(name, mesh),
     )
-    report(progress, 1.0)
-    return scene
+
+
+def cloud_alone(points: Array, rgb: Colours | None, widths: float | None) -> Scene:
+    """Return a scene of dots (n, 3) in world coordinates over a ground, and nothing else."""
+    ends = np.stack([points.min(axis=0), points.max(axis=0)])
+    if (ends[0] == ends[1]).all():  # one point has no size
+        ends += ((-0.5,), (0.5,))
+    none, ints = np.empty((0, 2, 3)), np.empty(0, dtype=np.int64)
+    rgb_of_none = np.empty((0, 3), dtype=np.uint8)
+    mesh = Finished(ends, ints, ints, rgb_of_none, none, none, none[:, 0], rgb_of_none, [])
+    return _finished_scene("cloud", mesh).with_cloud(points, rgb, widths)
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:

@@ -36,7 +36,7 @@ def test_a_list_gives_the_figures_of_single_commands_and_names_each_line_that_fa
     tmp_path: Path,
 ) -> None:
     source, out = tmp_path / "list.csv", tmp_path / "out"
-    source.write_text(LIST)
+    source.write_text(LIST, encoding="utf-8")
     write(Document("cube"), tmp_path / "kept.json")
     done = run_here("export", out, "--batch", source, *SMALL, "--set=lens.far=12")
     assert done.returncode == 2
@@ -47,12 +47,12 @@ def test_a_list_gives_the_figures_of_single_commands_and_names_each_line_that_fa
         f"{of_line} 7: out = 'A.png': is written by {of_line} 2.",
         f"{of_line} 9: --palette = 'pink': must be one of screen, print, dark, contrast.",
         f"{of_line} 10: has 7 columns, but the first row names 6.",
-        f"{of_line} 11: crop = 'maybe': must be yes or no.",
+        f"{of_line} 11: crop = 'maybe': must be true or false.",
         f"{of_line} 12: OUT = '{out / 'h.gif'}': must end in .png, .svg, .pdf or .tex.",
     ]
     assert done.stdout.splitlines()[:3] == ["1/9 a.png", "2/9 b&b.svg", "3/9 c.png failed"]
     assert sorted(os.listdir(out)) == ["a.png", "b&b.svg", "index.html"]
-    page = (out / "index.html").read_text()
+    page = (out / "index.html").read_text(encoding="utf-8")
     alts = dict(re.findall('<img src="./([^"]*)" alt="([^"]*)">', page))
     assert "near 0.5, far 12. " in alts["a.png"] and "near 2, far 11. " in alts["b%26b.svg"]
     assert "<script" not in page and "must be less than far" in page
@@ -86,7 +86,7 @@ def test_a_folder_gives_a_figure_of_each_document(tmp_path: Path) -> None:
     assert "has no documents" in refused("export", out, "--batch", documents)
     write(Document("cube"), documents / "one.json")
     shutil.copy(documents / "one.json", documents / "two.json")
-    (documents / "three.json").write_text("{")
+    (documents / "three.json").write_text("{", encoding="utf-8")
     done = run_here("export", out, "--batch", documents, *SMALL, "--format=svg")
     assert (done.returncode, done.stderr.count("three.json")) == (2, 2)
     assert sorted(os.listdir(out)) == ["index.html", "one.svg", "two.svg"]
@@ -117,9 +117,9 @@ document: kept.json
 def test_lessons_give_a_figure_of_each_step(tmp_path: Path) -> None:
     lecture, out = tmp_path / "lecture", tmp_path / "out"
     lecture.mkdir()
-    (lecture / "three.md").write_text(LESSON)
-    (lecture / "wrong.md").write_text("---\n")
-    (lecture / "README.md").write_text("# Not a lesson\n")
+    (lecture / "three.md").write_text(LESSON, encoding="utf-8")
+    (lecture / "wrong.md").write_text("---\n", encoding="utf-8")
+    (lecture / "README.md").write_text("# Not a lesson\n", encoding="utf-8")
     write(Document("letter-f"), lecture / "kept.json")
     done = run_here("export", out, "--batch", lecture, *SMALL)
     assert done.returncode == 2
@@ -150,13 +150,13 @@ def test_lessons_give_a_figure_of_each_step(tmp_path: Path) -> None:
 
 def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
     source, out = tmp_path / "list.csv", tmp_path / "out"
-    (tmp_path / "three.md").write_text(LESSON)
+    (tmp_path / "three.md").write_text(LESSON, encoding="utf-8")
     write(Document("letter-f"), tmp_path / "kept.json")
     rows = (
         "a.png,three.md,three", "b%02d.png,three.md,", "c.png,three.md,", "d.png,three.md,9",
         "e.png,001,cut",
     )  # fmt: skip
-    source.write_text("\n".join(("out,file,step", *rows)))
+    source.write_text("\n".join(("out,file,step", *rows)), encoding="utf-8")
     done = run_here("export", out, "--batch", source, *SMALL)
     assert done.returncode == 2
     assert sorted(os.listdir(out)) == ["a.png", "b01.png", "b03.png", "e.png", "index.html"]
@@ -171,7 +171,9 @@ def test_a_list_names_a_step_of_a_lesson_or_takes_all(tmp_path: Path) -> None:
             "export", slide, tmp_path / "three.md", "--step=one", "--size=64x32", *wanted
         )
         assert done.returncode == 0
-        assert tuple(re.findall(r"(World|Cube|Image): ", slide.read_text())) == shown
+        assert (
+            tuple(re.findall(r"(World|Cube|Image): ", slide.read_text(encoding="utf-8"))) == shown
+        )
     assert "is a column of the list" in refused("export", out, "--batch", source, "--step=1")
 
 
@@ -182,7 +184,9 @@ def test_a_full_disk_leaves_nothing_half_written(
     import resource
 
     source, out, film = tmp_path / "list.csv", tmp_path / "out", tmp_path / "film.gif"
-    source.write_text("out,panes,size\na.png,image,9x9\nb.png,world,99x99\nc.png,image,9x9\n")
+    source.write_text(
+        "out,panes,size\na.png,image,9x9\nb.png,world,99x99\nc.png,image,9x9\n", encoding="utf-8"
+    )
     film.write_bytes(b"old")
     monkeypatch.setattr(sys, "dont_write_bytecode", True)  # it would be cut off
     limits = resource.getrlimit(resource.RLIMIT_FSIZE)
@@ -231,7 +235,7 @@ def test_a_list_that_cannot_be_read_is_refused(content: bytes, said: str, tmp_pa
 
 def test_a_figure_of_a_list_does_not_follow_a_link(tmp_path: Path) -> None:
     source, out = tmp_path / "list.csv", tmp_path / "out"
-    source.write_text("out\na.png\n")
+    source.write_text("out\na.png\n", encoding="utf-8")
     out.mkdir()
     (out / "a.png").symlink_to(tmp_path / "elsewhere.png")
     assert "is a link" in run_here("export", out, "--batch", source).stderr

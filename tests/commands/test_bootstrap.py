@@ -77,13 +77,18 @@ class Checkout:
     wheels: Path
 
     def ask_for(self, bounds: str, exactly: str) -> None:
-        (self.root / "pyproject.toml").write_text(PROJECT.format(bounds=bounds))
-        (self.root / "constraints.txt").write_text(f"frustum-probe=={exactly}\n")
+        (self.root / "pyproject.toml").write_text(PROJECT.format(bounds=bounds), encoding="utf-8")
+        (self.root / "constraints.txt").write_text(f"frustum-probe=={exactly}\n", encoding="utf-8")
 
     @property
     def package(self) -> Path:
         (found,) = (self.root / ".venv").rglob("frustum_probe/__init__.py")
         return found.parent
+
+    @property
+    def python(self) -> str:
+        """The interpreter of its environment."""
+        return str(bootstrap.Environment(self.root).python)
 
     @property
     def stamp(self) -> Path:
@@ -127,7 +132,7 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands", "document", "model"):
+    for folder in ("commands/content", "document", "model"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     (checkout.root / "widgets").mkdir()
     (checkout.root / "widgets" / "__init__.py").touch()
@@ -138,6 +143,7 @@ def fresh(tmp_path: Path) -> Checkout:
             "commands/options.py",
             "commands/terminal.py",
             "commands/doctor.py",
+            "commands/content/options.md",
         ),
         *("document/__init__.py", "document/lengths.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
@@ -154,7 +160,7 @@ def fresh(tmp_path: Path) -> Checkout:
     )
     for name in (*of_start, *stdlib_only):
         shutil.copy(bootstrap.ROOT / "app" / name, checkout.root / "app" / name)
-    (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE)
+    (checkout.root / "app" / "commands" / "cli.py").write_text(COMMAND_LINE, encoding="utf-8")
     checkout.ask_for(">=1,<2", exactly="1.0")
     wheel(checkout.wheels, "frustum_probe", "1.0")
     wheel(checkout.wheels, "frustum_extra", "1.0")
@@ -265,7 +271,7 @@ def test_help_version_and_doctor_need_no_set_up(fresh: Checkout) -> None:
 def test_the_doctor_uses_an_existing_environment(made: Checkout) -> None:
     """It stops early in this one, which has no Qt."""
     _, output, _ = made.run("-m", "app", "doctor")
-    assert f"({made.root}/.venv/bin/python)" in output
+    assert f"({made.python})" in output
     assert "frustum-probe       1.0 (needed: >=1,<2)" in output
     assert "not set up" not in output
 
@@ -290,12 +296,15 @@ def test_a_second_start_installs_nothing_and_needs_no_network(made: Checkout) ->
     shutil.rmtree(made.wheels)
     assert made.assert_runs() == ""
     project = made.root / "pyproject.toml"  # whose comments and tool settings are nothing new
-    project.write_text(f"# A comment.\n{project.read_text()}\n[tool.ruff]\nline-length = 99\n")
+    project.write_text(
+        f"# A comment.\n{project.read_text(encoding='utf-8')}\n[tool.ruff]\nline-length = 99\n",
+        encoding="utf-8",
+    )
     assert made.assert_runs() == ""
 
 
 def test_a_start_inside_the_environment_stays_there(made: Checkout) -> None:
-    command = [made.root / ".venv" / "bin" / "python", "-m", "app", "matrices"]
+    command = [made.python, "-m", "app", "matrices"]
     done = subprocess.run(command, cwd=made.root, capture_output=True, text=True, check=True)
     assert json.loads(done.stdout)[0] == str(made.root / ".venv")
     assert done.stderr == ""
@@ -305,8 +314,8 @@ def write_foreign(folder: Path) -> None:
     """Write modules that must not be taken for the program's and Python's own."""
     folder.mkdir(parents=True, exist_ok=True)
     for name in ("random", "email", "typing", "dataclasses", "tomllib"):
-        (folder / f"{name}.py").write_text("raise RuntimeError('foreign')\n")
-    (folder / "frustum_probe.py").write_text("VERSION = 'foreign'\n")
+        (folder / f"{name}.py").write_text("raise RuntimeError('foreign')\n", encoding="utf-8")
+    (folder / "frustum_probe.py").write_text("VERSION = 'foreign'\n", encoding="utf-8")
 
 
 @pytest.mark.parametrize("inside", [False, True])
@@ -327,10 +336,10 @@ def test_a_start_finds_its_own_modules(
     foreign = above / folder.format("", minor)
     write_foreign(foreign)
     for name in ("sitecustomize", "usercustomize"):
-        (foreign / f"{name}.py").write_text("import frustum_probe\n")
+        (foreign / f"{name}.py").write_text("import frustum_probe\n", encoding="utf-8")
     environment = {variable: text.format(foreign, minor, above)}
     if inside:
-        environment["python"] = str(made.root / ".venv" / "bin" / "python")
+        environment["python"] = made.python
     assert made.assert_runs(**environment) == ""
 
 
@@ -373,20 +382,21 @@ def test_a_process_of_its_own_finds_the_same_modules(made: Checkout) -> None:
         "from app import modules; modules.prefer_own(); import subprocess; "
         "subprocess.run(modules.command('app', 'matrices'), check=True)"
     )
-    python = str(made.root / ".venv" / "bin" / "python")
-    status, output, said = made.run("-c", probe, python=python)
+    status, output, said = made.run("-c", probe, python=made.python)
     assert (status, said) == (0, "")
     assert json.loads(output)[1:] == ["1.0", ["matrices"]]
 
 
 def test_a_damaged_package_is_named(made: Checkout) -> None:
-    (made.root / "app" / "commands" / "cli.py").write_text("import frustum_probe.part\n")
+    (made.root / "app" / "commands" / "cli.py").write_text(
+        "import frustum_probe.part\n", encoding="utf-8"
+    )
     remove = f"rm -r '{made.root / '.venv'}'"
     words = "replace it, and start again"
     error = "No module named 'frustum_probe.part'"
     expected = f"frustum-lab: the package frustum-probe is damaged ({error}); {words}: {remove}"
     assert refused(made) == expected
-    (made.root / "app" / "commands" / "cli.py").write_text("import app.part\n")
+    (made.root / "app" / "commands" / "cli.py").write_text("import app.part\n", encoding="utf-8")
     assert "No module named 'app.part'" in made.run("-m", "app", "matrices")[2]
 
 
@@ -431,12 +441,12 @@ def test_an_environment_is_not_trusted_once_pip_changes_it(
 
     def pip(_: object, _command: object, follow: Callable[[str], object]) -> int:
         follow("Collecting frustum-extra")
-        seen.append(made.stamp.read_text())
+        seen.append(made.stamp.read_text(encoding="utf-8"))
         follow("Installing collected packages: frustum-extra")
-        seen.append(made.stamp.read_text())
+        seen.append(made.stamp.read_text(encoding="utf-8"))
         return 1
 
-    program = made.stamp.read_text()
+    program = made.stamp.read_text(encoding="utf-8")
     with monkeypatch.context() as patch, pytest.raises(bootstrap.SetupError):
         patch.setattr(bootstrap.HeldLock, "run", pip)
         bootstrap.Environment(made.root, ("test",)).make()
@@ -458,7 +468,7 @@ def test_a_set_up_that_is_stopped_says_how_to_go_on(made: Checkout) -> None:
 def test_a_start_that_is_stopped_before_anything_is_set_up_says_nothing(
     made: Checkout, room: str
 ) -> None:
-    (made.root / "app" / room).write_text("raise KeyboardInterrupt\n")
+    (made.root / "app" / room).write_text("raise KeyboardInterrupt\n", encoding="utf-8")
     assert made.run("-m", "app", "matrices") == (130, "", "")
 
 
@@ -476,18 +486,18 @@ def test_a_check_that_is_stopped_says_nothing(
 
 @pytest.mark.parametrize("lost", ["python", "package", "end of its set-up"])
 def test_an_environment_that_lost_a_part_is_not_trusted(made: Checkout, lost: str) -> None:
-    python = made.root / ".venv" / "bin" / "python"
+    python = Path(made.python)
     if lost == "python":
         python.unlink()
         python.symlink_to("/nonexistent/python3")
     elif lost == "package":
         shutil.rmtree(made.package)  # its dist-info stays, so pip would call it installed
     else:
-        made.stamp.write_text("setting up\n")
+        made.stamp.write_text("setting up\n", encoding="utf-8")
     stopped_at_the_lock(made)
     assert "a folder that you may write to" in refused(made)
     if lost != "python":
-        assert made.stamp.read_text() == "setting up\n"
+        assert made.stamp.read_text(encoding="utf-8") == "setting up\n"
         inside = [python, "-m", "app", "matrices"]
         done = subprocess.run(inside, cwd=made.root, capture_output=True, text=True, check=False)
         assert (done.returncode, done.stdout) == (3, "")
@@ -517,7 +527,7 @@ def test_an_environment_that_cannot_be_removed_is_in_use(
     def refuse(folder: Path) -> None:
         raise PermissionError(13, "Access is denied", str(folder / "numpy.pyd"))
 
-    made.stamp.write_text("setting up\n")
+    made.stamp.write_text("setting up\n", encoding="utf-8")
     monkeypatch.setattr(shutil, "rmtree", refuse)
     with pytest.raises(
         bootstrap.SetupError, match=r"removed .*close the programs that run in it and ru"
@@ -609,7 +619,9 @@ def test_too_little_space_is_reported_before_any_download(
 @pytest.fixture
 def emptied(made: Checkout) -> Checkout:
     """A checkout with an environment that has nothing but pip, which takes seconds to make."""
-    made.stamp.write_text(f"{sys.implementation.cache_tag} {sys.platform} - of that time\n")
+    made.stamp.write_text(
+        f"{sys.implementation.cache_tag} {sys.platform} - of that time\n", encoding="utf-8"
+    )
     shutil.rmtree(made.package)
     for info in (made.root / ".venv").rglob("frustum_probe-*.dist-info"):
         shutil.rmtree(info)
@@ -659,7 +671,7 @@ def test_only_the_tested_version_that_does_not_exist_is_dropped(
 
     monkeypatch.setattr(bootstrap.HeldLock, "run", run)
     tested = "# Tested.\nfrustum_extra==1.7\nfrustum-part==1.7\nfrustum-probe==1.0\n"
-    (fresh.root / "constraints.txt").write_text(tested)
+    (fresh.root / "constraints.txt").write_text(tested, encoding="utf-8")
     bootstrap.Environment(fresh.root).make()
     assert tried == [
         ["frustum_extra==1.7", "frustum-part==1.7", "frustum-probe==1.0"],
@@ -699,7 +711,7 @@ def test_without_a_network_a_first_start_is_one_sentence(
 def test_without_a_network_a_working_environment_is_used_under_new_bounds(
     made: Checkout, offline: dict[str, str]
 ) -> None:
-    stamp = made.stamp.read_text()
+    stamp = made.stamp.read_text(encoding="utf-8")
     made.ask_for(">=2,<3", exactly="2.1")
     status, output, said = made.run("-m", "app", "matrices", **offline)
     assert (status, json.loads(output)[1]) == (0, "1.0")
@@ -708,13 +720,13 @@ def test_without_a_network_a_working_environment_is_used_under_new_bounds(
     assert what == (
         "frustum-lab: going on with the installed packages, which do not meet frustum-probe>=2,<3"
     )
-    assert made.stamp.read_text() == stamp
+    assert made.stamp.read_text(encoding="utf-8") == stamp
     # A program that it starts says nothing of it again, and asks no server.
-    inside = made.root / ".venv" / "bin" / "python"
+    inside = made.python
     status, output, said = made.run(
         "-c",
         "import subprocess, sys; from app import bootstrap; bootstrap.start('numbers');"
-        f"subprocess.run([{str(inside)!r}, '-m', 'app', 'matrices'])",
+        f"subprocess.run([{inside!r}, '-m', 'app', 'matrices'])",
         **offline,
     )
     assert (status, json.loads(output)[1], said.count("going on")) == (0, "1.0", 1)
@@ -839,7 +851,7 @@ def test_an_environment_that_is_no_folder_is_left_alone(fresh: Checkout, is_link
     if is_link:
         environment.folder.symlink_to(environment.folder)
     else:  # some programs write there where theirs is
-        environment.folder.write_text("elsewhere")
+        environment.folder.write_text("elsewhere", encoding="utf-8")
     assert not environment.is_complete() and not environment.is_running()
     with pytest.raises(bootstrap.SetupError, match=r"\.venv is not a folder; rename or remove it"):
         environment.make()
@@ -936,6 +948,7 @@ def test_the_environment_of_a_folder_that_is_read_only_is_the_users(
         ("ERROR: [WinError 5] Access is denied", "close all windows"),
         ("ERROR: [Errno 13] Permission denied: '/opt'", "a folder that you may write to"),
         ("WARNING: Retrying (Retry(total=4)) after connection broken", "check the network"),
+        ("ERROR: What nobody has seen yet", r"\(What nobody has seen yet\); .* doctor says more"),
     ],
 )
 def test_what_helps_depends_on_the_cause(
@@ -975,7 +988,9 @@ def programs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def program(folder: Path, name: str, script: str = "") -> None:
-    (folder / name).write_text(f"#!/bin/sh\n{script}\n")
+    if os.name != "posix":
+        pytest.skip("needs /bin/sh")
+    (folder / name).write_text(f"#!/bin/sh\n{script}\n", encoding="utf-8")
     (folder / name).chmod(0o755)
 
 
@@ -1023,7 +1038,7 @@ def test_a_missing_font_is_reported(
     """A new process is needed, whose fontconfig has read nothing yet."""
     program(programs, "apt-get")
     empty = tmp_path / "fonts.conf"
-    empty.write_text(f"<fontconfig><cachedir>{tmp_path}</cachedir></fontconfig>")
+    empty.write_text(f"<fontconfig><cachedir>{tmp_path}</cachedir></fontconfig>", encoding="utf-8")
     probe = "from app import system_packages as s; print(s.advice(s.missing_system('window')))"
     done = subprocess.run(
         [sys.executable, "-c", probe],
@@ -1059,7 +1074,7 @@ def test_root_installs_what_is_missing_and_says_so(
     monkeypatch.setattr(system_packages, "SYSTEM", (TOOL,))
     monkeypatch.setattr(os, "geteuid", lambda: 0)
     bootstrap.start("window", ["test"])
-    assert log.read_text().splitlines() == [
+    assert log.read_text(encoding="utf-8").splitlines() == [
         "update",  # which failed, and was no reason to stop
         "install -y --no-install-recommends frustum-tools frustum-tools-data",
     ]
@@ -1162,7 +1177,9 @@ def test_requirements_are_read_as_the_standard_says(extras: tuple[str, ...]) -> 
 def test_every_requirement_for_a_python_is_read_and_no_other(
     python: str, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    project = tomllib.loads((bootstrap.ROOT / "pyproject.toml").read_text())["project"]
+    project = tomllib.loads((bootstrap.ROOT / "pyproject.toml").read_text(encoding="utf-8"))[
+        "project"
+    ]
     wanted = [
         text.partition(";")[0]
         for text in project["dependencies"]
@@ -1178,7 +1195,7 @@ def test_every_dependency_has_a_lower_and_an_upper_bound() -> None:
 
 
 def test_the_tested_versions_are_within_the_bounds() -> None:
-    lines = (bootstrap.ROOT / "constraints.txt").read_text().splitlines()
+    lines = (bootstrap.ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
     pins = [Standard(line) for line in lines if not line.startswith("#")]
     tested = {
         pin.name.lower().replace("_", "-"): str(pin.specifier).removeprefix("==")

@@ -77,7 +77,7 @@ until: fov_x = q
 @pytest.fixture
 def lesson(tmp_path: Path) -> Path:
     path = tmp_path / "small.md"
-    path.write_text(LESSON)
+    path.write_text(LESSON, encoding="utf-8")
     return path
 
 

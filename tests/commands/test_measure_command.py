@@ -31,7 +31,7 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
         "--set", "lens.far=100", "--json", out, "--csv", table, DISPLAY=None,
     )  # fmt: skip
     assert done.returncode == 0, done.stderr
-    results = from_json(out.read_text())
+    results = from_json(out.read_text(encoding="utf-8"))
     assert [trade.name for trade in results.trades] == ["depth"]
     assert results.document["lens"]["far"] == 100
     (sweep,) = results.sweeps
@@ -39,7 +39,7 @@ def test_a_trade_and_a_sweep_are_printed_and_written(tmp_path: Path) -> None:
     assert results.machine["opengl"] not in ("", "none")
     assert "fixed24, reversed" in done.stdout and "smallest gap in world units" in done.stdout
     assert meaning(results.trades[0]) in done.stdout
-    lines = table.read_text().splitlines()
+    lines = table.read_text(encoding="utf-8").splitlines()
     assert lines[0].startswith("choice,cost_B") and "" in lines
     for choice in results.trades[0].choices:  # what is printed is what is written
         assert choice.name in done.stdout
@@ -49,7 +49,7 @@ def test_tables_can_go_to_standard_output_as_csv(tmp_path: Path) -> None:
     out = tmp_path / "out.json"
     words = ("--trade=depth", "--sweep=near=1:2", "--quick", "--csv=-", "--json", out)
     done = run_here("measure", *words)
-    results = from_json(out.read_text())
+    results = from_json(out.read_text(encoding="utf-8"))
     assert done.stdout == "\n".join(map(to_csv, (*results.trades, *results.sweeps)))
     assert not (ROOT / "-").exists()
 
@@ -61,7 +61,7 @@ def test_a_reader_who_leaves_early_does_not_cost_the_files(tmp_path: Path) -> No
         assert process.stdout is not None
         process.stdout.close()
         assert process.wait(PATIENCE_S) == 0
-    assert from_json(out.read_text()).complete
+    assert from_json(out.read_text(encoding="utf-8")).complete
 
 
 @pytest.mark.parametrize("option", ["--json", "--csv", "--chart"])
@@ -177,7 +177,7 @@ def test_control_c_keeps_what_was_measured(tmp_path: Path) -> None:
     process.send_signal(signal.SIGINT)
     # Standard input stays open: it is the signal that ends it.
     assert process.wait(PATIENCE_S) == 130
-    assert not from_json((tmp_path / "a.json").read_text()).complete
+    assert not from_json((tmp_path / "a.json").read_text(encoding="utf-8")).complete
     process.communicate()
 
 

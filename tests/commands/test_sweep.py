@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from app.commands.options import parser_of
+from app.commands.options import Parser
 from app.commands.sweep import order, states, usual_loop, with_views
 from app.document.document import Document
 from app.document.files import read, write
@@ -26,7 +26,8 @@ from app.scenes.scene import load
 from tests.support.commands import one_sentence, refused, run_here
 
 SMALL = ("--size=48x32", "--panes=image")
-WORLD = ("--size=48x48", "--panes=world")
+WORLD = ("--size=48x48", "--panes=world", "--set=view.layers=labels")
+"""Without labels: a film places them on all of its frames together."""
 
 
 def frames_of(path: Path) -> list[np.ndarray]:
@@ -78,7 +79,7 @@ def test_a_film_goes_there_and_back_with_every_frame_even_if_two_are_equal(tmp_p
 def test_a_whole_number_is_swept_in_whole_steps() -> None:
     for frames, shown in (("24", range(1, 25)), ("4", (1, 9, 16, 24))):
         sweep = "--set=scene=jitter", "--sweep=settings.frame=1:24", f"--frames={frames}"
-        found, _ = parser_of("export").read(["a.gif", *sweep])
+        found, _ = Parser("export").read(["a.gif", *sweep])
         assert [each.settings["frame"] for each in states(found, None)] == list(shown)
 
 
@@ -123,7 +124,7 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
     assert run_here("export", film, tmp_path / "turned.json", *back, *WORLD).returncode == 0
     frames = frames_of(film)
     assert np.array_equal(frames[1], frames[3]) and not np.array_equal(frames[0], frames[2])
-    found, (out, file) = parser_of("export").read(["a.gif", "b.json", *back, "--panes=world"])
+    found, (out, file) = Parser("export").read(["a.gif", "b.json", *back, "--panes=world"])
     found.loop = usual_loop(found, numbered=False)
     assert (found.loop, out, file) == ("back-and-forth", "a.gif", "b.json")
     turned = str(tmp_path / "turned.json")
@@ -137,7 +138,7 @@ def test_an_orbit_begins_with_the_view_of_the_document_and_comes_back(tmp_path: 
 
 def test_the_stages_rest_at_each_stop_and_come_back(tmp_path: Path) -> None:
     def positions(*options: str) -> list[float]:
-        found, _ = parser_of("export").read(["a.gif", "--stages", "--panes=ndc", *options])
+        found, _ = Parser("export").read(["a.gif", "--stages", "--panes=ndc", *options])
         found.loop = found.loop or usual_loop(found, numbered=False)
         moments = states(found, None)
         return [moments[place].view.stage for place in order(found)]
@@ -148,11 +149,11 @@ def test_the_stages_rest_at_each_stop_and_come_back(tmp_path: Path) -> None:
     assert all(there_and_back.count(stop) >= 5 for stop in range(6))
     assert max(abs(a - b) for a, b in pairwise(there_and_back)) < 0.3
     assert positions("--loop=once", "--frames=6") == [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]
-    stages = ("--stages", "--frames=6", "--panes=ndc", "--size=48x48")
+    bare = ("--panes=ndc", "--size=48x48", "--set=view.layers=labels")
+    stages = ("--stages", "--frames=6", *bare)
     assert run_here("export", tmp_path / "%d.png", *stages).returncode == 0
     alone = tmp_path / "alone.png"
-    set_ = ("--set=view.stage=pyramid", "--panes=ndc", "--size=48x48")
-    assert run_here("export", alone, *set_).returncode == 0
+    assert run_here("export", alone, "--set=view.stage=pyramid", *bare).returncode == 0
     assert alone.read_bytes() == (tmp_path / "2.png").read_bytes()
 
 
@@ -197,7 +198,7 @@ scene=cube
 
 def test_a_transition_leads_from_the_figure_of_a_step_to_that_of_the_next(tmp_path: Path) -> None:
     talk = tmp_path / "talk.md"
-    talk.write_text(TALK)
+    talk.write_text(TALK, encoding="utf-8")
     way = ("--step=two", "--transition", "--frames=3", *WORLD)
     assert run_here("export", tmp_path / "%d.png", talk, *way).returncode == 0
     for number, step in ((0, "one"), (2, "2")):
@@ -264,7 +265,9 @@ def test_ffmpeg_gets_the_frames_of_the_numbered_figures(
     sweep = ("--sweep=lens.far=15:17", "--frames=3", *SMALL)
     assert run_here("export", tmp_path / "%d.png", *sweep).returncode == 0
     ffmpeg = tmp_path / "ffmpeg"
-    ffmpeg.write_text('#!/bin/sh\nfor film; do :; done\nexec /bin/cat > "$film"\n')
+    ffmpeg.write_text(
+        '#!/bin/sh\nfor film; do :; done\nexec /bin/cat > "$film"\n', encoding="utf-8"
+    )
     ffmpeg.chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
     assert run_here("export", tmp_path / "film.mp4", *sweep).returncode == 0
@@ -291,17 +294,19 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
     words = "needs the program ffmpeg, which is not on the PATH: write .webp instead."
     assert refused(*command) == f"{film} {words}\n"
 
-    ffmpeg.write_text("#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n")
+    ffmpeg.write_text(
+        "#!/bin/sh\necho one >&2\necho Unknown encoder. >&2\nexit 1\n", encoding="utf-8"
+    )
     ffmpeg.chmod(0o755)
     said = one_sentence(run_here(*command), 2)
     assert said == f"{film} cannot be written: ffmpeg says “Unknown encoder”.\n"
 
     pid = tmp_path / "pid"
     interrupted = "read first_line\nkill -INT $PPID\nexec /bin/sleep 60\n"
-    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}")
+    ffmpeg.write_text(f"#!/bin/sh\necho $$ > {pid}\n{interrupted}", encoding="utf-8")
     assert run_here(*command).returncode == 130
     with pytest.raises(ProcessLookupError):
-        os.kill(int(pid.read_text()), 0)
+        os.kill(int(pid.read_text(encoding="utf-8")), 0)
     assert not os.listdir(own) and not film.exists()
 
 
@@ -338,6 +343,10 @@ def test_an_mp4_that_cannot_be_encoded_leaves_nothing(
         (["a.gif", "--sweep=lens.near=1:2", "--frames=1"], "must be a whole number from 2 to 1000"),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=4.5"], "--frames = '4.5': must be a whole"),
         (["a.gif", "--sweep=lens.near=1:2", "--fps=nan"], "--fps = nan: must be from 1 to 50."),
+        (["a.gif", "--sweep=lens.near=1:2", "--sweep=lens.near=1:3"], "is swept already"),
+        (["a.gif", "--sweep=camera.eye=1,2,3:1,2,-3", "--ease=log"], "no equal ratios from 3 to"),
+        (["a.gif", "--orbit", "--show-value"], "--show-value: needs --sweep."),
+        (["a.png", "--ease=log"], "--ease: needs --sweep."),
         (["a.gif", "--sweep=lens.near=1:2", "--frames=5", "--loop=back-and-forth"], "be even"),
         (["a.gif", "--sweep=lens.near=1:2", "--crop"], "--crop: is for single figures"),
         (["a.gif", "--sweep=lens.near=1:2", "--transparent"], "--transparent: .gif has no"),

@@ -65,7 +65,7 @@ The notes.
 @pytest.fixture
 def talk(tmp_path: Path) -> Path:
     path = tmp_path / "small.md"
-    path.write_text(TALK)
+    path.write_text(TALK, encoding="utf-8")
     return path
 
 
@@ -164,7 +164,7 @@ def handout_of(talk: Path, text: str) -> bytes:
 
 def test_the_handout_has_every_step_with_figures(talk: Path, tmp_path: Path) -> None:
     out = tmp_path / "out.pdf"
-    out.write_text("of before")
+    out.write_text("of before", encoding="utf-8")
     done = run("talk", talk, "--handout", out, DISPLAY=None, WAYLAND_DISPLAY=None)
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
     pdf = out.read_bytes()

@@ -16,6 +16,7 @@ import struct
 import subprocess
 import sys
 import tempfile
+import time
 import zlib
 from collections.abc import Callable, Iterable
 from dataclasses import replace
@@ -29,7 +30,7 @@ from hypothesis import strategies as st
 import app.model.projection
 import app.scenes.scene
 from app.bootstrap import ROOT
-from app.document import codec
+from app.document import codec, files
 from app.document.codec import SHORTEST, parse, to_json, to_tree
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import extract, holds_document, read, write, write_bytes_atomically
@@ -61,7 +62,7 @@ from tests.support.carrier import carrier
 from tests.support.phenomenon import EVERYTHING, called, make_known
 
 DESIGN = """
-{"format": "frustum-lab", "version": 2, "scene": "letter-f",
+{"format": "frustum-lab", "version": 3, "scene": "letter-f",
  "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
  "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 1, "far": 30},
  "depth": "opengl", "image": {"width": 1280, "height": 720}}
@@ -69,7 +70,7 @@ DESIGN = """
 WRITTEN = """\
 {
   "format": "frustum-lab",
-  "version": 2,
+  "version": 3,
   "scene": "letter-f",
   "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
   "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 5, "far": 12.5},
@@ -233,9 +234,9 @@ def test_only_a_lens_whose_far_may_be_infinite_offers_inf() -> None:
 
 
 def test_a_newer_version_is_refused() -> None:
-    assert sentence(parse, with_value("version", 3)) == (
-        "The document was written by a newer Frustum Lab: its version is 3, this program reads "
-        "up to 2."
+    assert sentence(parse, with_value("version", 4)) == (
+        "The document was written by a newer Frustum Lab: its version is 4, this program reads "
+        "up to 3."
     )
     # Whatever else it holds, that is what is said.
     sentence(parse, json.dumps({"format": "frustum-lab", "version": 4})).index("newer")
@@ -695,7 +696,7 @@ def test_a_mesh_is_named_from_the_documents_folder(tmp_path: Path) -> None:
     ):
         document = Document(str(mesh))
         write(document, path)
-        assert json.loads(path.read_text())["scene"] == name
+        assert json.loads(path.read_text(encoding="utf-8"))["scene"] == name
         assert read(path) == document
         path.write_bytes(carrier(to_json(document, folder)))
         assert read(path) == document
@@ -799,7 +800,7 @@ def test_content_is_on_the_disk_before_it_takes_the_name(
     monkeypatch.setattr(os, "replace", watched_replace)
     write(Document(), path)
     expected = [f"{len(WRITTEN)} bytes", "replace"]
-    assert steps == (expected if sys.platform == "win32" else [*expected, "folder"])
+    assert steps == ([*expected, "folder"] if os.name == "posix" else expected)
 
 
 def run_script(script: str, *arguments: object) -> str:
@@ -817,9 +818,11 @@ def run_script(script: str, *arguments: object) -> str:
 
 KILLED = """
 import json, os, signal, sys
+from app.document import files
 from app.document.document import Document
 from app.document.files import read, write
 
+files.STALE_S = -1.0
 path, found = sys.argv[1], []
 write(Document(), path)
 for step, is_done in (("chmod", False), ("fsync", False), ("replace", False), ("replace", True)):
@@ -870,162 +873,123 @@ except Refusal as error:
     print(error)
 """
 
-if sys.platform != "win32":  # what only POSIX can do, or be asked
-    import fcntl
 
-    def test_killed_at_any_step_a_save_leaves_a_whole_document(tmp_path: Path) -> None:
-        found, files = json.loads(run_script(KILLED, tmp_path / "lesson.json"))
-        assert found == [*[[signal.SIGKILL, "letter-f", 2]] * 3, [signal.SIGKILL, "cube", 1]]
-        assert files == ["lesson.json"], "what one leaves, the next one removes"
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="os.fork")
+def test_killed_at_any_step_a_save_leaves_a_whole_document(tmp_path: Path) -> None:
+    found, files = json.loads(run_script(KILLED, tmp_path / "lesson.json"))
+    assert found == [*[[signal.SIGKILL, "letter-f", 2]] * 3, [signal.SIGKILL, "cube", 1]]
+    assert files == ["lesson.json"], "what one leaves, the next one removes"
 
-    def test_a_full_disk_leaves_the_old_file_whole(tmp_path: Path) -> None:
-        path = tmp_path / "lesson.json"
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no limit of a file's size")
+def test_a_full_disk_leaves_the_old_file_whole(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.json"
+    write(Document(), path)
+    # The kernel writes as much as fits, then says no, as a full disk does.
+    refused = f"{path} cannot be written: File too large. ['lesson.json'] True"
+    assert run_script(LIMITED, path).splitlines() == [refused, refused, refused, "written"]
+    assert read(path).scene == "cube"
+
+
+def test_a_pipe_or_a_device_is_neither_written_to_nor_replaced(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Run by root, a program that gets this wrong would take the machine's devices away.
+    monkeypatch.setattr(os, "replace", lambda *names: pytest.fail(f"replaces {names}"))
+    pipe, link = tmp_path / "pipe", tmp_path / "link"
+    os.mkfifo(pipe)
+    link.symlink_to(pipe)
+    for place in (pipe, link, Path("/dev/null"), Path("/dev/full")):
+        found = sentence(write, Document(), place)
+        why = "it is a pipe or a device, not a regular file"
+        assert found == f"{place} cannot be written: {why}."
+    assert pipe.is_fifo()
+
+
+def test_a_pipe_named_like_an_unfinished_file_hangs_nobody(tmp_path: Path) -> None:
+    pipe = tmp_path / ".frustum-lab-01234567.tmp"
+    os.mkfifo(pipe)
+    os.utime(pipe, (0, 0))
+    write(Document(), tmp_path / "lesson.json")
+    assert pipe.is_fifo() and names_in(tmp_path) == [pipe.name, "lesson.json"]
+
+
+def test_a_trial_says_what_prevents_writing_and_changes_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.json"
+    write(Document(), path)
+    write_bytes_atomically(path, b"x", is_trial=True)
+    assert read(path) == Document() and names_in(tmp_path) == ["lesson.json"]
+    with pytest.raises(Refusal, match="No such file or directory"):
+        write_bytes_atomically(tmp_path / "no" / "such", b"x", is_trial=True)
+
+
+def test_a_read_only_folder_or_file_is_left_as_it_is() -> None:
+    # Not in pytest's own folder, which nobody but its user can enter.
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        path = folder / "lesson.json"
         write(Document(), path)
-        # The kernel writes as much as fits, then says no, as a full disk does.
-        refused = f"{path} cannot be written: File too large. ['lesson.json'] True"
-        assert run_script(LIMITED, path).splitlines() == [refused, refused, refused, "written"]
+        path.chmod(0o666)
+        folder.chmod(0o555)
+        assert run_script(UNPRIVILEGED, path) == f"{path} cannot be written: Permission denied."
+        folder.chmod(0o777)
+        path.chmod(0o444)
+        found = run_script(UNPRIVILEGED, path)
+        assert found == f"{path} cannot be written: it is write-protected."
+        assert path.read_text(encoding="utf-8") == WRITTEN
+        assert names_in(folder) == ["lesson.json"]
+        path.chmod(0o666)
+        assert run_script(UNPRIVILEGED, path) == ""
         assert read(path).scene == "cube"
 
-    def test_a_pipe_or_a_device_is_neither_written_to_nor_replaced(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        # Run by root, a program that gets this wrong would take the machine's devices away.
-        monkeypatch.setattr(os, "replace", lambda *names: pytest.fail(f"replaces {names}"))
-        pipe, link = tmp_path / "pipe", tmp_path / "link"
-        os.mkfifo(pipe)
-        link.symlink_to(pipe)
-        for place in (pipe, link, Path("/dev/null"), Path("/dev/full")):
-            found = sentence(write, Document(), place)
-            why = "it is a pipe or a device, not a regular file"
-            assert found == f"{place} cannot be written: {why}."
-        assert pipe.is_fifo()
 
-    def test_a_pipe_named_like_an_unfinished_file_hangs_nobody(tmp_path: Path) -> None:
-        pipe = tmp_path / ".frustum-lab-01234567.tmp"
-        os.mkfifo(pipe)
-        write(Document(), tmp_path / "lesson.json")
-        assert pipe.is_fifo() and names_in(tmp_path) == [pipe.name, "lesson.json"]
-
-    def test_a_trial_says_what_prevents_writing_and_changes_nothing(tmp_path: Path) -> None:
-        path = tmp_path / "lesson.json"
+def test_permissions_are_kept_and_new_files_follow_the_umask(tmp_path: Path) -> None:
+    path = tmp_path / "lesson.json"
+    before = os.umask(0o027)
+    try:
         write(Document(), path)
-        write_bytes_atomically(path, b"x", is_trial=True)
-        assert read(path) == Document() and names_in(tmp_path) == ["lesson.json"]
-        with pytest.raises(Refusal, match="No such file or directory"):
-            write_bytes_atomically(tmp_path / "no" / "such", b"x", is_trial=True)
+        assert path.stat().st_mode & 0o7777 == 0o640
+        for mode in (0o600, 0o664, 0o755):
+            path.chmod(mode)
+            write(PARALLEL, path)
+            assert path.stat().st_mode & 0o7777 == mode
+    finally:
+        os.umask(before)
 
-    def test_a_read_only_folder_or_file_is_left_as_it_is() -> None:
-        # Not in pytest's own folder, which nobody but its user can enter.
-        with tempfile.TemporaryDirectory() as name:
-            folder = Path(name)
-            path = folder / "lesson.json"
-            write(Document(), path)
-            path.chmod(0o666)
-            folder.chmod(0o555)
-            assert run_script(UNPRIVILEGED, path) == f"{path} cannot be written: Permission denied."
-            folder.chmod(0o777)
-            path.chmod(0o444)
-            found = run_script(UNPRIVILEGED, path)
-            assert found == f"{path} cannot be written: it is write-protected."
-            assert path.read_text(encoding="utf-8") == WRITTEN
-            assert names_in(folder) == ["lesson.json"]
-            path.chmod(0o666)
-            assert run_script(UNPRIVILEGED, path) == ""
-            assert read(path).scene == "cube"
 
-    def test_permissions_are_kept_and_new_files_follow_the_umask(tmp_path: Path) -> None:
-        path = tmp_path / "lesson.json"
-        before = os.umask(0o027)
-        try:
-            write(Document(), path)
-            assert path.stat().st_mode & 0o7777 == 0o640
-            for mode in (0o600, 0o664, 0o755):
-                path.chmod(mode)
-                write(PARALLEL, path)
-                assert path.stat().st_mode & 0o7777 == mode
-        finally:
-            os.umask(before)
+def test_a_link_is_followed_and_kept(tmp_path: Path) -> None:
+    (tmp_path / "store").mkdir()
+    target, link = tmp_path / "store" / "real.json", tmp_path / "lesson.json"
+    link.symlink_to(Path("store") / "real.json")
+    write(Document(), link)  # also when nothing is there yet
+    assert link.is_symlink()
+    assert read(target) == Document()
+    write(PARALLEL, link)
+    assert link.is_symlink()
+    assert read(target) == read(link) == PARALLEL
+    assert names_in(tmp_path) == ["lesson.json", "store"]
+    assert names_in(tmp_path / "store") == ["real.json"]
+    # A mesh is named from where the document really lies.
+    write(Document(str(tmp_path / "store" / "x.stl")), link)
+    assert json.loads(target.read_text(encoding="utf-8"))["scene"] == "x.stl"
+    assert read(link).scene == str(tmp_path / "store" / "x.stl")
+    # And the mesh's folder may be linked to, but the mesh keeps the name it was given.
+    (tmp_path / "meshes").symlink_to("store")
+    (tmp_path / "store" / "y.stl").symlink_to("../far/away/y.stl")
+    write(Document(str(tmp_path / "meshes" / "y.stl")), target)
+    assert json.loads(target.read_text(encoding="utf-8"))["scene"] == "y.stl"
 
-    def test_a_link_is_followed_and_kept(tmp_path: Path) -> None:
-        (tmp_path / "store").mkdir()
-        target, link = tmp_path / "store" / "real.json", tmp_path / "lesson.json"
-        link.symlink_to(Path("store") / "real.json")
-        write(Document(), link)  # also when nothing is there yet
-        assert link.is_symlink()
-        assert read(target) == Document()
-        write(PARALLEL, link)
-        assert link.is_symlink()
-        assert read(target) == read(link) == PARALLEL
-        assert names_in(tmp_path) == ["lesson.json", "store"]
-        assert names_in(tmp_path / "store") == ["real.json"]
-        # A mesh is named from where the document really lies.
-        write(Document(str(tmp_path / "store" / "x.stl")), link)
-        assert json.loads(target.read_text())["scene"] == "x.stl"
-        assert read(link).scene == str(tmp_path / "store" / "x.stl")
-        # And the mesh's folder may be linked to, but the mesh keeps the name it was given.
-        (tmp_path / "meshes").symlink_to("store")
-        (tmp_path / "store" / "y.stl").symlink_to("../far/away/y.stl")
-        write(Document(str(tmp_path / "meshes" / "y.stl")), target)
-        assert json.loads(target.read_text())["scene"] == "y.stl"
 
-    def test_a_file_that_another_program_is_writing_is_left_alone(tmp_path: Path) -> None:
-        live, dead = tmp_path / ".frustum-lab-0123abcd.tmp", tmp_path / ".frustum-lab-ffffffff.tmp"
-        foreign = [tmp_path / ".frustum-lab-notes.tmp", tmp_path / "frustum-lab-0123abcd.tmp"]
-        for path in (live, dead, *foreign):
-            path.write_bytes(b"half")
-        with live.open("rb") as file:
-            fcntl.flock(file, fcntl.LOCK_EX)
-            write(Document(), tmp_path / "lesson.json")
-            assert live.exists()
-            assert not dead.exists()
-        write(Document(), tmp_path / "lesson.json")
-        assert not live.exists()
-        assert all(path.read_bytes() == b"half" for path in foreign)
-
-    def test_a_file_is_locked_until_it_has_its_name(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        replace_file, renamed = os.replace, []
-
-        def watched(source: str, target: str) -> None:
-            with open(source, "rb") as file, pytest.raises(BlockingIOError):
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            renamed.append(os.path.basename(target))
-            replace_file(source, target)
-
-        monkeypatch.setattr(os, "replace", watched)
-        write(Document(), tmp_path / "lesson.json")
-        assert renamed == ["lesson.json"]
-
-    def test_a_save_starts_again_if_its_unfinished_file_was_removed(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        flock, taken = fcntl.flock, []
-
-        def late(descriptor: int, operation: int) -> None:
-            if not taken:  # another program's save removes it before it is locked
-                taken.extend(tmp_path.glob(".frustum-lab-*.tmp"))
-                taken[0].unlink()
-            flock(descriptor, operation)
-
-        monkeypatch.setattr(fcntl, "flock", late)
-        write(Document(), tmp_path / "lesson.json")
-        assert len(taken) == 1
-        assert names_in(tmp_path) == ["lesson.json"]
-        assert read(tmp_path / "lesson.json") == Document()
-
-    def test_a_file_system_without_locks_is_enough(
-        tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-    ) -> None:
-        def unable(*_: object) -> None:
-            raise OSError(errno.ENOLCK, "No locks available")
-
-        monkeypatch.setattr(fcntl, "flock", unable)
-        other = tmp_path / ".frustum-lab-0123abcd.tmp"
-        other.write_bytes(b"half")
-        write(Document(), tmp_path / "lesson.json")
-        assert read(tmp_path / "lesson.json") == Document()
-        assert other.exists()  # whose it is cannot be told
+def test_a_file_that_another_program_is_writing_is_left_alone(tmp_path: Path) -> None:
+    live, dead = tmp_path / ".frustum-lab-0123abcd.tmp", tmp_path / ".frustum-lab-ffffffff.tmp"
+    foreign = [tmp_path / ".frustum-lab-notes.tmp", tmp_path / "frustum-lab-0123abcd.tmp"]
+    for path in (live, dead, *foreign):
+        path.write_bytes(b"half")
+        if path != live:
+            os.utime(path, (0, time.time() - files.STALE_S - 1))
+    write(Document(), tmp_path / "lesson.json")
+    assert live.exists() and not dead.exists()
+    assert all(path.read_bytes() == b"half" for path in foreign)
 
 
 def set_value(document: Document, path: str, text: str) -> Document:
@@ -1101,7 +1065,7 @@ def test_every_document_of_version_1_opens_and_keeps_all_it_has(
     assert opened == replace(document, extra=opened.extra)
     assert opened.view == (View(panes=document.view.panes) if has_views else View())
     again = json.loads(to_json(opened))
-    assert again.pop("version") == 2
+    assert again.pop("version") == 3
     now = again.pop("view", {})
     assert now.get("panes", {}) == (cameras if has_views else {})
     assert now.get("version 1", {}) == view
@@ -1168,7 +1132,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"frame_step": 3}, f".frame_step = 3: must be one of {', '.join(STEPS)}."),
     ({"panel": "precision"}, f".panel = 'precision': {NO_PANEL}"),
     ({"panel": None}, f".panel = null: {NO_PANEL}"),
-    ({"letters": "uvn"}, f".letters = 'uvn': must be one of {', '.join(LETTERS)}."),
+    ({"letters": "uvn"}, f".letters = 'uvn': must be one of {', '.join(LETTERS)}, or a file of"
+     " letters of at most 10000 characters."),
     ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
     ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
     ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),
@@ -1444,7 +1409,7 @@ def test_a_mesh_in_the_place_of_a_scene_s_objects_moves_with_the_document(tmp_pa
     path = tmp_path / "lesson.json"
     document = replace(TRIANGLES, mesh=str(tmp_path / "data" / "bunny.obj"))
     write(document, path)
-    assert json.loads(path.read_text())["mesh"] == "data/bunny.obj"
+    assert json.loads(path.read_text(encoding="utf-8"))["mesh"] == "data/bunny.obj"
     assert read(path) == document
     path.rename(tmp_path.parent / "moved.json")
     moved = tmp_path.parent / "data" / "bunny.obj"
@@ -1498,7 +1463,7 @@ BAD_SCENE_SETTINGS = [
     ("settings.gap=0", "settings.gap = 0: must be at least 0.001."),
     ("settings.gap=500", "settings.gap = 500: must be less than the count, which is 40."),
     ("settings.count=2.5", "settings.count = 2.5: must be a whole number."),
-    ("settings.correct=yes", "settings.correct = 'yes': must be true or false."),
+    ("settings.correct=maybe", "settings.correct = 'maybe': must be true or false."),
     ("settings.correct=1", "settings.correct = '1': must be true or false."),
     ("settings.kind=c", "settings.kind = 'c': must be one of a, b."),
     ("settings.light=1,2", "settings.light = '1,2': must be three finite numbers x, y, z."),

@@ -18,7 +18,8 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.vectors import Disc, LineShape, Shape, shapes_of
 from app.drawings.world import WorldDrawing
-from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
+from app.model.chain import FiveTiles
+from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.precision.quality import Quality
 from app.scenes.fewer_triangles import reduced
@@ -68,7 +69,7 @@ def test_the_dots_of_a_figure_are_the_traced_points_inside_the_volume(
     scene, points = scattered
     for projection in (
         CAMERA,
-        replace(CAMERA, placement=ObjectTransform((0.5, 0.0, -1.0), (0.0, 30.0, 0.0))),
+        replace(CAMERA, placement=FiveTiles((0.5, 0.0, -1.0), (0.0, 30.0, 0.0)).chain),
     ):
         trace = projection.trace(points, "object")
         inside = trace.image[~trace.outside.any(axis=1)]
@@ -134,7 +135,7 @@ def test_a_line_through_the_near_plane_ends_at_the_image_of_their_point(
 ) -> None:
     one, other = np.array(ends, dtype=np.float64)
     rows = "".join(f"v {x!r} {y!r} {z!r}\n" for x, y, z in (one.tolist(), other.tolist()))
-    (tmp_path / "line.obj").write_text(rows + "l 1 2\n")
+    (tmp_path / "line.obj").write_text(rows + "l 1 2\n", encoding="utf-8")
     scene = load(str(tmp_path / "line.obj"))
     depths = -CAMERA.trace(np.array([one, other])).view[:, 2]
     assert depths.min() < 0.0 < CAMERA.lens.near < depths.max()
@@ -155,7 +156,7 @@ def test_a_line_through_the_near_plane_ends_at_the_image_of_their_point(
 
 def test_a_face_hides_dots_and_lines_behind_it(tmp_path: Path) -> None:
     text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 -1\nv 0.5 0 1\nv -3 0 -1\nv 0 0 0\n"
-    (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\nl 5 7\np 5 6 7 1 8\n")
+    (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\nl 5 7\np 5 6 7 1 8\n", encoding="utf-8")
     scene = load(str(tmp_path / "m.obj"))
     projection = replace(CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=Perspective(60, 1, 9))
     _, found = figure_of(scene, projection, ["image"], size=projection.image_size).shapes()
@@ -174,7 +175,7 @@ def test_a_face_hides_dots_and_lines_behind_it(tmp_path: Path) -> None:
 @pytest.mark.parametrize("near", [1.0, 0.01])
 def test_a_dot_is_as_near_as_its_point(near: float, tmp_path: Path, off_screen: MakeScreen) -> None:
     text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0.25 0 -0.25\nv -0.25 0 0\nv 0 0.25 0.25\n"
-    (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\np 5 6 7\n")
+    (tmp_path / "m.obj").write_text(text + "f 1 2 3 4\np 5 6 7\n", encoding="utf-8")
     scene = load(str(tmp_path / "m.obj"))
     lens = Perspective(50, near, 9)
     projection = replace(CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=lens)
@@ -191,7 +192,7 @@ def test_a_probe_and_the_keyboard_find_dots_and_ends_of_lines(
     tmp_path: Path, off_screen: MakeScreen
 ) -> None:
     text = "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nv 0 0 -1\nv 0.5 0 1\n"
-    (tmp_path / "m.obj").write_text(text + "l 1 2\np 3 6 5\n")
+    (tmp_path / "m.obj").write_text(text + "l 1 2\np 3 6 5\n", encoding="utf-8")
     scene = load(str(tmp_path / "m.obj"))
     drawing = ImageDrawing(off_screen(1280, 720), scene, WORDS, LIGHT, options=UNFRAMED)
     drawing.show_projection(CAMERA)
@@ -235,7 +236,7 @@ def test_the_depth_buffer_of_the_document_decides_between_dots(
     tmp_path: Path, off_screen: MakeScreen
 ) -> None:
     text = "v 0 0 0 1 0 0\nv 0 0 -0.1 0 1 0\nv 2 0 0 0 0 1\n"
-    (tmp_path / "m.obj").write_text(text)
+    (tmp_path / "m.obj").write_text(text, encoding="utf-8")
     scene = load(str(tmp_path / "m.obj"))
     projection = replace(
         CAMERA, camera=Camera((0, 0, 4), (0, 0, 0)), lens=Perspective(50, 0.001, 9)
@@ -279,7 +280,9 @@ def test_a_cloud_is_counted_described_and_bounded_in_figures(
     from app.document.document import Document
     from app.drawings import vectors
 
-    (tmp_path / "m.obj").write_text("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nl 1 2 3\np 4\n")
+    (tmp_path / "m.obj").write_text(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nl 1 2 3\np 4\n", encoding="utf-8"
+    )
     scene = load(str(tmp_path / "m.obj"))
     document = Document(str(tmp_path / "m.obj"), scene.start)
     about = describe(document, scene)
@@ -295,7 +298,7 @@ def test_a_cloud_is_counted_described_and_bounded_in_figures(
 
 def test_dots_and_lines_are_black_in_print(tmp_path: Path) -> None:
     text = "v 0 0 0 1 0 0\nv 1 0 0 0 1 0\nv 1 1 0 0 0 1\nl 1 2\np 3\n"
-    (tmp_path / "m.obj").write_text(text)
+    (tmp_path / "m.obj").write_text(text, encoding="utf-8")
     scene = load(str(tmp_path / "m.obj"))
     _, found = figure_of(scene, scene.start, ["image"], palette="print").shapes()
     assert {s.colour for s in found if isinstance(s, Disc)} == {(0.0, 0.0, 1.0)}

@@ -12,11 +12,10 @@ from app.document.compare import DifferenceWriter, in_words
 from app.document.document import Document
 from app.document.lengths import DPI
 from app.document.settings import compared, pictured, set_values
-from app.drawings.compared_figures import LINE_EM
 from app.drawings.figure import Figure
 from app.drawings.off_screen import Pixels
 from app.drawings.side_by_side import cells, places_of
-from app.drawings.style import LIGHT, rgb
+from app.drawings.style import LIGHT, TITLE_EM, rgb
 from app.model.parameters import TITLES
 from app.model.refusal import Refusal
 from app.scenes.phenomena.words import figure as written_figure
@@ -194,7 +193,7 @@ def test_if_the_world_is_the_slide_worlds_are_compared() -> None:
         "world", *size, [16 / 9] * 2, text_pt * DPI / 72.0
     )
     assert wide == other_wide and top == 0
-    above = round(LINE_EM * text_pt * DPI / 72.0)
+    above = round(TITLE_EM * text_pt * DPI / 72.0)
     below = slice(above, size[1])
     for place, start in ((0, 0), (1, left)):
         one = figure(alone(document, place), "world", size=(wide, size[1]), text_pt=text_pt)

@@ -221,7 +221,7 @@ def test_the_picture_has_the_digits_of_the_file(
     large = np.array([(-9, 2, -9), (9, 2, -9), (0, 3, -9)])
     mesh = tmp_path / "mesh.obj"
     lines = [f"v {x!r} {y!r} {z!r}\n" for x, y, z in np.concatenate([points, large]).tolist()]
-    mesh.write_text("".join([*lines, "f 1 2 3\nf 4 5 6\n"]))
+    mesh.write_text("".join([*lines, "f 1 2 3\nf 4 5 6\n"]), encoding="utf-8")
     scene = load(str(mesh))
     assert scene.surface is not None
     screen = off_screen(*SIZE)

@@ -308,7 +308,7 @@ def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Pat
         lines = [f"v {x!r} {y!r} {z!r}" for x, y, z in (points + offset).tolist()]
         lines += ["f " + " ".join(map(str, face + 1)) for face in ball.regular_faces]
         path = tmp_path / f"ball-{offset:g}.obj"
-        path.write_text("\n".join(lines) + "\n")
+        path.write_text("\n".join(lines) + "\n", encoding="utf-8")
         scene = load(str(path))
         pictures.append(figure_of(scene, scene.start, size=(600, 200)).pixels())
     near, far = pictures

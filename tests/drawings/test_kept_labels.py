@@ -122,7 +122,9 @@ def test_a_damaged_file_is_as_good_as_none(
 ) -> None:
     path, before = tmp_path / "labels.json", drawn()
     kept_labels.save(path)
-    path.write_text(json.dumps(change(json.loads(path.read_text(encoding="utf-8")))))
+    path.write_text(
+        json.dumps(change(json.loads(path.read_text(encoding="utf-8")))), encoding="utf-8"
+    )
     forget()
     kept_labels.load(path)
     assert not typesetting.SET and not label.TILES

@@ -102,7 +102,7 @@ def test_an_equation_is_a_figure_that_a_column_can_hold(
     assert natural[0] > 3.0 * (ASKED_PT / 72.0 * DPI) and natural[1] <= height + 1e-6
     for ending in ("pdf", "tex", "svg"):
         shown.save(tmp_path / f"e.{ending}")
-    tex = (tmp_path / "e.tex").read_text()
+    tex = (tmp_path / "e.tex").read_text(encoding="utf-8")
     assert "textbackslash" not in tex and "dfrac" not in tex
     sizes = np.array([*letters_pt(tmp_path / "e.pdf")])
     assert np.abs(sizes[:, None] - [ASKED_PT, 0.7 * ASKED_PT]).min(axis=1).max() < 0.1

@@ -357,7 +357,7 @@ def write_hostile(folder: Path, seed: int, number: int, ending: str) -> tuple[Pa
             tree["view"] = structure(rng, {"view": tree.get("view")}).get("view")
         elif kind:
             tree = structure(rng, tree)
-        path.write_text(json.dumps(tree))
+        path.write_text(json.dumps(tree), encoding="utf-8")
     elif ending in (".gltf", ".glb"):
         content, body = _gltf(rng)
         if rng.random() < 0.7:

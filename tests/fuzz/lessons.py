@@ -18,7 +18,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from app.commands.options import SETTABLE, parser_of
+from app.commands.options import SETTABLE, Parser
 from app.lecture.typesetting import outline
 from app.lessons import record as records
 from app.lessons import results
@@ -248,7 +248,7 @@ def some_strokes(rng: random.Random, steps: Sequence[str]) -> str:
 
 def a_list(rng: random.Random) -> str:
     """A list of figures, as CSV."""
-    options = [action.option_strings[-1][2:] for action in parser_of("export").options()]
+    options = [action.option_strings[-1][2:] for action in Parser("export").options()]
     settings = [
         setting.path for phenomenon in PHENOMENA.values() for setting in phenomenon.settings
     ]
@@ -406,7 +406,7 @@ def prepare() -> None:
     """Import and read what all files need, so that no file has to."""
     import pyvista.plotting  # noqa: F401
 
-    import widgets.window.pen
+    import widgets.window.pen  # noqa: F401
     import widgets.window.talk_band  # noqa: F401
 
     exercise.SEEDS = FEW_SEEDS

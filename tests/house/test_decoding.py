@@ -7,6 +7,7 @@ import ast
 import pytest
 
 from app import strangers
+from app.bootstrap import ROOT
 from app.strangers import decode
 from tests.house.test_imports import read, sources
 
@@ -44,6 +45,21 @@ def other_ways(source: str) -> list[str]:
     return found
 
 
+def unstated(source: str) -> list[int]:
+    """The lines that read or write text without its encoding, which differs on Windows.
+
+    ruff sees only those whose path it knows to be a `Path`.
+    """
+    return [
+        node.lineno
+        for node in ast.walk(ast.parse(source))
+        if isinstance(node, ast.Call)
+        and isinstance(node.func, ast.Attribute)
+        and len(node.args) == {"read_text": 0, "write_text": 1}.get(node.func.attr)
+        and "encoding" not in {word.arg for word in node.keywords}
+    ]
+
+
 def _is_mode(node: ast.expr) -> bool:
     return isinstance(node, ast.Constant) and isinstance(node.value, str) and len(node.value) < 4
 
@@ -63,6 +79,12 @@ def test_each_other_way_is_seen() -> None:
     ):
         assert other_ways(source), source
     assert not other_ways("decode(content); open(path, 'rb'); b64encode(x).decode()")
+
+
+def test_every_text_has_its_encoding() -> None:
+    assert len(unstated("a.read_text(); b.c.write_text('x'); a.read_text('utf-8')")) == 2
+    files = [*sources(), *(str(path.relative_to(ROOT)) for path in (ROOT / "tests").rglob("*.py"))]
+    assert [(path, lines) for path in files if (lines := unstated(read(path)))] == []
 
 
 @pytest.mark.parametrize("text", ["v 1 2 3 č\n", "\r\n{}", "---\ntitle: \U0001f4f7\n", ""])

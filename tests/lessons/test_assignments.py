@@ -205,7 +205,7 @@ def test_what_cannot_be_said_is_a_document_beside_the_file(talk: Path) -> None:
 def test_a_mesh_must_stand_beside_the_file(talk: Path, tmp_path: Path) -> None:
     mesh = tmp_path / "meshes" / "house.obj"
     mesh.parent.mkdir()
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     document = Document(os.fspath(mesh), scene_of(Document(os.fspath(mesh))).start)
     add_step(talk, "three", "House", document)
     assert "scene=meshes/house.obj\n" in talk.read_text(encoding="utf-8")
@@ -213,10 +213,10 @@ def test_a_mesh_must_stand_beside_the_file(talk: Path, tmp_path: Path) -> None:
     other = tmp_path / "elsewhere"
     other.mkdir()
     path = other / "talk.md"
-    path.write_text(TALK)
+    path.write_text(TALK, encoding="utf-8")
     with pytest.raises(Refusal, match=r"house.obj.*must be a file beside the lesson"):
         add_step(path, "three", "House", document)
-    assert path.read_text() == TALK
+    assert path.read_text(encoding="utf-8") == TALK
 
 
 def test_nothing_is_written_where_it_cannot_be(talk: Path) -> None:
@@ -254,7 +254,7 @@ def test_a_new_talk_shows_what_the_window_shows(tmp_path: Path) -> None:
     path = tmp_path / "mine.md"
     document = replace(a_state(), view=replace(AS_EVER, letters="002", large="image"))
     begin_talk(path, "Boxes & cubes", document)
-    lesson = parse_lesson(path.read_text(), path)
+    lesson = parse_lesson(path.read_text(encoding="utf-8"), path)
     assert lesson.is_talk and lesson.title == "Boxes & cubes"
     shown = Course(lesson).shown(0)
     assert shown.document == document

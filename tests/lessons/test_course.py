@@ -119,7 +119,7 @@ def test_an_impossible_state_is_refused_with_its_line(values: str, expected: str
 def test_a_lesson_lives_in_a_folder_with_its_meshes_and_documents(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
     mesh = tmp_path / "parts" / "tent.obj"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\n", encoding="utf-8")
     path = tmp_path / "lesson.md"
     of = course("# A\n```state\nscene=parts/tent.obj\nlens.fov_y_deg=50\n```\n", path)
     assert of.shown(0).document.scene == str(mesh)
@@ -129,7 +129,7 @@ def test_a_lesson_lives_in_a_folder_with_its_meshes_and_documents(tmp_path: Path
     assert (lens.near, lens.far, of.shown(0).view["stage"]) == (3.0, 50.0, 3.0)
     # Neither a link nor a document leads out of the folder.
     outside = tmp_path.parent / f"{tmp_path.name}-outside.obj"
-    outside.write_text(mesh.read_text())
+    outside.write_text(mesh.read_text(encoding="utf-8"), encoding="utf-8")
     (tmp_path / "link.obj").symlink_to(outside)
     assert "line 7 = 'link.obj': must be a file beside" in said(
         "# A\n```state\nscene=link.obj\n```\n", path=path
@@ -316,7 +316,7 @@ def test_a_lesson_or_talk_of_the_program_is_found_by_its_name(tmp_path: Path) ->
         assert found.name == file and found.exists(), name
     assert file_of("L99") == Path("L99") and file_of("x/001") == Path("x/001")
     own = tmp_path / "001"
-    own.write_text("mine")
+    own.write_text("mine", encoding="utf-8")
     assert file_of(str(own)) == own
 
 

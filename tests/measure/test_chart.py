@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import math
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,9 +14,13 @@ import pyvista as pv
 from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
+from PySide6.QtCore import QSizeF
+from PySide6.QtGui import QColor, QImage, QPainter
 
 import app.measure.run
+from app.document.lengths import parse_length
 from app.drawings.curve_names import beside
+from app.drawings.style import LIGHT
 from app.measure import chart, measuring
 from app.measure.meaning import USUAL, boldest, meaning
 from app.measure.measuring import TRADES
@@ -35,8 +40,11 @@ from app.measure.sweeps import SWEEPS
 from app.model.projection import Projection
 from app.scenes.phenomena.words import Diagram, Spot
 from tests.support.commands import refused, run_here
+from tests.support.pdf import content_of
 from tests.support.results import RESULTS, SWEEP, TRADE, choice, curve, sweep
-from widgets.parts.chart_picture import picture
+from widgets.parts.chart_picture import Paper, picture
+from widgets.parts.diagram_painter import DiagramPainter
+from widgets.parts.typeset import words_font
 
 
 def spots(diagram: Diagram) -> dict[str, Spot]:
@@ -377,6 +385,58 @@ def test_a_pdf_holds_vectors_and_is_the_same_every_time() -> None:
     assert b"/Subtype /Image" not in one
 
 
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize(("width", "letters"), [("84mm", 8.0), ("174mm", 7.0), ("3.25in", 9.0)])
+def test_a_chart_for_print_has_its_width_its_letters_and_embedded_fonts(
+    width: str, letters: float
+) -> None:
+    """As the files say: a PDF's page and text matrices, an SVG's text, a PNG's dots per inch."""
+    paper = Paper(width=parse_length(width), text_pt=letters, palette="print")
+    wide_mm = parse_length(width) / 300.0 * 25.4
+    small = replace(RESULTS, trades=())
+    pdf, svg, png = (picture(small, f"a.{kind}", paper=paper) for kind in ("pdf", "svg", "png"))
+    box = re.search(rb"/MediaBox \[0 \S+ ([\d.]+) \S+ *\]", pdf)
+    assert box is not None and float(box[1]) / 72.0 * 25.4 == pytest.approx(wide_mm, abs=0.01)
+    fonts = set(re.findall(rb"/Type /Font\s/Subtype /(\w+)", pdf))
+    assert fonts == {b"Type0", b"CIDFontType2"}, "TrueType; none of Type 3"
+    assert pdf.count(b"/FontFile2") == pdf.count(b"/BaseFont") / 2
+    # The page's matrix and that of the painter scale the letters.
+    (size,), outer = set(re.findall(rb"/F\d+ (\S+) Tf", content_of(pdf))), 72.0 / 1200.0
+    scales = set(re.findall(rb"\n(\S+) 0 0 \1 \S+ \S+ cm\n", content_of(pdf)))
+    assert {round(float(size) * float(scale) * outer, 3) for scale in scales} == {letters}
+    text = svg.decode()
+    root = re.search(r'width="([\d.]+)mm".*?viewBox="0 0 ([\d.]+)', text, re.DOTALL)
+    assert root is not None and float(root[1]) == pytest.approx(wide_mm, abs=0.05)
+    (scale,) = set(re.findall(r'transform="matrix\(([\d.]+),0,0,\1,', text))
+    (size,) = set(re.findall(r'font-size="([\d.]+)"', text))
+    px = float(root[1]) / float(root[2])
+    assert float(size) * float(scale) * px / 25.4 * 72.0 == pytest.approx(letters, abs=0.1)
+    with Image.open(io.BytesIO(png)) as image:
+        assert image.size[0] == pytest.approx(parse_length(width), abs=1.0)
+        assert image.info["dpi"] == pytest.approx((300.0, 300.0), abs=0.1)
+        told = image.info["Description"]
+    for part in ("2026-11-21", "Box 7", "softpipe", "letter-f"):
+        assert part in told and part in text.partition("<title>")[2].partition("</title>")[0]
+        assert part.encode("utf-16-be") in pdf.partition(b"/Title")[2]
+
+
+@pytest.mark.usefixtures("qapp")
+def test_curves_are_told_apart_without_their_colours() -> None:
+    names = [f"way {number}" for number in range(len(chart.DASHES))]
+    curves = {name: curve((1e-3, 1e-4), ("", "")) for name in names}
+    (diagram,) = chart.diagrams(sweep("near", (1.0, 2.0), curves))
+    assert len({each.dash for each in diagram.curves}) == len(names)
+    alone = replace(diagram, curves=tuple(replace(c, label="") for c in diagram.curves[1:2]))
+    image = QImage(400, 300, QImage.Format.Format_RGB32)
+    image.fill("white")
+    painter = QPainter(image)
+    DiagramPainter(alone, QSizeF(400.0, 300.0), words_font(), LIGHT).paint(painter)
+    painter.end()
+    blue = [QColor(image.pixel(x, y)).blue() for y in range(300) for x in range(400)]
+    rows = np.reshape(blue, (300, 400))
+    assert (np.diff((rows[60:240, 60:380].min(axis=0) > 200).astype(int)) == 1).sum() > 8, "gaps"
+
+
 def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:
     assert chart.where(RESULTS) == (
         "2026-11-21T08:46:06+00:00 · Box 7, cores: 2, softpipe · frustum-lab 1"
@@ -398,7 +458,9 @@ def test_the_command_draws_a_chart(tmp_path: Path) -> None:
     done = run_here("measure", "--trade=depth", "--quick", "--chart", out)
     assert done.returncode == 0 and done.stderr == ""
     assert out.read_bytes().startswith(b"%PDF")
-    assert refused("measure", "--chart=a.svg") == "--chart = 'a.svg': must end in .png or .pdf.\n"
+    assert refused("measure", "--chart=a.gif") == (
+        "--chart = 'a.gif': must end in .png, .svg or .pdf.\n"
+    )
     assert "no folder /nowhere" in refused("measure", "--chart=/nowhere/a.png")
 
 

@@ -264,14 +264,14 @@ def test_it_is_in_the_dock(display: Any, qtbot: Any) -> None:
 
 def test_the_commands_know_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, out = tmp_path / "shift.json", tmp_path / "shift.png"
-    file.write_text(to_json(Document(projection=Projection(lens=SHIFT))))
+    file.write_text(to_json(Document(projection=Projection(lens=SHIFT))), encoding="utf-8")
     assert cli.main(["export", str(out), str(file), "--panes=image", "--size=160x90"]) == 0
     assert read(out).projection.lens == SHIFT
     assert cli.main(["matrices", str(file), "--format", "json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["clip_from_view"][1][2] == 0.4
     points = tmp_path / "points.csv"
-    points.write_text("0.5,1,0.25\n")
+    points.write_text("0.5,1,0.25\n", encoding="utf-8")
     assert cli.main(["project", str(file), str(points), "--format", "json"]) == 0
     (point,) = json.loads(capsys.readouterr().out)["points"]
     assert point["image"] == pytest.approx(Projection(lens=SHIFT).trace(POINTS[0]).image.tolist())

@@ -144,11 +144,11 @@ def test_a_large_file_arrives_whole_from_its_process(
 
 
 def test_a_mesh_in_place_of_a_subject_needs_a_surface(tmp_path: Path) -> None:
-    (tmp_path / "m.obj").write_text(SQUARE + "l 1 2\n")
+    (tmp_path / "m.obj").write_text(SQUARE + "l 1 2\n", encoding="utf-8")
     with pytest.raises(Refusal) as refused:
         load("similar-triangles", mesh=str(tmp_path / "m.obj"))
     assert refused.value.bound == scene.NO_SURFACE
-    (tmp_path / "m.obj").write_text(SQUARE + "f 1 2 3\nl 1 3\np 4\n")
+    (tmp_path / "m.obj").write_text(SQUARE + "f 1 2 3\nl 1 3\np 4\n", encoding="utf-8")
     placed = load("similar-triangles", mesh=str(tmp_path / "m.obj"))
     assert placed.surface is not None
     # Lines and dots move with the faces.

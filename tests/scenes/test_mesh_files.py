@@ -60,7 +60,7 @@ def obj(folder: Path, text: str) -> Mesh:
 
 
 def scene_of_obj(folder: Path, text: str) -> Scene:
-    (folder / "m.obj").write_text(text)
+    (folder / "m.obj").write_text(text, encoding="utf-8")
     return load(str(folder / "m.obj"))
 
 
@@ -197,7 +197,7 @@ def test_obj_larger_than_a_block_is_read_across_the_seams(
 ) -> None:
     obj_file(tmp_path / "m.obj", PYRAMID)
     whole = mesh_files.read(tmp_path / "m.obj")
-    (tmp_path / "bad.obj").write_text("v 0 0 0\n# a\n" * 3 + "v 1 x 0\n")
+    (tmp_path / "bad.obj").write_text("v 0 0 0\n# a\n" * 3 + "v 1 x 0\n", encoding="utf-8")
     for block in (1, 7, 64):
         monkeypatch.setattr(mesh_files, "BLOCK", block)
         found = mesh_files.read(tmp_path / "m.obj")
@@ -329,7 +329,7 @@ def test_faces_of_ply_by_another_name_are_refused_by_it(tmp_path: Path) -> None:
     path = tmp_path / "m.ply"
     xyz = "".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID.tolist())
     header = ply_header("ascii", 5, 1).replace("element face", "element trifans")
-    path.write_text(f"{header}{xyz}4 0 1 2 3\n")
+    path.write_text(f"{header}{xyz}4 0 1 2 3\n", encoding="utf-8")
     assert refused(path).limits[1:] == ("element trifans",)
 
 
@@ -422,7 +422,9 @@ def test_vertices_that_are_not_finite_and_unused_are_left_out(tmp_path: Path) ->
     found = obj(tmp_path, THREE + "v -1.#IND 0 0\nv 5 5 5\nv 0 -inf 0 # a\nf 1 2 3\nl 1 5\n")
     assert found.notes == [(mesh.UNUSED_LINE, 2, 6, 4)]
     assert len(found.points) == 4
-    (tmp_path / "line.obj").write_text(THREE + "v nan 0 0\nf 1 2 3\nl 3 1\nl 1 2 4\n")
+    (tmp_path / "line.obj").write_text(
+        THREE + "v nan 0 0\nf 1 2 3\nl 3 1\nl 1 2 4\n", encoding="utf-8"
+    )
     error = refused(tmp_path / "line.obj")
     assert (error.bound, error.limits[1:]) == (mesh.NOT_FINITE_LINE, (4, 7))
     points = np.vstack([PYRAMID, [[math.nan, 0, 0]]]).astype("<f8")
@@ -438,7 +440,7 @@ def test_dots_that_are_not_finite_are_left_out(tmp_path: Path) -> None:
     assert found.dot_rgb is not None
     assert found.dot_rgb.tolist() == [[255, 0, 0], [0, 0, 255]]
     assert found.notes == [(mesh.UNUSED_LINE, 1, 3, 2)]
-    (tmp_path / "m.obj").write_text("v nan 0 0\nv 0 inf 0\n")
+    (tmp_path / "m.obj").write_text("v nan 0 0\nv 0 inf 0\n", encoding="utf-8")
     assert refused(tmp_path / "m.obj").bound == mesh.NOT_FINITE
 
 
@@ -457,7 +459,7 @@ def test_a_triangle_of_a_repeated_corner_is_left_out_with_a_note(tmp_path: Path)
     for named in ([0, 1, 2], [0, 1, 1], [0, 2, 3]):
         vertices = "".join(f"vertex {x!r} {y!r} {z!r}\n" for x, y, z in PYRAMID[named].tolist())
         text += f"facet normal 0 0 1\nouter loop\n{vertices}endloop\nendfacet\n"
-    (tmp_path / "m.stl").write_text(text + "endsolid\n")
+    (tmp_path / "m.stl").write_text(text + "endsolid\n", encoding="utf-8")
     content, body = gltf_parts(PYRAMID)
     indices = next(each for each in content["accessors"] if each["type"] == "SCALAR")
     view = content["bufferViews"][indices["bufferView"]]
@@ -495,11 +497,11 @@ def test_the_cause_of_a_fault_is_named(
 
 def test_what_other_programs_write_is_read(tmp_path: Path) -> None:
     stl_text_file(tmp_path / "a.stl", PYRAMID)
-    text = (tmp_path / "a.stl").read_text()
+    text = (tmp_path / "a.stl").read_text(encoding="utf-8")
     name = text.split("\n")[0]
     for changed in (f"# made by hand\n\n# {name}\n{text}",
                     text.replace(name, "solid facet normal vertex loop", 1)):  # fmt: skip
-        (tmp_path / "m.stl").write_text(changed)
+        (tmp_path / "m.stl").write_text(changed, encoding="utf-8")
         assert len(mesh_files.read(tmp_path / "m.stl").points) == 5
     ply_file(tmp_path / "a.ply", PYRAMID)
     data = (tmp_path / "a.ply").read_bytes()
@@ -573,7 +575,7 @@ def test_gltf_with_its_data_in_a_file_beside_it(tmp_path: Path) -> None:
     content["buffers"][0]["uri"] = "the%20data.bin"
     content["images"] = [{"uri": "missing.png"}]  # textures are neither drawn nor required
     (tmp_path / "the data.bin").write_bytes(body)
-    (tmp_path / "m.gltf").write_text(json.dumps(content))
+    (tmp_path / "m.gltf").write_text(json.dumps(content), encoding="utf-8")
     assert load(str(tmp_path / "m.gltf")).upper == tuple(PYRAMID.max(axis=0))
 
 
@@ -614,7 +616,8 @@ def ply_of_two(
     path.write_text(
         ply_header("ascii", 4, 2, vertex_rgb, face_rgb)
         + body
-        + (faces_text or "3 0 1 2\n3 1 3 2\n")
+        + (faces_text or "3 0 1 2\n3 1 3 2\n"),
+        encoding="utf-8",
     )
     found: list[list[int]] = rgb(load(str(path))).tolist()
     return found
@@ -654,7 +657,7 @@ def test_ply_colours_of_faces_of_mixed_sizes_are_kept(tmp_path: Path) -> None:
 
 def test_one_colour_for_the_whole_mesh_is_lit_so_that_its_shape_is_seen(tmp_path: Path) -> None:
     obj_file(tmp_path / "m.obj", PYRAMID)
-    rows = (tmp_path / "m.obj").read_text().splitlines()
+    rows = (tmp_path / "m.obj").read_text(encoding="utf-8").splitlines()
     rows = [f"{row} 1 0.5 0" if row.startswith("v ") else row for row in rows]
     colours = rgb(scene_of_obj(tmp_path, "\n".join(rows))).astype(float)
     assert len(np.unique(colours[1:], axis=0)) == 4
@@ -985,7 +988,7 @@ def test_every_refusal_is_one_sentence_with_what_to_do(
     assert len(templates) > 15
     for template in templates:
         assert template.startswith("{0}: ") and ";" in template and template.endswith(".")
-    (tmp_path / "m.obj").write_text("f 1 2 3\n")
+    (tmp_path / "m.obj").write_text("f 1 2 3\n", encoding="utf-8")
     sentence = str(refused(tmp_path / "m.obj"))
     assert sentence.startswith(f"{tmp_path / 'm.obj'}: line 1 names a vertex")
     assert capfd.readouterr() == ("", "")
@@ -1041,12 +1044,12 @@ def test_gltf_reads_files_of_its_own_folder_only(address: str, tmp_path: Path) -
         (folder / "linked").symlink_to(tmp_path)
         os.mkfifo(folder / "pipe.bin")
     content["buffers"][0]["uri"] = address
-    (folder / "m.gltf").write_text(json.dumps(content))
+    (folder / "m.gltf").write_text(json.dumps(content), encoding="utf-8")
     assert refused(folder / "m.gltf").bound == mesh.PART
     (folder / "sub").mkdir()
     (folder / "sub" / "m.bin").write_bytes(body)
     content["buffers"][0]["uri"] = "sub/m.bin"
-    (folder / "m.gltf").write_text(json.dumps(content))
+    (folder / "m.gltf").write_text(json.dumps(content), encoding="utf-8")
     assert len(reading.read(folder / "m.gltf").points) == 5
 
 
@@ -1072,9 +1075,9 @@ def bomb(folder: Path, nodes: int, primitives: int) -> Path:
 
 def test_a_mesh_that_would_grow_too_large_is_refused_by_its_counts(tmp_path: Path) -> None:
     path = bomb(tmp_path, 50_000, 100)
-    content = json.loads(path.read_text())
+    content = json.loads(path.read_text(encoding="utf-8"))
     content["buffers"][0]["uri"] = "gone.bin"  # nothing is read before
-    path.write_text(json.dumps(content))
+    path.write_text(json.dumps(content), encoding="utf-8")
     error = refused(path)
     assert error.bound == mesh.TOO_MUCH
     assert error.limits[1::2] == (30_000_000, mesh.LARGEST[0])
@@ -1115,8 +1118,8 @@ def test_a_large_file_is_the_same_read_in_a_process(
 ) -> None:
     ply_file(tmp_path / "m.ply", PYRAMID + 1e7 + 0.1)
     gltf_file(tmp_path / "m.glb", PYRAMID)
-    (tmp_path / "m.obj").write_text(THREE + "f 1 2 9\n")
-    (tmp_path / "small.obj").write_text(THREE + "f 1 2\nf 1 2 3\nv nan 0 0\n")
+    (tmp_path / "m.obj").write_text(THREE + "f 1 2 9\n", encoding="utf-8")
+    (tmp_path / "small.obj").write_text(THREE + "f 1 2\nf 1 2 3\nv nan 0 0\n", encoding="utf-8")
     names = ("m.ply", "m.glb", "small.obj")
     here = [reading.read(tmp_path / name) for name in names]
     refusal_here = str(refused(tmp_path / "m.obj"))

@@ -7,14 +7,12 @@ import inspect
 import math
 import random
 import re
-import tomllib
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
-from app.bootstrap import ROOT
 from app.model.lenses import central, oblique, orthographic
 from app.model.limits import PLANES
 from app.model.parameter import Parameter, Settings
@@ -194,19 +192,6 @@ def test_the_code_uses_every_word_of_the_content_file(phenomenon: Phenomenon) ->
     for key in phenomenon.words:  # or put together, from "kind-" and 1
         hyphen = key.find("-")
         assert used & {key, key[: hyphen + 1], key[hyphen:]}, key
-
-
-def test_a_wheel_has_the_content_files() -> None:
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    packed = project["tool"]["setuptools"]["package-data"]
-    folders = [
-        folder.relative_to(ROOT)
-        for part in ("app", "widgets")
-        for folder in (ROOT / part).rglob("content")
-    ]
-    assert len(folders) > 1
-    for folder in folders:
-        assert "content/*" in packed[".".join(folder.parent.parts)], folder
 
 
 @EVERY

@@ -205,7 +205,9 @@ def test_a_mesh_at_the_limits_has_a_share_or_a_reason(tmp_path: Path) -> None:
             shares += 1
     assert shares > 20
     path = tmp_path / "lines.obj"
-    path.write_text("v 0 0 0\nv 1 1 1\nv 2 2 2\nv 0 1 0\nv 0 3 0\nf 1 2 3\nf 1 4 5\n")
+    path.write_text(
+        "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 0 1 0\nv 0 3 0\nf 1 2 3\nf 1 4 5\n", encoding="utf-8"
+    )
     subject = load("depth-buffer", mesh=str(path)).subject
     reading = PHENOMENON.show(PHENOMENON.start, PHENOMENON.checked({}), subject).readings[0]
     assert reading.value is None and reading.note is not None

@@ -179,7 +179,9 @@ def test_faces_that_take_too_long_are_refused(
     """A random outline crosses itself a million times."""
     places = np.random.default_rng(5).uniform(size=(8_000, 2)).tolist()
     lines = [f"v {x} {y} 0" for x, y in places]
-    (tmp_path / "m.obj").write_text("\n".join([*lines, f"f {' '.join(map(str, range(1, 8_001)))}"]))
+    (tmp_path / "m.obj").write_text(
+        "\n".join([*lines, f"f {' '.join(map(str, range(1, 8_001)))}"]), encoding="utf-8"
+    )
     monkeypatch.setattr(reading, "DIVIDING_S", 0.2)
     with pytest.raises(Refusal) as caught:
         reading.read(tmp_path / "m.obj")
@@ -193,7 +195,7 @@ HOLE = (
 
 
 def test_a_hole_is_empty_and_its_bridge_is_no_edge(tmp_path: Path) -> None:
-    (tmp_path / "hole.obj").write_text(HOLE)
+    (tmp_path / "hole.obj").write_text(HOLE, encoding="utf-8")
     scene = load(str(tmp_path / "hole.obj"))
     assert scene.surface is not None
     assert pv.wrap(scene.surface).area == pytest.approx(12.0, rel=1e-6)
@@ -223,7 +225,7 @@ def test_normals_of_polygons_do_not_depend_on_their_first_corner() -> None:
 def test_large_polygons_of_a_small_file_are_divided_in_a_process(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (tmp_path / "hole.obj").write_text(HOLE)
+    (tmp_path / "hole.obj").write_text(HOLE, encoding="utf-8")
     monkeypatch.setattr(reading, "SMALL_POLYGONS", 9)
     started: list[object] = []
     popen = subprocess.Popen

@@ -286,7 +286,9 @@ def test_a_large_mesh_in_a_phenomenon_has_its_longest_edges(
     faces = np.concatenate([faces, random.permuted(faces, axis=0)])
     faces = faces[[len(set(face)) == 3 for face in faces.tolist()]]
     path = tmp_path / "many.obj"
-    path.write_text("\n".join(lines + [f"f {a} {b} {c}" for a, b, c in faces.tolist()]))
+    path.write_text(
+        "\n".join(lines + [f"f {a} {b} {c}" for a, b, c in faces.tolist()]), encoding="utf-8"
+    )
     mesh = load("affine-depth", mesh=str(path)).subject.mesh
     assert mesh is not None and mesh.more_triangles
     assert len(mesh.edges) == 200 and len(mesh.triangles) == SUBJECT_TRIANGLES
@@ -306,7 +308,7 @@ def test_a_mesh_of_points_in_a_phenomenon_has_an_edge(tmp_path: Path) -> None:
     """Each face is a point, but not the same one."""
     path = tmp_path / "points.obj"
     points = "".join(3 * f"v {place}\n" for place in ("0 0 0", "1 0 0", "1 1 0"))
-    path.write_text(f"{points}f 1 2 3\nf 4 5 6\nf 7 8 9\n")
+    path.write_text(f"{points}f 1 2 3\nf 4 5 6\nf 7 8 9\n", encoding="utf-8")
     for name in ("interpolation", "affine-depth", "eye-plane"):
         scene = load(name, mesh=str(path))
         mesh, phenomenon = scene.subject.mesh, scene.phenomenon
@@ -339,7 +341,7 @@ def test_a_mesh_that_no_scene_can_take_is_refused(tmp_path: Path) -> None:
     for wrong in (str(tmp_path / "m.xyz"), str(tmp_path / "none.obj")):
         with pytest.raises(Refusal, match="no such file"):
             load("similar-triangles", mesh=wrong)
-    (tmp_path / "m.txt").write_text("hello")
+    (tmp_path / "m.txt").write_text("hello", encoding="utf-8")
     with pytest.raises(Refusal, match="must end in"):
         load("similar-triangles", mesh=str(tmp_path / "m.txt"))
     fractions: list[float] = []
@@ -386,7 +388,7 @@ def refusal(name: str) -> str:
 
 
 def test_other_endings_are_answered_with_the_list(tmp_path: Path) -> None:
-    (tmp_path / "mesh.off").write_text("OFF\n")
+    (tmp_path / "mesh.off").write_text("OFF\n", encoding="utf-8")
     sentence = refusal(str(tmp_path / "mesh.off"))
     assert str(tmp_path / "mesh.off") in sentence
     assert all(ending in sentence for ending in ENDINGS)

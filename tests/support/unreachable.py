@@ -17,7 +17,7 @@ def unreachable(folder: Path, ending: str, monkeypatch: pytest.MonkeyPatch) -> l
 
     Root may enter every folder, so the system's answer to the last one is given here.
     """
-    (folder / "file").write_text("in the way")
+    (folder / "file").write_text("in the way", encoding="utf-8")
     (folder / f"loop{ending}").symlink_to(f"loop{ending}")
     stat, closed = os.stat, str(folder / "closed")
 

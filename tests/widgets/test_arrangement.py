@@ -339,7 +339,7 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     assert QApplication.clipboard().mimeData().hasImage()
     drawn = replace(figure, panes=("ndc",), size=Size(2, 2, "cm"), text_pt=None, hidden="grey")
     assert window.pictures.export(tmp_path / "a.svg", drawn)
-    text = (tmp_path / "a.svg").read_text()
+    text = (tmp_path / "a.svg").read_text(encoding="utf-8")
     assert 'width="20mm"' in text and "<desc>The eye is at (" in text
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import tomllib
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise, product
@@ -20,7 +19,6 @@ from PySide6.QtTest import QSignalSpy, QTest
 from PySide6.QtWidgets import QApplication, QWidget
 from pytestqt.qtbot import QtBot
 
-from app.bootstrap import ROOT
 from app.document.document import Document
 from app.measure import arithmetic, chart, depth, interpolation, smoothing
 from app.measure import results as kept
@@ -143,16 +141,11 @@ def test_it_opens_with_the_results_of_another_machine_in_grey(
     assert hue_of(panel) < 40, "only what was measured is replaced"
 
 
-def test_the_results_that_the_program_brings_name_no_place_and_are_packed() -> None:
+def test_the_results_that_the_program_brings_name_no_place() -> None:
     assert not re.search(r"[/\\](?!u00)\w{3,}|home|user", SHIPPED.read_text(encoding="utf-8"))
     results = read_results(SHIPPED)
     assert re.fullmatch(r"[A-Za-z]+ [\d.]+", results.machine["system"]), "no name of its own"
     assert results.complete and set(split(results)) == set(chart.TITLES)
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-    packed = project["tool"]["setuptools"]["package-data"]
-    for folder in (ROOT / "app").rglob("content"):
-        package = ".".join(folder.parent.relative_to(ROOT).parts)
-        assert packed[package] == ["content/*"]
 
 
 def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> None:
@@ -202,8 +195,10 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
         assert panel.export(tmp_path / f"depth.{ending}")
     assert succeeded.count() == 4
     trade = panel.measured["depth"].trades[0]
-    assert (tmp_path / "depth.csv").read_text() == to_csv(trade)
-    assert from_json((tmp_path / "depth.json").read_text()) == panel.measured["depth"]
+    assert (tmp_path / "depth.csv").read_text(encoding="utf-8") == to_csv(trade)
+    assert (
+        from_json((tmp_path / "depth.json").read_text(encoding="utf-8")) == panel.measured["depth"]
+    )
     assert (tmp_path / "depth.png").read_bytes().startswith(b"\x89PNG")
     assert (tmp_path / "depth.pdf").read_bytes().startswith(b"%PDF")
     assert not panel.export(tmp_path / "depth.doc") and "must end in one of" in refused.at(1)[0]
@@ -224,7 +219,7 @@ def test_several_measurements_run_together_and_are_shown_and_exported_one_by_one
     assert rows[-1][:-1] == own_rows[-1][:-1]
     assert rows[-1][-1] == "Box 9, 2020-02-02T00:00:00+00:00"
     assert panel.export(tmp_path / "both.csv")
-    assert (tmp_path / "both.csv").read_text().count("choice,cost_B") == 2
+    assert (tmp_path / "both.csv").read_text(encoding="utf-8").count("choice,cost_B") == 2
     qtbot.mouseClick(panel.forget_button, Qt.MouseButton.LeftButton)
     assert cells(panel) == own_rows and panel.measured["depth"] is mine
 
@@ -233,7 +228,7 @@ def test_an_unsaved_document_is_measured_with_its_mesh(
     qtbot: QtBot, document: Document, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     mesh = tmp_path / "triangle.obj"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     monkeypatch.chdir(tmp_path)  # where the process is not
     start = load(str(mesh)).start
     changed = Document("triangle.obj", replace(start, lens=replace(start.lens, far=77.5)))

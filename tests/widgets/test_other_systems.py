@@ -2,49 +2,109 @@
 
 from __future__ import annotations
 
+import ctypes
 import re
+import subprocess
 import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
+import numpy as np
+import PySide6
 import pytest
+from PIL import Image
 from PySide6.QtCore import Qt
 from PySide6.QtGui import QFontDatabase, QFontInfo, QKeySequence, QWindowStateChangeEvent
 
-from widgets.parts import plain, typeset
+from app.bootstrap import ROOT
+from tests.widgets import test_lesson_card as card
+from widgets.parts import layouts, plain, typeset
 from widgets.parts.layouts import push_button
 from widgets.program import application, opengl
-from widgets.window.actions import ways_to_press
+from widgets.window.help import ways_to_press
 
 SOFTWARE = opengl.OpenGL("3.3 Mesa 20.0", "llvmpipe", software=True)
 CARD = opengl.OpenGL("4.6", "a graphics card", software=False)
 
 
 @pytest.mark.parametrize(
-    ("found", "asked", "draws", "canvas"),
+    ("offered", "asked", "draws", "canvas", "is_through_qt"),
     [
-        (SOFTWARE, None, False, "opengl"),  # Qt brings its own, and VTK alone gets OpenGL 1.1
-        (SOFTWARE, "raster", False, "opengl"),
-        (SOFTWARE, None, True, "raster"),
-        (CARD, None, False, "opengl"),
-        (None, None, True, "raster"),
+        (SOFTWARE, None, False, "raster", True),  # Qt brings its own; VTK alone gets OpenGL 1.1
+        (SOFTWARE, "opengl", False, "opengl", True),  # figures and comparisons are off the screen
+        (SOFTWARE, None, True, "raster", False),
+        (CARD, None, False, "opengl", False),
+        (None, None, True, "raster", False),
     ],
 )
 def test_windows_without_a_driver_draws_where_it_can(
-    found: opengl.OpenGL | None,
+    offered: opengl.OpenGL | None,
     asked: str | None,
     draws: bool,
     canvas: str,
+    is_through_qt: bool,
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     def probe() -> opengl.OpenGL:
-        if found is None:
+        if offered is None:
             raise opengl.DisplayError("No OpenGL could be started.")
-        return found
+        return offered
 
+    through: list[bool] = []
     monkeypatch.setattr(sys, "platform", "win32")
     monkeypatch.setattr(opengl, "probe", probe)
+    monkeypatch.setattr(opengl, "draw_through_qt", lambda: through.append(True))
     monkeypatch.setattr(application, "draws_off_screen", lambda: draws)
     assert application.find_graphics(application.Options(canvas=asked))[1] == canvas
+    assert bool(through) == is_through_qt
+
+
+WITHOUT_A_DRIVER = """
+import sys
+from app.commands import arguments, cli
+from app.drawings import off_screen
+from widgets.program import application
+
+class Windows:
+    platform = "win32"
+    def __getattr__(self, name):
+        return getattr(sys, name)
+
+def check():
+    if off_screen.make_window is None:
+        raise RuntimeError("There is OpenGL 1.1.")
+
+off_screen.check_off_screen = check
+off_screen.vtkRenderWindow = lambda: sys.exit("VTK ends the process")
+arguments.sys = application.sys = Windows()
+sys.exit(cli.main(sys.argv[1:]))
+"""
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "export OUT --set scene=focus",
+        "--screenshot OUT --canvas raster --set scene=letter-f",
+        "--screenshot OUT --canvas raster --set scene=depth-buffer",
+    ],
+)
+def test_what_is_drawn_through_qt_is_the_same(words: str, tmp_path: Path) -> None:
+    """Also what a scene draws off the screen by itself: its blur, its count of wrong pixels."""
+    pictures = []
+    for script in (
+        "import sys; from app.commands import cli; sys.exit(cli.main())",
+        WITHOUT_A_DRIVER,
+    ):
+        out = tmp_path / f"{len(pictures)}.png"
+        command = [sys.executable, "-c", script, *words.replace("OUT", str(out)).split()]
+        subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
+        with Image.open(out) as picture:
+            pictures.append(np.asarray(picture.convert("RGB")))
+    own, through_qt = pictures
+    assert own.std() > 10 and np.array_equal(own, through_qt)
 
 
 def test_without_any_opengl_one_sentence_says_it(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -68,6 +128,25 @@ def test_on_macos_a_button_has_the_shortcut_that_its_tip_promises(
     assert push_button("Fish && chips").shortcut().isEmpty()
 
 
+@pytest.fixture
+def without_mnemonics(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Qt as it is on macOS."""
+    monkeypatch.setattr(layouts, "sys", SimpleNamespace(platform="darwin"))
+    (library,) = Path(PySide6.__file__).parent.glob("Qt/lib/libQt6Gui.so.*")
+    switch = ctypes.CDLL(str(library))["_Z29qt_set_sequence_auto_mnemonicb"]
+    switch(False)
+    assert QKeySequence.mnemonic("H&int").isEmpty()
+    yield
+    switch(True)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="the switch has another name elsewhere")
+@pytest.mark.usefixtures("without_mnemonics")
+def test_on_macos_a_step_shares_the_keys_that_its_tips_promise(window: Any, tmp_path: Path) -> None:
+    """Its hints come by Alt+I."""
+    card.test_the_keys_of_several_questions_are_those_of_the_one_with_the_cursor(window, tmp_path)
+
+
 def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyPatch) -> None:
     class Keys:
         SequenceFormat = QKeySequence.SequenceFormat
@@ -79,6 +158,7 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
             return self.text.replace("Ctrl+", "⌘").replace("Shift+", "⇧").replace("Alt+", "⌥")
 
     texts = "Find it (Ctrl+F)", "press Ctrl+2.", "as Ctrl+Shift+S; Alt+Right", "a + b"
+    monkeypatch.setattr(sys, "platform", "linux")
     assert [*map(plain.with_native_keys, texts)] == [*texts]
     monkeypatch.setattr(sys, "platform", "darwin")
     monkeypatch.setattr(plain, "QKeySequence", Keys)
@@ -89,6 +169,7 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
 
 def test_on_macos_each_function_key_has_a_second_way(monkeypatch: pytest.MonkeyPatch) -> None:
     keys = ["F4", "F5", "Shift+F5", "F6", "F7", "Ctrl+F", "B"]
+    monkeypatch.setattr(sys, "platform", "linux")
     assert [ways_to_press(key) for key in keys] == [[QKeySequence(key)] for key in keys]
     monkeypatch.setattr(sys, "platform", "darwin")
     ways = [[way.toString() for way in ways_to_press(key)] for key in keys]

@@ -210,7 +210,7 @@ def test_a_damaged_file_of_strokes_is_refused_and_set_aside(tmp_path: Path, text
     talk = tmp_path / "talk.md"
     write_strokes(talk, {"one": [Stroke("n", ((0.5, 0.5),))]})
     assert read_strokes(talk) == {"one": (Stroke("n", ((0.5, 0.5),)),)}
-    path_beside(talk).write_text(text)
+    path_beside(talk).write_text(text, encoding="utf-8")
     with pytest.raises(Refusal, match="has no strokes as Frustum Lab writes them"):
         read_strokes(talk)
     write_strokes(talk, {})
@@ -278,7 +278,9 @@ def test_nobody_confuses_the_colours_of_the_pen(style: Style, vision: str) -> No
 
 
 def test_strokes_of_older_files_are_drawn_as_they_were(window: MainWindow, talk: Path) -> None:
-    path_beside(talk).write_text('{"strokes": {"one": [["accent", [0.1, 0.5], [0.9, 0.5]]]}}')
+    path_beside(talk).write_text(
+        '{"strokes": {"one": [["accent", [0.1, 0.5], [0.9, 0.5]]]}}', encoding="utf-8"
+    )
     (stroke,) = read_strokes(talk)["one"]
     window.slide.pen.begin_talk({"one": [stroke]})
     settle()

@@ -107,7 +107,7 @@ def test_no_text_of_a_lesson_or_a_talk_is_marked_up(make_window: MakeWindow, fol
     window = make_window()
     for name, head in (("lesson.md", ""), ("talk.md", "minutes: 5\n")):
         path = folder / name
-        path.write_text(LESSON.replace("title:", f"{head}title:", 1))
+        path.write_text(LESSON.replace("title:", f"{head}title:", 1), encoding="utf-8")
         assert window.files.open(path)
         card = window.lesson_card
         for place in (0, 1):

@@ -431,7 +431,7 @@ def test_every_number_is_the_command_s_to_the_last_digit(
 ) -> None:
     points = [CORNER, (0.1, 1 / 3, -2.0), (40.0, -7.0, 2.0), (9.0, 7.0, 14.0)]
     source = tmp_path / "points.csv"
-    source.write_text("\n".join(",".join(map(repr, point)) for point in points))
+    source.write_text("\n".join(",".join(map(repr, point)) for point in points), encoding="utf-8")
     document = tmp_path / "document.json"
     for lens, depth in (
         (Perspective(45.0, 1.0, 30.0), "reversed"),

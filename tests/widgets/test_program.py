@@ -407,7 +407,9 @@ def test_letters_that_are_uncertain_are_named_in_the_window(opened: str, tmp_pat
     path, text = tmp_path / "old.md", "---\ntitle: Caf\xe9\n---\n# One {#one}\nText.\n"
     if opened == "files":
         path, text = tmp_path / "old.json", to_json(Document("caf\xe9.obj"), str(tmp_path))
-        (tmp_path / "caf\xe9.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+        (tmp_path / "caf\xe9.obj").write_text(
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8"
+        )
     path.write_bytes(text.encode("latin-1"))
     act = "\n".join([
         "from pathlib import Path",
@@ -505,7 +507,7 @@ def test_a_log_on_a_full_disk_ends_with_one_line(
 def test_an_unwritable_log_is_left_out(
     own_home: Path, own_logging: logging.Logger, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (own_home / "file").write_text("in the way")
+    (own_home / "file").write_text("in the way", encoding="utf-8")
     monkeypatch.setenv("XDG_DATA_HOME", str(own_home / "file"))
     assert logs.start_log() is None
 
@@ -816,7 +818,7 @@ def test_ctrl_c_closes_the_window_and_ends_well(own_home: Path) -> None:
         finally:
             process.kill()
         assert process.stderr.read() == ""
-    assert "geometry" in settings_path().read_text()  # it was closed, not killed
+    assert "geometry" in settings_path().read_text(encoding="utf-8")  # it was closed, not killed
     assert not list(own_home.rglob("autosave-*"))
 
 
@@ -919,7 +921,7 @@ def test_a_picture_is_no_place_to_save_in_whatever_its_name(
 
 def test_a_mesh_is_loaded_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     mesh = tmp_path / "once.obj"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     loaded: list[str] = []
 
     def load(name: str, **options: Any) -> Any:

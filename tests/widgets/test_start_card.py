@@ -102,7 +102,7 @@ def test_one_click_or_escape_closes_it(window: MainWindow) -> None:
 def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path) -> None:
     path, lesson = tmp_path / "document with a rather long name.json", tmp_path / "l1.md"
     write(Document("cube", load("cube").start), path)
-    lesson.write_text("---\ntitle: How wide?\n---\n# One {#one}\n")
+    lesson.write_text("---\ntitle: How wide?\n---\n# One {#one}\n", encoding="utf-8")
     settings = Settings(None)
     paths = [path, lesson, *(tmp_path / f"{i}.md" for i in range(9))]
     settings.recent = [str(each) for each in paths]

@@ -126,7 +126,7 @@ def wander(rng: random.Random, store: Store, lessons: Lessons) -> None:
 def walk(display: Any, tmp_path: Path) -> tuple[Store, MessageBar, Lessons]:
     """A lesson without a window."""
     path = tmp_path / "walk.md"
-    path.write_text(WALKED)
+    path.write_text(WALKED, encoding="utf-8")
     store, messages = Store(Document("cube", scene_of(Document("cube")).start)), MessageBar()
     files: Any = StubFiles(store)
     still: Any = SimpleNamespace(  # panes whose cameras do not move
@@ -288,7 +288,7 @@ def speaker_of(window: MainWindow) -> SpeakerWindow:
 def change(window: MainWindow, text: str) -> None:
     """Save the open file with another text."""
     assert window.lessons.lesson is not None
-    window.lessons.lesson.path.write_text(text)
+    window.lessons.lesson.path.write_text(text, encoding="utf-8")
     window.lessons.read_again()
     settle()
 
@@ -826,9 +826,9 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     window: MainWindow, talk: Path, known: bool
 ) -> None:
     mesh = talk.with_name("house.obj")
-    mesh.write_text(TRIANGLE)
+    mesh.write_text(TRIANGLE, encoding="utf-8")
     document = Document(str(mesh), scene_of(Document("cube")).start)
-    talk.with_name("house.json").write_text(to_json(document))
+    talk.with_name("house.json").write_text(to_json(document), encoding="utf-8")
     talk.write_text(MESHES, encoding="utf-8")
     assert window.lessons.open(talk)
     speaker = speaker_of(window)
@@ -840,7 +840,7 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     mesh.unlink()
     for number in range(40):  # no mesh is kept as long as others are asked for
         other = talk.with_name(f"{number}.obj")
-        other.write_text(TRIANGLE)
+        other.write_text(TRIANGLE, encoding="utf-8")
         scene_of(Document(str(other), document.projection))
     shown = window.store.document
     said = f"talk.md: line {MESHES.splitlines().index('document: house.json')} cannot be shown: "
@@ -1155,7 +1155,7 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
     none_kept: None, window: MainWindow, make_window: MakeWindow, tmp_path: Path, qtbot: Any
 ) -> None:
     path = tmp_path / "scenes.md"
-    path.write_text(SCENES)
+    path.write_text(SCENES, encoding="utf-8")
     before = len(drawn_in())
     assert window.lessons.open(path)
     seen = {}

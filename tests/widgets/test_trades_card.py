@@ -96,7 +96,9 @@ def test_each_says_what_is_given_up_and_the_shipped_price(window: MainWindow) ->
         assert said(tile)[:2] == [chart.TITLES[name], GIVEN_UP[name]]
         assert tile.accessibleName() == chart.TITLES[name] and tile.accessibleDescription()
     # Recomputed from the file.
-    trades = {trade["name"]: trade for trade in json.loads(SHIPPED.read_text())["trades"]}
+    trades = {
+        trade["name"]: trade for trade in json.loads(SHIPPED.read_text(encoding="utf-8"))["trades"]
+    }
 
     def row(trade: str, name: str) -> Any:
         return next(c for c in trades[trade]["choices"] if c["name"] == name)

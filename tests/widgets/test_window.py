@@ -432,8 +432,8 @@ def test_save_open_and_the_unsaved_mark(window: MainWindow, tmp_path: Path) -> N
 def test_what_is_left_out_of_a_mesh_is_said(make_window: MakeWindow, tmp_path: Path) -> None:
     mesh, sound = tmp_path / "small.obj", tmp_path / "sound.obj"
     corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"
-    mesh.write_text(f"{corners}f 1 2\nv nan 0 0\n")
-    sound.write_text(corners)
+    mesh.write_text(f"{corners}f 1 2\nv nan 0 0\n", encoding="utf-8")
+    sound.write_text(corners, encoding="utf-8")
     window = make_window(shown=False)
     for act in (window.files.open, window.files.use_mesh):
         assert window.files.open(sound) and window.messages.text == ""
@@ -490,7 +490,9 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
 ) -> None:  # fmt: skip
     mesh, lesson = tmp_path / "bad.obj", tmp_path / "bad.md"
     obj_file(mesh, PYRAMID)
-    lesson.write_text("---\ntitle: Bad\n---\n# A step\n```state\nscene=bad.obj\n```\n")
+    lesson.write_text(
+        "---\ntitle: Bad\n---\n# A step\n```state\nscene=bad.obj\n```\n", encoding="utf-8"
+    )
     assert window.files.open(mesh)
     assert window.files.choose_scene("similar-triangles")
     if way == "read again":
@@ -826,11 +828,14 @@ def test_saving_over_a_file_whose_ending_was_not_typed_asks(
         (".png", window.pictures.export_dialog),
     ):
         path = tmp_path / f"mine{ending}"
-        path.write_text("mine")
+        path.write_text("mine", encoding="utf-8")
         answers = [QMessageBox.StandardButton.Yes, QMessageBox.StandardButton.Cancel]
         asked.clear()
         save()
-        assert asked == [f"mine{ending} already exists."] and path.read_text() == "mine"
+        assert (
+            asked == [f"mine{ending} already exists."]
+            and path.read_text(encoding="utf-8") == "mine"
+        )
         save()
         assert len(asked) == 2 and path.read_bytes() != b"mine"
     assert not (tmp_path / "mine").exists()
@@ -1003,7 +1008,7 @@ def test_a_normal_close_leaves_no_autosave(make_window: MakeWindow) -> None:
 def test_a_broken_autosave_is_one_sentence(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     broken = data_folder() / "autosave-1-aaaa.json"
-    broken.write_text("{")
+    broken.write_text("{", encoding="utf-8")
     window.recovery.offer()
     window.messages.choices[0].click()
     assert "autosave-1-aaaa.json" in window.messages.text
@@ -1076,7 +1081,7 @@ def test_work_can_be_recovered_once_its_missing_mesh_is_back(
 
 def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> None:
     in_the_way = tmp_path / "file"
-    in_the_way.write_text("")
+    in_the_way.write_text("", encoding="utf-8")
     autosave = Autosave(in_the_way / "data", lambda: Document())
     told: list[str] = []
     autosave.failed.connect(told.append)
@@ -1439,7 +1444,9 @@ def test_a_reset_while_the_camera_walks_puts_all_back_and_keeps_the_mesh(
 
 def tetrahedron(folder: Path) -> Path:
     mesh = folder / "tetra.obj"
-    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n")
+    mesh.write_text(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n", encoding="utf-8"
+    )
     return mesh
 
 
@@ -1507,7 +1514,9 @@ def test_a_file_that_is_opened_again_is_read_again(
         act = window.files.use_mesh
     assert act(str(path))
     before = window.shown.scene
-    mesh.write_text(mesh.read_text().replace("v 1 0 0", "v 7 0 0"))
+    mesh.write_text(
+        mesh.read_text(encoding="utf-8").replace("v 1 0 0", "v 7 0 0"), encoding="utf-8"
+    )
     assert act(str(path))
     assert window.shown.scene is not before
     if way != "in the objects' place":  # where it is fitted into their box
@@ -1516,7 +1525,7 @@ def test_a_file_that_is_opened_again_is_read_again(
         if text is None:
             mesh.unlink()
         else:
-            mesh.write_text(text)
+            mesh.write_text(text, encoding="utf-8")
         shown = window.shown.scene
         assert not act(str(path))
         assert "tetra.obj" in window.messages.text
@@ -1527,13 +1536,13 @@ def test_a_file_that_is_opened_again_is_read_again(
 def test_a_long_name_leaves_window_and_panel_as_wide(window: MainWindow, tmp_path: Path) -> None:
     window.resize(1366, 768)
     path = tmp_path / f"{'x' * 200}.obj"
-    path.write_text("")
+    path.write_text("", encoding="utf-8")
     assert not window.files.open(path)
     settle()
     assert path.name in window.messages.text and window.messages.isVisible()
     assert window.width() == 1366
     path = tmp_path / f"{'x' * 100}\n{'y' * 100}.obj"  # which Linux allows
-    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
+    path.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
     assert window.files.open(path)
     window.panels.open(window.scene_panel)
     settle()

@@ -1,4 +1,4 @@
-"""VTK's picture in a QOpenGLWidget, for a canvas with OpenGL.
+"""VTK's pictures through Qt's OpenGL: in a QOpenGLWidget, and off the screen.
 
 As in VTK's QVTKOpenGLNativeWidget, which has no Python: VTK draws into framebuffers of its own in
 Qt's context, and the result is copied into the widget's framebuffer.
@@ -8,10 +8,19 @@ from __future__ import annotations
 
 import ctypes
 import time
+from contextlib import suppress
 from typing import Any
 
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QCloseEvent, QGuiApplication, QOpenGLContext, QResizeEvent, QSurfaceFormat
+from PySide6.QtGui import (
+    QCloseEvent,
+    QGuiApplication,
+    QOffscreenSurface,
+    QOpenGLContext,
+    QResizeEvent,
+    QSurface,
+    QSurfaceFormat,
+)
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkGenericOpenGLRenderWindow
@@ -20,6 +29,54 @@ _WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
 _COLOR_BUFFER, _DRAW_FRAMEBUFFER, _LINEAR = 0x4000, 0x8CA9, 0x2601
 _DEPTH_TEST, _LESS_OR_EQUAL, _SCISSOR_TEST = 0x0B71, 0x0203, 0x0C11
 _Loader = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_char_p)
+
+_MAKE_CURRENT, _IS_CURRENT = "WindowMakeCurrentEvent", "WindowIsCurrentEvent"
+
+
+class _QtOpenGL:
+    """A context of Qt's, in which a window of VTK's draws."""
+
+    def __init__(self, window: Any, context: QOpenGLContext, surface: QSurface) -> None:
+        self._context, self._surface = context, surface
+        window.AddObserver(_MAKE_CURRENT, self.make_current)
+        window.AddObserver(_IS_CURRENT, self._tell_current)
+        # On Windows without a driver, Qt's is not the system's, which VTK would ask.
+        self._load = _Loader(context.getProcAddress)
+        window.SetOpenGLSymbolLoader2(ctypes.cast(self._load, ctypes.c_void_p).value, 0)
+        window.OpenGLInitContext()
+        window.OpenGLInit()
+        state = window.GetState()
+        state.Reset()
+        state.vtkglDepthFunc(_LESS_OR_EQUAL)  # Qt leaves another
+        state.vtkglEnable(_DEPTH_TEST)
+        has_wide_lines = context.format().testOption(_WIDE_LINES)
+        window.SetForceMaximumHardwareLineWidth(0.0 if has_wide_lines else 1.0)
+        window.SetReadyForRendering(True)
+        window.SetOwnContext(0)
+
+    def make_current(self, *_: object) -> None:
+        """Not by a widget's `makeCurrent`, which would bind its framebuffer while VTK draws."""
+        with suppress(RuntimeError):  # Qt may have ended before
+            self._context.makeCurrent(self._surface)
+
+    def _tell_current(self, window: Any, _event: str) -> None:
+        window.SetIsCurrent(QOpenGLContext.currentContext() is self._context)
+
+
+def window_off_screen() -> Any:
+    """Return a window of VTK's that draws through Qt, for `app.drawings.off_screen`."""
+    wanted = QSurfaceFormat.defaultFormat()
+    wanted.setOption(_WIDE_LINES)
+    surface, context = QOffscreenSurface(), QOpenGLContext()
+    surface.setFormat(wanted)
+    surface.create()
+    context.setFormat(wanted)
+    context.create()
+    context.makeCurrent(surface)
+    window = vtkGenericOpenGLRenderWindow()
+    window.SetFrameBlitModeToNoBlit()
+    _QtOpenGL(window, context, surface)  # which its observers keep
+    return window
 
 
 class Interactor(QOpenGLWidget):
@@ -38,8 +95,7 @@ class Interactor(QOpenGLWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         self._resizing = False
-        self._context: QOpenGLContext | None = None
-        self._observers: list[int] = []
+        self._opengl: _QtOpenGL | None = None
         self.renderer: Any = vtkRenderer()
         self.renderer.SetActiveCamera(vtkCamera())
         self.render_window: Any = vtkGenericOpenGLRenderWindow()
@@ -50,46 +106,20 @@ class Interactor(QOpenGLWidget):
 
     def initializeGL(self) -> None:
         window = self.render_window
-        self._context = context = self.context()
-        self._surface = context.surface()
+        context = self.context()
         context.aboutToBeDestroyed.connect(self._release)
-        self._observers = [
-            window.AddObserver("WindowMakeCurrentEvent", self._make_current),
-            window.AddObserver("WindowIsCurrentEvent", self._tell_current),
-        ]
-        # On Windows without a driver, Qt's is not the system's, which VTK would ask.
-        self._load = _Loader(context.getProcAddress)
-        window.SetOpenGLSymbolLoader2(ctypes.cast(self._load, ctypes.c_void_p).value, 0)
-        window.OpenGLInitContext()
-        window.OpenGLInit()
-        state = window.GetState()
-        state.Reset()
-        state.vtkglDepthFunc(_LESS_OR_EQUAL)  # Qt leaves another
-        state.vtkglEnable(_DEPTH_TEST)
-        has_wide_lines = context.format().testOption(_WIDE_LINES)
-        window.SetForceMaximumHardwareLineWidth(0.0 if has_wide_lines else 1.0)
-        window.SetReadyForRendering(True)
-        window.SetOwnContext(0)
-
-    def _make_current(self, *_: object) -> None:
-        """Not by the widget's `makeCurrent`, which would bind its framebuffer while VTK draws."""
-        if self._context is not None:
-            self._context.makeCurrent(self._surface)
-
-    def _tell_current(self, *_: object) -> None:
-        is_current = self._context is not None and QOpenGLContext.currentContext() is self._context
-        self.render_window.SetIsCurrent(is_current)
+        self._opengl = _QtOpenGL(window, context, context.surface())
 
     def _release(self) -> None:
         """Free what VTK has in the context, while it is there; nothing is drawn afterwards."""
-        if self._context is None:
+        if self._opengl is None:
             return
-        self._make_current()
+        self._opengl.make_current()
         self.render_window.Finalize()
         self.render_window.SetReadyForRendering(False)
-        while self._observers:  # VTK would keep this widget
-            self.render_window.RemoveObserver(self._observers.pop())
-        self._context = None
+        for event in (_MAKE_CURRENT, _IS_CURRENT):
+            self.render_window.RemoveObservers(event)
+        self._opengl = None
 
     def closeEvent(self, event: QCloseEvent) -> None:
         self._release()

@@ -1,9 +1,10 @@
-"""Draw the charts of measurements into a picture or a PDF, also without a window."""
+"""Draw the charts of measurements into a picture, an SVG or a PDF, also without a window."""
 
 import re
 import textwrap
 from collections.abc import Callable, Mapping
 from functools import partial
+from typing import NamedTuple
 
 from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, QSizeF, Qt, QUuid
 from PySide6.QtGui import (
@@ -12,11 +13,14 @@ from PySide6.QtGui import (
     QGuiApplication,
     QImage,
     QPageSize,
+    QPaintDevice,
     QPainter,
     QPdfWriter,
 )
+from PySide6.QtSvg import QSvgGenerator
 
-from app.drawings.style import LIGHT
+from app.document.lengths import DPI, Size
+from app.drawings.style import PALETTES, Style
 from app.measure import chart
 from app.measure.meaning import meaning
 from app.measure.results import Measurements, Sweep, Trade
@@ -29,8 +33,22 @@ ONE_PX, COLUMN_PX, ROW_PX = QSizeF(800.0, 490.0), 550.0, 350.0
 """Size of a picture of one chart with its notes, and of each chart of a larger picture."""
 GAP_PX, FONT_PX, NOTE_LETTERS = 8.0, 12, 0.15
 """NOTE_LETTERS is the most letters in a line of the notes, per pixel of width."""
-DPI, PX_PER_INCH = 1200, 100
-_DATES = rb"/(Creation|Mod)Date \(.*?\)"
+PX_PER_INCH, TEXT_PT = 100.0, 7.0  # of a picture without and with a size
+_PDF_DPI = 1200
+_DATES, _BOX = rb"/(Creation|Mod)Date \(.*?\)", rb"(/MediaBox )(\[[^]]*\])"
+
+
+class Paper(NamedTuple):
+    """How a chart is printed, as in `Figure`; sized, it has one size of letters and no notes."""
+
+    size: Size | None = None
+    width: float | None = None
+    text_pt: float | None = None
+    palette: str = "screen"
+
+    @property
+    def is_sized(self) -> bool:
+        return bool(self.size or self.width or self.text_pt)
 
 
 def picture(
@@ -39,6 +57,7 @@ def picture(
     current: Mapping[str, str] | None = None,
     other: Measurements | None = None,
     translate: Callable[[str], str] = str,
+    paper: Paper | None = None,
 ) -> bytes:
     """Draw all charts of some results; return the bytes of the file.
 
@@ -61,44 +80,90 @@ def picture(
         said = meaning(part, translate) if isinstance(part, Trade) else "-"
         diagrams = chart.diagrams(part, current, over, name, translate)
         shown += diagrams or [f"{chart.title(part, translate)}\n\n{said}"]
-    lines = [chart.seen(results, translate), chart.where(results)]
+    paper, lines = paper or Paper(), [chart.seen(results, translate), chart.where(results)]
+    about = "; ".join([*(chart.title(part, translate) for part in parts), *lines])
     if len(parts) == 1 and isinstance(parts[0], Trade):
         lines.insert(0, meaning(parts[0], translate))
-    rows = max(1, -(-len(shown) // 2))
-    size = ONE_PX if len(shown) == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
-    draw = partial(_paint, size=size, font=font, shown=shown, lines=lines)
-    if file.lower().endswith(".pdf"):
-        buffer = QBuffer()
-        buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-        writer = QPdfWriter(buffer)
-        writer.setResolution(DPI)
-        writer.setPageSize(QPageSize(size / PX_PER_INCH, QPageSize.Unit.Inch))
-        writer.setPageMargins(QMarginsF())
-        writer.setDocumentXmpMetadata(b"<metadata/>")  # Qt's own have the time, and a random id
-        writer.setDocumentId(QUuid())
-        painter = QPainter(writer)
-        painter.scale(DPI / PX_PER_INCH, DPI / PX_PER_INCH)
-        draw(painter)
-        painter.end()
-        # The same results give the same file at any time; its offsets stay right.
-        return re.sub(_DATES, lambda date: b" " * len(date[0]), bytes(buffer.data().data()))
-    image = QImage(size.toSize(), QImage.Format.Format_RGB32)
-    image.fill(LIGHT.background)
-    painter = QPainter(image)
-    draw(painter)
-    painter.end()
-    return png_of(image)
+    per_inch = PX_PER_INCH
+    if paper.is_sized:  # then the letters' size is a whole number of pixels
+        per_inch, lines = FONT_PX * 72.0 / (paper.text_pt or TEXT_PT), []
+    size, style = _size(paper, per_inch, len(shown)), PALETTES[paper.palette]
+    draw = partial(
+        _paint, size=size, font=font, shown=shown, lines=lines, style=style, sized=paper.is_sized
+    )
+    if file.lower().endswith(".png"):
+        finer = DPI / per_inch if paper.is_sized else 1.0
+        image = QImage((size * finer).toSize(), QImage.Format.Format_RGB32)
+        image.setDotsPerMeterX(round(per_inch * finer / 0.0254))
+        image.setDotsPerMeterY(round(per_inch * finer / 0.0254))
+        image.setText("Description", about)
+        image.fill(style.background)
+        draw(image, finer)
+        return png_of(image)
+    buffer = QBuffer()
+    buffer.open(QBuffer.OpenModeFlag.WriteOnly)
+    if file.lower().endswith(".svg"):
+        drawn = QSvgGenerator()
+        drawn.setOutputDevice(buffer)
+        drawn.setTitle(about)
+        drawn.setResolution(_PDF_DPI)
+        finer = _PDF_DPI / per_inch
+        drawn.setSize((size * finer).toSize())
+        drawn.setViewBox(QRectF(QPointF(), size * finer))
+        draw(drawn, finer)
+        return bytes(buffer.data().data())
+    writer = QPdfWriter(buffer)
+    writer.setTitle(about)
+    writer.setResolution(_PDF_DPI)
+    writer.setPageSize(QPageSize(size / per_inch, QPageSize.Unit.Inch))
+    writer.setPageMargins(QMarginsF())
+    writer.setDocumentXmpMetadata(b"<metadata/>")  # Qt's own have the time, and a random id
+    writer.setDocumentId(QUuid())
+    draw(writer, _PDF_DPI / per_inch)
+    wide, high = (side * 72.0 / per_inch for side in (size.width(), size.height()))
+    box = b"[0 %.4f %.4f %d]" % (round(high) - high, wide, round(high))  # Qt has whole points
+    # The same results give the same file at any time; its offsets stay right.
+    file_bytes = re.sub(_DATES, lambda date: b" " * len(date[0]), bytes(buffer.data().data()))
+    return re.sub(_BOX, lambda old: old[1] + box.ljust(len(old[2])), file_bytes)
+
+
+def _size(paper: Paper, per_inch: float, charts: int) -> QSizeF:
+    """The picture's size in pixels of the layout."""
+    rows = -(-charts // 2)
+    usual = ONE_PX if charts == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
+    if paper.size is not None:
+        return QSizeF(*paper.size.px) * (per_inch / DPI)
+    if paper.width is None:
+        return usual
+    width = paper.width * per_inch / DPI
+    columns = _columns(charts, width)
+    return QSizeF(width, width / columns * ROW_PX / COLUMN_PX * -(-charts // columns))
+
+
+def _columns(charts: int, width: float) -> int:
+    return 1 if charts == 1 or width < COLUMN_PX else 2
 
 
 def _paint(
-    painter: QPainter, size: QSizeF, font: QFont, shown: list[Diagram | str], lines: list[str]
+    device: QPaintDevice,
+    finer: float,
+    *,
+    size: QSizeF,
+    font: QFont,
+    shown: list[Diagram | str],
+    lines: list[str],
+    style: Style,
+    sized: bool,
 ) -> None:
     """Paint the charts, or why there is none, in one column or two, and the notes below."""
-    width, columns = size.width(), 1 if len(shown) == 1 else 2
+    painter = QPainter(device)
+    painter.scale(finer, finer)
+    width = size.width()
+    columns = _columns(len(shown), width)
     notes = [n for line in lines for n in textwrap.wrap(line, round(NOTE_LETTERS * width))]
-    painter.setFont(resized(font, SMALL))
-    painter.setPen(QColor(LIGHT.muted))
-    height = painter.fontMetrics().height() * len(notes) + GAP_PX
+    painter.setFont(font if sized else resized(font, SMALL))
+    painter.setPen(QColor(style.muted))
+    height = painter.fontMetrics().height() * len(notes) + GAP_PX if notes else 0.0
     top = size.height() - height
     flags = Qt.AlignmentFlag.AlignHCenter
     painter.drawText(QRectF(0.0, top, width, height), flags, "\n".join(notes))
@@ -110,9 +175,10 @@ def _paint(
         inside = cell - QSizeF(2.0 * GAP_PX, GAP_PX)
         if isinstance(each, str):
             painter.setFont(font)
-            painter.setPen(QColor(LIGHT.ink))
+            painter.setPen(QColor(style.ink))
             wrapped = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.drawText(QRectF(QPointF(), inside), wrapped, each)
         else:
-            DiagramPainter(each, inside, font, LIGHT, has_grid=True).paint(painter)
+            DiagramPainter(each, inside, font, style, has_grid=True, one_size=sized).paint(painter)
         painter.restore()
+    painter.end()

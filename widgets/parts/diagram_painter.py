@@ -32,7 +32,8 @@ class DiagramPainter:
     """Lays out a diagram in a size, and paints it there.
 
     `frame` is the place of the diagram's window. `names` are the places of the curves' names (left,
-    top, right, bottom), kept where possible; `spot_names` are those of the spots.
+    top, right, bottom), kept where possible; `spot_names` are those of the spots. In `one_size` all
+    letters have that of the font.
     """
 
     def __init__(
@@ -45,12 +46,14 @@ class DiagramPainter:
         ratio: float = 1.0,
         names: dict[str, Floats] | None = None,
         has_grid: bool = False,
+        one_size: bool = False,
     ) -> None:
         self._diagram, self._size, self._style = diagram, size, style
         self._ratio, self._has_grid = ratio, has_grid
         self.names: dict[str, Floats] = {} if names is None else names
         self.spot_names: dict[str, QRectF] = {}
-        self._font, self._small = font, resized(font, SMALL)
+        self._one_size = one_size
+        self._font, self._small = font, font if one_size else resized(font, SMALL)
         self._is_picture = diagram.equal and not (diagram.x_label or diagram.y_label)
         ticks = (diagram.x_ticks, diagram.y_ticks)
         x_ticks, y_ticks = (None if t is None else list(map(float, t)) for t in ticks)
@@ -67,6 +70,7 @@ class DiagramPainter:
         marks = self._marks(self._up, self._size.height() - top - bottom, 1.6 * line)
         widest = max((small.horizontalAdvance(text) for _, text in marks), default=0.0)
         left = widest + TICK_PX + GAP_PX + (label if diagram.y_label else 0.0) + 1.0
+        left += GAP_PX if self._one_size else 0.0  # print has no hinting
         right = small.horizontalAdvance("0000") / 2.0
         frame = QRectF(QPointF(), self._size).adjusted(left, top, -right, -bottom)
         if diagram.equal and self._is_usable and frame.isValid():
@@ -219,8 +223,18 @@ class DiagramPainter:
             for x, y in self._places(parts).tolist():
                 painter.drawEllipse(QPointF(x, y), radius, radius)
             return
-        painter.setPen(self._pen(curve.colour, curve.width))
-        painter.drawLines([QLineF(*ends) for ends in self._places(parts).reshape(-1, 4).tolist()])
+        pen, places = self._pen(curve.colour, curve.width), self._places(parts).reshape(-1, 2, 2)
+        if not curve.dash:
+            painter.setPen(pen)
+            painter.drawLines([QLineF(*ends) for ends in places.reshape(-1, 4).tolist()])
+            return
+        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+        pen.setDashPattern(curve.dash)
+        painter.setPen(pen)
+        ends = np.flatnonzero((places[1:, 0] != places[:-1, 1]).any(axis=1)) + 1
+        for chain in np.split(places, ends):
+            points = [*chain[:, 0].tolist(), *chain[-1:, 1].tolist()]
+            painter.drawPolyline([QPointF(*point) for point in points])
 
     def _along(self, parts: Floats) -> Floats:
         """Return some dozens of places along the visible part of a curve, (n, 2) in pixels."""
@@ -238,7 +252,9 @@ class DiagramPainter:
         """Write each curve's name beside it, or in a list where there is no room for that."""
         frame, line = self.frame, QFontMetricsF(self._small).height()
         room = min(frame.width() / (_LINES_ACROSS * line), frame.height() / (_LINES_DOWN * line))
-        font = resized(self._small, max(_LEAST_NAME, min(1.0, room)))
+        font = self._small
+        if not self._one_size:
+            font = resized(font, max(_LEAST_NAME, min(1.0, room)))
         height = QFontMetricsF(font).height()
         painter.setFont(font)
         # A name must not hide thin lines or whole dots.

@@ -20,13 +20,7 @@ from PySide6.QtGui import (
     QPixmap,
 )
 from PySide6.QtSvg import QSvgRenderer
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QApplication,
-    QComboBox,
-    QStyle,
-    QStyleOptionComboBox,
-)
+from PySide6.QtWidgets import QAbstractButton, QApplication, QComboBox, QStyle, QStyleOptionComboBox
 
 from widgets.parts.plain import set_tip
 
@@ -63,6 +57,7 @@ _PATHS = {
     "speed": "M12 14l4-4M3.3 19a10 10 0 1 1 17.4 0",
     "undo": "M9 14L4 9l5-5M4 9h10.5a5.5 5.5 0 0 1 0 11H11",
     "unfold": "M9 18l6-6-6-6",
+    "up": "M6 15l6-6 6 6",
     "warning": "M21.7 18l-8-14a2 2 0 0 0-3.5 0l-8 14A2 2 0 0 0 4 21h16a2 2 0 0 0 1.7-3M12 9v4"
     "M12 17h.01",
 }

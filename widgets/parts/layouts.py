@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator
 from typing import TypeAlias, TypeVar, cast
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QKeySequence, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -269,10 +269,15 @@ def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> 
     return buttons
 
 
+def key_of(text: str) -> QKeySequence:
+    """Return the key that a button's text marks, as its tip promises; macOS has no mnemonics."""
+    letter = re.search(r"(?<!&)&(\w)", text) if sys.platform == "darwin" else None
+    return QKeySequence(f"Alt+{letter[1]}") if letter else QKeySequence.mnemonic(text)
+
+
 def _labelled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
     made.setText(text)
-    if sys.platform == "darwin" and (letter := re.search(r"(?<!&)&(\w)", text)):
-        made.setShortcut(f"Alt+{letter[1]}")  # as tips say; macOS has no mnemonics
+    made.setShortcut(key_of(text))
     set_tip(made, tip)
     if name:
         made.setAccessibleName(name)

@@ -12,10 +12,10 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 
 from __future__ import annotations
 
+import contextlib
 import gc
 import locale
 import logging
-import logging.handlers
 import platform
 import signal
 import socket
@@ -45,6 +45,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app import __version__, python_packages, strangers
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
+from app.lecture.letters import Letters
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.parts.saving import png_of
 from widgets.program import opengl
@@ -79,6 +80,7 @@ class Options:
     nor written, and the theme is light, so that the picture is the same everywhere."""
     canvas: str | None = None  # ``"opengl"`` or ``"raster"``: how panes draw; None for the faster
     start_card: bool = True  # whether to offer the start card: no file and no value was given
+    letters: Letters | None = None  # for lessons, instead of their own
 
 
 def make_application() -> QApplication:
@@ -216,6 +218,7 @@ def run_window(
             window.resize(*options.size)
         elif settings.geometry is None and not options.screenshot:
             window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
+        window.lessons.letters = options.letters
         if lesson is not None:
             window.lesson_card.open(lesson)
         window.first_painted.connect(partial(_open_panes, window))
@@ -258,21 +261,19 @@ def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:
         if options.canvas == "opengl" or not draws_off_screen():
             raise
         return opengl.NO_OPENGL, "raster"
-    canvas = options.canvas or opengl.canvas(graphics)
     # Windows without a driver: Qt brings an OpenGL in software, and VTK gets the system's 1.1.
-    if canvas == "raster" and sys.platform == "win32" and not draws_off_screen():
-        canvas = "opengl"
-    return graphics, canvas
+    if graphics.software and sys.platform == "win32" and not draws_off_screen():
+        opengl.draw_through_qt()
+    return graphics, options.canvas or opengl.canvas(graphics)
 
 
 def draws_off_screen() -> bool:
     from app.drawings.off_screen import check_off_screen
 
-    try:
+    with contextlib.suppress(RuntimeError):
         check_off_screen()
-    except RuntimeError:
-        return False
-    return True
+        return True
+    return False
 
 
 def _open_panes(window: Any) -> None:

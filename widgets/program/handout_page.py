@@ -15,7 +15,7 @@ from PySide6.QtGui import QImage
 
 from app.drawings.describing import describe
 from app.drawings.figure import Figure
-from app.drawings.page import STYLE, drawing, drawn, escaped, html, picture
+from app.drawings.page import STYLE, drawing, drawn, escaped, fonts, html, picture, sized
 from app.drawings.svg import outlined
 from app.lecture.typesetting import outline
 from app.lessons.course import Course, panes_of, scene_of
@@ -70,7 +70,8 @@ def handout_page(course: Course, *, answers: bool = True) -> bytes:
         body.append("<section>")
         body += (page.element(each) for each in contents(course, place, answers))
         body.append("</section>")
-    return html(in_line(lesson.title), STYLE + _STYLE + page.style(), [*page.outlines(), *body])
+    style = STYLE + _STYLE + page.style() + fonts(page.drawings)
+    return html(in_line(lesson.title), style, [*page.outlines(), *body])
 
 
 class _PhonePage:
@@ -79,7 +80,7 @@ class _PhonePage:
     def __init__(self) -> None:
         self._formulas: dict[str, int] = {}
         self._depths: set[int] = set()
-        self._figures = 0
+        self.drawings: list[str] = []
 
     def element(self, content: Content) -> str:
         if isinstance(content, Heading):
@@ -147,13 +148,12 @@ class _PhonePage:
             return f'<figure><img src="{slide}" alt="{escaped(about.text)}"></figure>'
         pictures = []
         for pane in panes:
-            self._figures += 1
             # What is true of the state may be the answer.
             said = about.panes[pane] if shown.has_question else about.of_pane(pane)
             figure = Figure(document, scene_of(document), (pane,), crop=True)
-            size, shapes, _ = drawn(figure, said)
-            inner = drawing(shapes, f"s{self._figures}t")
-            shape = picture(size, inner, f' aria-label="{escaped(said)}"')
+            size, shapes, _ = drawn(sized(figure), said)
+            self.drawings.append(drawing(shapes, f"s{len(self.drawings)}t"))
+            shape = picture(size, self.drawings[-1], f' aria-label="{escaped(said)}"')
             pictures.append(f"<figure>{shape}</figure>")
         return f'<div class="panes">{"".join(pictures)}</div>'
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from PySide6.QtCore import QMessageLogContext, QObject, Qt, QtMsgType, Signal
 
+from app import modules
 from app.lessons.lesson import NOT_UTF8
 from app.model.refusal import Refusal
 from widgets.parts.messages import sentence
@@ -17,7 +18,7 @@ from widgets.window.settings import log_path
 log = logging.getLogger(__name__)
 
 LARGEST_LOG = 1_000_000  # a log file of so many bytes is replaced by a new one; two are kept
-IN_DETAIL = ("app", "widgets", "qt", "vtk")
+IN_DETAIL = (*modules.PACKAGES, "qt", "vtk")
 """Whose information is logged. Of the other packages, such as fontTools, only warnings are."""
 
 

@@ -8,6 +8,7 @@ which a broken driver may crash.
 
 from __future__ import annotations
 
+import atexit
 import json
 import os
 import sys
@@ -98,6 +99,21 @@ def probe() -> OpenGL:
             f"OpenGL {numbers[0]}.{numbers[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
         )
     return OpenGL(version, renderer, is_software(renderer))
+
+
+def draw_through_qt() -> None:
+    """Let VTK draw off the screen through Qt's OpenGL; raise DisplayError if that is too old."""
+    from PySide6.QtWidgets import QApplication
+
+    from app.drawings import off_screen
+    from widgets.panes.interactor import window_off_screen
+
+    if QApplication.instance() is None:  # for a command without a window
+        prepare()
+        QApplication(sys.argv[:1])
+    probe()
+    off_screen.make_window = window_off_screen
+    atexit.register(off_screen.close_kept)  # before Qt ends
 
 
 def main() -> int:

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import sys
 from collections.abc import Callable, Mapping
 from functools import partial
 
@@ -28,7 +26,7 @@ from widgets.parts.icons import Combo, show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files
-from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help
+from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help, ways_to_press
 from widgets.window.lesson_menu import LessonMenu
 from widgets.window.pictures import Pictures
 from widgets.window.slots import Slots
@@ -404,11 +402,3 @@ class Actions(QObject):
         """Name the play action after its next effect."""
         self.play.setText(self.tr("Pause") if playing else self.tr("Play"))
         show_icon(self.play, "pause" if playing else "play")
-
-
-def ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
-    """Return a shortcut and, on macOS, whose keyboards keep F4 for the system, ⌃4 for it."""
-    made = [QKeySequence(shortcut)]
-    if sys.platform == "darwin" and (key := re.search(r"\bF(\d)$", made[0].toString())):
-        made.append(QKeySequence(f"{made[0].toString()[: key.start()]}Meta+{key[1]}"))
-    return made

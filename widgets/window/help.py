@@ -35,12 +35,20 @@ def key_groups() -> dict[str, list[tuple[str, str]]]:
     return groups
 
 
+def ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
+    """Return a shortcut and, on macOS, whose keyboards keep F4 for the system, ⌃4 for it."""
+    made = [QKeySequence(shortcut)]
+    if sys.platform == "darwin" and (key := re.search(r"\bF(\d)$", made[0].toString())):
+        made.append(QKeySequence(f"{made[0].toString()[: key.start()]}Meta+{key[1]}"))
+    return made
+
+
 def _shown(text: str) -> str:
     """Translate a text of the table, and write its keys in this system's form."""
 
     def key(match: re.Match[str]) -> str:
-        keys = PLAY_KEY if match[1] == "Play" else match[1]
-        return QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
+        keys = ways_to_press(PLAY_KEY if match[1] == "Play" else match[1])
+        return ", ".join(way.toString(QKeySequence.SequenceFormat.NativeText) for way in keys)
 
     return re.sub(r"\{([^{}]+)\}", key, QCoreApplication.translate("Help", text))
 

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QPushButton, QScrollArea, QW
 
 from app.document.document import Document
 from app.lessons.player import Player
-from widgets.parts.layouts import FREE, in_column, lay_out
+from widgets.parts.layouts import FREE, in_column, key_of, lay_out
 from widgets.parts.lesson_text import LessonText
 from widgets.window.hiding import IN_TEST
 from widgets.window.lesson_blocks import view_of
@@ -134,7 +134,7 @@ class StepPage(QScrollArea):
         taken = set[QKeySequence]()
         for view in sorted(self.blocks, key=lambda view: view is not self._current):
             for button in view.findChildren(QPushButton):
-                key = QKeySequence.mnemonic(button.text())
+                key = key_of(button.text())
                 button.setShortcut(QKeySequence() if key in taken else key)
                 if button.isVisibleTo(self):
                     taken.add(key)

@@ -30,8 +30,6 @@ _DEPTHS = 0.02  # of the depths what is drawn anew has, before its ghost
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
     rounds = int(number(settings, "rounds"))
     off, bound = drifted(str(settings["numbers"]), str(settings["way"]), rounds)
-    if not np.isfinite(off).all():
-        return Illustration((), warning=WORDS.phrase("overflow"))
     points = subject.points[seen(projection.trace(subject.points))]
     outside = None if len(points) else WORDS.phrase("outside")
     px, bounds = errors_px(projection, points, off, bound)
@@ -110,7 +108,7 @@ PHENOMENON = Phenomenon(
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     adjustable=(
-        Parameter("rounds", 10.0, 1.0, 1000.0, span=(1.0, 100.0), logarithmic=True, whole=True),
+        Parameter("rounds", 10.0, 1.0, 100.0, logarithmic=True, whole=True),
         Parameter("numbers", "float32"),
         Parameter("way", "fast"),
     ),

@@ -194,7 +194,8 @@ class PhenomenonWords:
 class Curve:
     """A curve: points (n, 2) in the diagram's units, NaN where it is broken.
 
-    `keys` are what its points report when they are clicked; empty if they cannot be chosen.
+    `keys` are what its points report when they are clicked; empty if they cannot be chosen. `dash`
+    are lengths of dashes and gaps in widths of the line.
     """
 
     points: Array
@@ -204,6 +205,7 @@ class Curve:
     closed: bool = False
     dots: bool = False
     keys: tuple[str, ...] = ()
+    dash: tuple[float, ...] = ()
 
 
 @dataclass(frozen=True, eq=False)

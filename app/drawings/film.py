@@ -1,0 +1,164 @@
+"""A film of figures: where its world stands, its labels and values, and its file."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+from functools import reduce
+from typing import Any
+
+from app.document.compare import DifferenceWriter, names_in, values_in
+from app.document.document import Document
+from app.document.files import (
+    LARGEST_PICTURE,
+    UNWRITABLE,
+    blamed_on,
+    content_of,
+    write_bytes_atomically,
+)
+from app.document.naming import seen_from
+from app.document.settings import set_values
+from app.document.sweeping import checked_speed, order, parse_sweeps, swept
+from app.drawings.figure import Figure
+from app.lecture.dependence import FIELDS as LETTERS
+from app.lecture.letters import in_letters
+from app.lessons.text import in_line
+from app.model.parameters import TITLES
+from app.model.projection import Camera
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.scenes.phenomena.words import digits_apart, figure
+from app.scenes.scene import Scene
+
+FILMS = (".gif", ".apng", ".webp", ".mp4")
+A_FILM = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in one of {1}.")
+ONE_SIZE = QT_TRANSLATE_NOOP("Refusal", "A film's frames have one size: leave out crop and width.")
+
+
+def is_fixed(shown: Figure) -> bool:
+    """Whether the world is seen from a viewpoint that moves with the camera."""
+    return bool(seen_from(shown.document.view, shown.scene))
+
+
+def seen_by(shown: Figure, view: Camera) -> Figure:
+    """Return a figure whose world is seen from a place."""
+    state = shown.document
+    panes = state.view.panes | {"world": view}
+    return replace(shown, document=replace(state, view=replace(state.view, fixed="", panes=panes)))
+
+
+def still(figures: Sequence[Figure]) -> list[Figure]:
+    """Return figures whose world is seen from one place, as in the window while a value changes."""
+    from app.drawings.standing import standing
+
+    first = figures[0]
+    if "world" in first.document.view.panes or "world" not in first.panes or is_fixed(first):
+        return list(figures)
+    (view,) = standing(first, [each.document for each in figures], [0.0])
+    return [seen_by(each, view) for each in figures]
+
+
+def steady(
+    figures: Sequence[Figure], *, is_round: bool = False, fades: bool = True
+) -> list[Figure]:
+    """Return figures whose labels are placed on all of them together; see `film_labels`."""
+    from app.drawings.film_labels import placed_in_film
+
+    sizes = {each.size_px for each in figures}
+    if (
+        len(figures) < 2
+        or len(sizes) > 1
+        or figures[0].width is not None
+        or figures[0].panes == ("equation",)
+    ):
+        return list(figures)
+    frames = [[part.wanted() for part in each.pictures()] for each in figures]
+    panes = [
+        placed_in_film(frame, is_round=is_round, fades=fades) for frame in zip(*frames, strict=True)
+    ]
+    stands = zip(*panes, strict=True)
+    return [replace(each, labels=here) for each, here in zip(figures, stands, strict=True)]
+
+
+def shown_values(states: Sequence[Document], scene: Scene, paths: Sequence[str]) -> list[str]:
+    """Return the values of some paths in each state: ``near n = 4``."""
+    letters = states[0].view.letters
+
+    def named(field: str) -> str:
+        letter = next((name for name, fields in LETTERS.items() if fields == (field,)), "")
+        symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
+        return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
+
+    written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
+    settings = () if scene.phenomenon is None else scene.phenomenon.settings
+    held = [each.state for each in states]
+    said = [values_in(path, held, settings, written) for path in paths]
+    if not said or not all(map(all, said)):
+        said = [names_in([""] * len(states), held, settings, written)]
+    if len(states) > 1 and not all(said[0]):  # nothing that a picture compares, such as a stage
+        numbers: list[Any] = [reduce(getattr, paths[0].split("."), each) for each in states]
+        digits = digits_apart(*numbers)
+        said = [[f"{paths[0].rpartition('.')[2]} = {number:.{digits}g}" for number in numbers]]
+    return [", ".join(parts) for parts in zip(*said, strict=True)]
+
+
+def sweep_film(
+    shown: Figure,
+    path: str,
+    sweeps: Sequence[str],
+    frames: int,
+    fps: float,
+    ease: str,
+    loop: str,
+    show_value: bool,
+) -> None:
+    """Write a film of a figure in which values change; a `Refusal` for what is not possible."""
+    if os.path.splitext(path)[1].lower() not in FILMS:
+        raise Refusal.saying(A_FILM, path, ", ".join(FILMS))
+    if shown.crop or shown.width is not None:
+        raise Refusal.saying(ONE_SIZE)
+    sequence, speed, parsed = order(frames, loop), checked_speed(fps), parse_sweeps(sweeps)
+    values = swept(parsed, shown.document, max(sequence) + 1, ease)
+    states = [set_values(shown.document, each) for each in values]
+    figures = still([replace(shown, document=state) for state in states])
+    if show_value:
+        notes = shown_values(states, shown.scene, [sweep.path for sweep in parsed])
+        figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
+    with blamed_on(path, UNWRITABLE):
+        write_film(path, steady(figures), sequence, speed, loop == "once")
+
+
+def write_film(
+    path: str,
+    figures: Sequence[Figure],
+    order: Sequence[int],
+    fps: float,
+    once: bool,
+    told: Callable[[Sequence[int]], Iterable[int]] = iter,
+) -> None:
+    """Write a film whole or not at all; `told` yields the numbers in `order`, and tells of them."""
+    from app.drawings.moving import encoded, moving
+
+    ending = os.path.splitext(path)[1].lower()
+    done: dict[int, bytes] = {}  # there and back, a state is drawn once
+    for number in told(order):
+        if number not in done:
+            done[number] = encoded(figures[number], ending)
+    parts = [done[number] for number in order]
+    write_bytes_atomically(path, moving(parts, ending, figures[0].size_px, fps, once))
+
+
+def write_frames(
+    paths: Sequence[str],
+    figures: Sequence[Figure],
+    order: Sequence[int],
+    told: Callable[[Sequence[int]], Iterable[int]] = iter,
+) -> None:
+    """Write a figure for each frame."""
+    first: dict[int, str] = {}
+    for path, number in zip(paths, told(order), strict=True):
+        if number in first:
+            write_bytes_atomically(path, content_of(first[number], LARGEST_PICTURE))
+        else:
+            first[number] = path
+            figures[number].save(path)

@@ -1,0 +1,143 @@
+"""Films: labels that keep their places, values that are shown, and how values change."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.document.document import Document
+from app.document.settings import set_values
+from app.document.sweeping import order, parse_sweeps, swept
+from app.drawings.figure import Figure
+from app.drawings.film import shown_values, steady, still
+from app.drawings.film_labels import Wanted, placed_in_film
+from app.drawings.label import LabelActor
+from app.drawings.label_placement import Ground, Wish, around
+from app.model.refusal import Refusal
+from app.scenes.phenomena import PHENOMENA
+from app.scenes.scene import load
+
+EM, SIZE = 10.0, (20.0, 10.0)
+
+
+def frame(x: float, *taken: tuple[float, float, float, float]) -> Wanted:
+    """One label at a point that moves, and boxes that it must not hide."""
+    ground = Ground((0.0, 0.0, 400.0, 200.0), EM)
+    ground.taken += taken
+    spot = (x, 100.0)
+    return Wanted([(Wish("P", SIZE, [spot], lambda: around(spot, SIZE, EM)),
+                    around(spot, SIZE, EM))], ground)  # fmt: skip
+
+
+def test_a_label_has_a_side_that_stays_free_and_fades_where_it_has_to_leave() -> None:
+    """A wall covers what is right of the point, which at last comes to the wall."""
+    wall = (200.0, 0.0, 240.0, 200.0)
+    frames = [frame(100.0 + 2.0 * k, *([wall] if k >= 20 else [])) for k in range(60)]
+    stands = placed_in_film(frames, is_round=False, fades=True)
+    spots, lights = zip(*(stand["P"] for stand in stands), strict=True)
+    for k, spot in enumerate(spots):
+        right = 100.0 + 2.0 * k + spot.offset[0] + SIZE[0] / 2.0
+        assert k < 20 or right <= wall[0], "never on the wall"
+    assert len({spot.offset for spot in spots[:50]}) == 1, "from the beginning on this side"
+    (change,) = (k for k in range(1, 60) if math.dist(spots[k].offset, spots[k - 1].offset) > 4.0)
+    assert lights[change - 2 : change + 2] == pytest.approx((2 / 3, 1 / 3, 1 / 3, 2 / 3))
+    assert lights.count(1.0) == 56
+    assert all(s["P"][1] == 1.0 for s in placed_in_film(frames, is_round=False, fades=False))
+
+
+def test_of_a_round_film_the_first_frame_follows_the_last() -> None:
+    """The side that is free at the end costs more at the beginning, and is kept all the same."""
+    wall = (110.0, 0.0, 400.0, 200.0)
+    frames = [frame(100.0, *([wall] if k >= 20 else [])) for k in range(24)]
+    (first, *_, last) = placed_in_film(frames, is_round=True, fades=True)
+    assert first["P"][0] == last["P"][0]
+
+
+def labels_of(figure: Figure) -> dict[Any, tuple[float, float, float]]:
+    """Where the labels of a figure stand, in ems, and how visible they are."""
+    places: dict[Any, tuple[float, float, float]] = {}
+
+    def seen(drawing: Any, _factor: int) -> None:
+        for renderer in drawing.state.canvas.window.GetRenderers():
+            for actor in renderer.GetViewProps():
+                if isinstance(actor, LabelActor) and actor.GetVisibility():
+                    label: Any = actor.label()
+                    left, right, low, high = (side / drawing.board.em for side in label.box_px)
+                    light = label.written.opacity
+                    middle = (left + right) / 2.0, (low + high) / 2.0
+                    name = label.text.partition(" =")[0]  # without its value
+                    places[drawing.pane, name] = *middle, light
+
+    figure.pixels(seen=seen)
+    return places
+
+
+@pytest.mark.parametrize(
+    ("scene", "sweep", "ease"),
+    [("letter-f", "lens.near=0.5:8", "log"), ("jitter", "settings.frame=1:24", "linear"),
+     ("letter-f", "lens.far=9:30", "linear")],
+)  # fmt: skip
+def test_no_label_jumps_in_a_film(scene: str, sweep: str, ease: str) -> None:
+    """Without fading, by less than an em between two frames; what it names moves by less, too."""
+    start = PHENOMENA[scene].start if scene in PHENOMENA else load(scene).start
+    document = Document(scene, start)
+    states = [
+        set_values(document, values) for values in swept(parse_sweeps([sweep]), document, 24, ease)
+    ]
+    figures = [Figure(state, load(scene), ("world", "image"), (480, 240)) for state in states]
+    places = [labels_of(figure) for figure in steady(still(figures))]
+    assert any(places)
+    for one, other in pairwise(places):
+        for key in one.keys() & other.keys():
+            if min(one[key][2], other[key][2]) == 1.0:
+                assert math.dist(one[key][:2], other[key][:2]) < 1.0, key
+        for key in one.keys() ^ other.keys():
+            assert (one | other)[key][2] < 1.0, "what comes or goes fades"
+
+
+def test_values_change_together_in_steps_ratios_or_slowly() -> None:
+    document = Document()
+    both = parse_sweeps(["lens.near=0.5:8", "camera.eye=6,5,9:-6,5,9"])
+    assert swept(both, document, 3) == [
+        ["lens.near=0.5", "camera.eye=6,5,9"], ["lens.near=4.25", "camera.eye=0,5,9"],
+        ["lens.near=8", "camera.eye=-6,5,9"],
+    ]  # fmt: skip
+    (near,) = zip(*swept(both[:1], document, 5, "log"), strict=True)
+    assert near == tuple(f"lens.near={n}" for n in (0.5, 1, 2, 4, 8))
+    (near,) = zip(*swept(both[:1], document, 5, "smooth"), strict=True)
+    numbers = [float(each.partition("=")[2]) for each in near]
+    true = [0.5 + 7.5 * (1.0 - math.cos(math.pi * k / 4.0)) / 2.0 for k in range(5)]
+    assert numbers == pytest.approx(true)
+    assert order(4, "back-and-forth") == [0, 1, 2, 1] and order(3, "once") == [0, 1, 2]
+    for texts, ease, words in (
+        (["camera.eye=6,5,9:-6,5,9"], "log", "camera.eye has no equal ratios from 6 to -6"),
+        (["lens.near=1:2"], "slow", "ease = 'slow': must be one of linear, log, smooth"),
+        (["lens.near=1:2", "lens.near=1:3"], "linear", "lens.near is swept already"),
+    ):
+        with pytest.raises(Refusal, match=words):
+            swept(parse_sweeps(texts), document, 3, ease)
+
+
+def test_the_values_stand_below_the_panes_of_each_frame(tmp_path: Path) -> None:
+    document = Document()
+    states = [set_values(document, [f"lens.near={n}", f"lens.far={20 + n}"]) for n in (1, 2)]
+    notes = shown_values(states, load("letter-f"), ["lens.near", "lens.far"])
+    assert notes == ["near n = 1, far f = 21", "near n = 2, far f = 22"]
+    figure = Figure(states[0], load("letter-f"), ("image",), (320, 240), text_pt=3.0)
+    noted = replace(figure, note=notes[0])
+    pixels, plain = noted.pixels(), figure.pixels()
+    assert pixels.shape == plain.shape, "the figure keeps its size"
+    line = round(1.5 * 3.0 * 300.0 / 72.0)
+    assert (pixels[-line:] < 128).any() and not (pixels[-line : -line + 2] < 128).any()
+    assert ">near n = 1, far f = 21</tspan>" in noted_svg(noted)
+    assert np.ptp(np.flatnonzero((pixels[-line:] < 128).any(axis=(0, 2)))) > 60
+
+
+def noted_svg(figure: Figure) -> str:
+    return figure.svg()
