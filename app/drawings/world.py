@@ -55,6 +55,7 @@ class SceneInWorld(FacesLayer):
         super().__init__(state, drawn, "stored")
         self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
         self._ghosts: list[SceneActors] = []
+        self._beside: list[Array] = []  # corners of the ghosts' boxes
         self._placed: object = None
 
     def show(self) -> None:
@@ -76,6 +77,8 @@ class SceneInWorld(FacesLayer):
                 lift_lines(actor, -1)  # behind the object's own faces
             state.canvas.add(*ghost)
             self._ghosts.append(ghost)
+        corners = state.scene.objects_box
+        self._beside = [chain.placed(corners).world - state.origin for chain in chains]
         for ghost, chain in itertools.zip_longest(self._ghosts, chains):
             for actor, space in ghost.placed:
                 actor.SetVisibility(chain is not None)
@@ -96,7 +99,7 @@ class SceneInWorld(FacesLayer):
         self._state.silhouette.ink(ground, spots)
 
     def reach(self) -> Array:
-        return self._state.everything
+        return np.concatenate([self._state.everything, *self._beside])
 
     def inside(self) -> dict[str, Array]:
         return {"subject": self._state.objects}

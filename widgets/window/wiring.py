@@ -49,7 +49,9 @@ def _wire_components(window: Any) -> None:
         *(
             (
                 strip.moved,
-                lambda position, pane=window.panes[name]: pane.request("stage", min(position, 0.0)),
+                lambda position, pane=window.panes[name]: pane.request(
+                    "stage", min(position, 0.0) or None
+                ),
             )
             for name in ("world", "image")
         ),
