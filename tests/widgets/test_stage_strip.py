@@ -30,7 +30,6 @@ from tests.support.window import (
     counted_repaints,
     move_mouse,
     picture,
-    pixels,
     present,
     settle,
 )  # fmt: skip
