@@ -53,7 +53,7 @@ AS_BUILT: dict[str, Any] = {
 """The requests that a pane takes, with their first values, in the order of the calls."""
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
-    "stage": lambda drawing, position: drawing.show_stage(max(position, 0.0)),
+    "stage": lambda drawing, position: drawing.show_stage(max(position or 0.0, 0.0)),
     "from_left": lambda drawing, from_left: None,
     "probes": lambda drawing, probes: drawing.show_probes(probes),
     "step": lambda drawing, step: drawing.show_step(step),
