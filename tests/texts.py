@@ -13,6 +13,7 @@ import json
 from pathlib import Path
 
 from app.lecture.kinds import KINDS
+from app.measure.chart import TEXTS
 from app.model.parameter import texts_of
 from app.model.parameters import PARAMETERS
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
@@ -48,6 +49,7 @@ def source() -> str:
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
             ("Help", key_texts()),
+            ("Measure", {text for each in TEXTS.values() for text in each.values()}),
         )
         for text in sorted(texts)
     )

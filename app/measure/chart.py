@@ -14,6 +14,7 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -29,72 +30,19 @@ from app.measure.results import (
     plain,
 )
 from app.model import parameters
+from app.model.parameter import read_sections
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
-TITLES = {  # the title of every trade and every sweep
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "Drift"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "Jitter"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
-    "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "Depth gap over the distance"),
-}
-_ACROSS = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "near": QT_TRANSLATE_NOOP("Measure", "near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "distance from the eye plane"),
-}
-_BYTES = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "bytes a camera"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-}
+TEXTS = {
+    name: section.named
+    for name, section in read_sections(Path(__file__).with_name("content") / "charts.md").items()
+    if section.named
+}  # of every trade and every sweep: its title, and what stands across and up its chart
+TITLES = {name: named["title"] for name, named in TEXTS.items()}
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
-_UP = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "error, texels"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "error after 360°, px"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "error of a jump, px"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
-}
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
@@ -259,7 +207,8 @@ def _of_trade(
         Diagram(
             ": ".join(filter(None, (title(trade, translate), remark(trade, translate)))),
             tuple(curves), *across, *up,
-            translate((_BYTES if paid else _ACROSS)[trade.name]), translate(_UP[trade.name]),
+            translate(TEXTS[trade.name]["bytes" if paid else "across"]),
+            translate(TEXTS[trade.name]["up"]),
             x_log=not memory, y_log=True, spots=tuple(spots),
         ),
     )  # fmt: skip
@@ -302,11 +251,11 @@ def _of_sweep(
     up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(broken))
     values = [v for each in shown for v in each.values if 0.0 < v < math.inf]
     sides: list[tuple[Callable[[float], float], list[float], str]] = [
-        (float, values, _ACROSS[sweep.parameter])
+        (float, values, TEXTS[sweep.parameter]["across"])
     ]
     if sweep.parameter == "fov" and max(values, default=0.0) > _WIDE_DEG:
         sides = [
-            (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
+            (float, [v for v in values if v <= 90.0], TEXTS["fov"]["across"]),
             (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
         ]
     charts = []
@@ -342,7 +291,7 @@ def _of_sweep(
         charts.append(
             Diagram(
                 text, tuple(curves), *across, *up, translate(label),
-                translate(_UP["depth"] if gaps else ERROR_PX),
+                translate(TEXTS["depth"]["up"] if gaps else ERROR_PX),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip

@@ -136,5 +136,5 @@ def test_the_values_stand_below_the_panes_of_each_frame(tmp_path: Path) -> None:
     line = round(1.5 * 3.0 * 300.0 / 72.0)
     assert (pixels[-line:] < 128).any() and not (pixels[-line : -line + 2] < 128).any()
     svg = noted.svg()
-    assert all(f">{part}</tspan>" in svg for part in ("near", "n", "1", "far", "f", "21"))
+    assert all(f">{part}</tspan>" in svg for part in ("near", "n", "1", "far", "f", "2"))
     assert np.ptp(np.flatnonzero((pixels[-line:] < 128).any(axis=(0, 2)))) > 60
