@@ -35,11 +35,11 @@ from app.model.infinity import homogeneous_rows
 from app.model.projection import (
     Array,
     Camera,
+    Chain,
     FreeMatrix,
     Frustum,
     Intrinsics,
     Lens,
-    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -56,8 +56,8 @@ from app.scenes.scene import BUILT_IN
 from app.scenes.scene import load as load_scene
 
 __all__ = [
-    "Camera", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
-    "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orthographic", "Perspective", "Projection",
+    "Camera", "Chain", "Description", "Document", "Figure", "FreeMatrix", "Frustum",
+    "Intrinsics", "Lens", "Oblique", "Orthographic", "Perspective", "Projection",
     "Refusal", "Stage", "Trace", "__version__", "describe", "figure", "load", "matrices", "project",
 ]  # fmt: skip
 

@@ -13,13 +13,14 @@ from app.commands.terminal import CliError, write_out
 from app.document.document import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.letters import Letters
-from app.lecture.notation import matrices
+from app.lecture.notation import WrittenMatrix, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.camera import taken_apart
 from app.model.matrix_text import read_matrix
-from app.model.projection import Array, Projection
+from app.model.projection import Array, Projection, Rationals
 from app.model.refusal import format_value
+from app.model.tables import rounded
 
 _DIGITS = 4
 NOTICED_PX = 1e-9  # least skew that is no rounding of float64
@@ -34,13 +35,15 @@ def run(arguments: Sequence[str]) -> int:
                 raise CliError(f"--{option}: needs --format latex.")
     if options.vectors and not options.convention:
         raise CliError("--vectors: needs --convention.")
-    alone = [option for option in ("planes", "convention") if getattr(options, option)]
-    if len(alone) + (options.format == "latex") > 1 and alone:
+    alone = [option for option in ("planes", "convention", "chain") if getattr(options, option)]
+    if len(alone) + (options.format == "latex" and not options.chain) > 1 and alone:
         raise CliError(f"--{alone[0]}: stands alone, and needs --format text or json.")
     document = document_of(words[0] if words else None, options.set)
     projection = document.projection
     if options.convention:
         write_out([_in_convention(projection, options)])
+    elif options.chain:
+        write_out([_chain(projection, options)])
     elif options.planes:
         write_out([_planes(projection, options.format)])
     elif options.format == "latex":
@@ -118,6 +121,37 @@ def _in_convention(projection: Projection, options: argparse.Namespace) -> str:
     blocks = [f"{options.convention}: {convention.note}; {vectors}\n"]
     blocks += [f"{name}\n{_rows(matrix)}" for name, matrix in matrices.items()]
     return "\n".join(blocks)
+
+
+def _chain(projection: Projection, options: argparse.Namespace) -> str:
+    """Return every factor from the object to the picture, and the products so far."""
+    links = projection.links
+    names = [link.name for link in reversed(links)]
+    if options.format == "json":
+        steps = [
+            {
+                "name": name,
+                "matrix": exact and plain(rounded(exact)),
+                "so_far": plain(rounded(so_far)),
+            }
+            for name, exact, so_far in links
+        ]
+        return _object({"product": names, "steps": steps})
+    if options.format == "latex":
+        *to_clip, _, _ = links
+        factors = [_in_numbers(link.name, link.exact) for link in reversed(to_clip) if link.exact]
+        whole = _in_numbers("clip_from_object", to_clip[-1].so_far)._replace(factors=tuple(factors))
+        digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
+        return displayed(whole, "own", digits=digits, text_pt=width)
+    blocks = [f"{' | '.join(names)}\nthe rightmost factor acts first\n"]
+    for number, (name, exact, so_far) in enumerate(links, 1):
+        own = _rows(rounded(exact)) if exact else "  x, y and z divided by w\n"
+        blocks.append(f"{number}  {name}\n{own}  so far\n{_rows(rounded(so_far))}")
+    return "\n".join(blocks)
+
+
+def _in_numbers(name: str, exact: Rationals) -> WrittenMatrix:
+    return WrittenMatrix(name, tuple(map(tuple, rounded(exact).tolist())), (), ())
 
 
 def _planes(projection: Projection, form: str) -> str:

@@ -33,12 +33,12 @@ SETTABLE = (
     "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
     "lens.view_from_world", "lens.fov_x_deg", "lens.focal_length_mm", "lens.K", "lens.fx",
     "lens.fy", "lens.cx", "lens.cy", "lens.focal_mm", "lens.sensor_width_mm",
-    "lens.sensor_height_mm", "camera.P", "object.translate", "object.rotate_deg", "object.scale",
-    "object.order", "image.width", "image.height", "quality.rung", "quality.smoothing",
-    "quality.detail", "quality.depth_format", "quality.depth_mapping", "view.layout", "view.large",
-    "view.stage", "view.frame_step", "view.panel", "view.letters", "view.layers", "view.fixed",
-    "view.names", "view.slide", "view.controls", "view.equation", "view.probes", "view.compare",
-    "view.dividers",
+    "lens.sensor_height_mm", "camera.P", "object.chain", "object.translate", "object.rotate_deg",
+    "object.scale", "object.order", "image.width", "image.height", "quality.rung",
+    "quality.smoothing", "quality.detail", "quality.depth_format", "quality.depth_mapping",
+    "view.layout", "view.large", "view.stage", "view.frame_step", "view.panel", "view.letters",
+    "view.layers", "view.fixed", "view.names", "view.slide", "view.controls", "view.equation",
+    "view.probes", "view.compare", "view.dividers",
 )  # fmt: skip
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 

@@ -37,10 +37,11 @@ from app.document.document import (
     is_mesh,
     lens_fields,
     model_paths,
+    read_tiles,
     unknown,
 )
 from app.document.view import read_view, view_tree
-from app.model.object_transform import NOT_MOVED, ObjectTransform
+from app.model.chain import A_CHAIN, Chain, FiveTiles
 from app.model.parameter import YES_OR_NO
 from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
@@ -58,7 +59,12 @@ def _with_view(tree: Tree) -> Tree:
     return tree | ({"view": panes | strange} if panes or strange else {})
 
 
-MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view,)
+def _with_chain(tree: Tree) -> Tree:
+    """Version 3 has the object's chain; the fields of version 2 are read as ``--set`` sets them."""
+    return tree
+
+
+MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view, _with_chain)
 """Step i turns a document of version i + 1 into one of version i + 2."""
 VERSION = len(MIGRATIONS) + 1  # version of the documents that are written
 
@@ -262,7 +268,7 @@ def from_tree(tree: Tree, folder: Path | None = None) -> Document:
     lens = _lens(_required(tree, "lens"), "lens")
     size = _values(_required(tree, "image"), IMAGE, "image")
     depth = _required(tree, "depth")
-    placement = ObjectTransform(**_values(tree.get("object", {}), OBJECT, "object"))
+    placement = _placement(_values(tree.get("object", {}), OBJECT, "object"))
     width, height = map(_whole, size.values())
     projection = Projection(camera, lens, (width, height), depth, placement)
     values = _values(tree.get("view", {}), VIEW, "view")
@@ -274,6 +280,16 @@ def from_tree(tree: Tree, folder: Path | None = None) -> Document:
     quality = Quality(**_values(tree.get("quality", {}), QUALITY, "quality"))
     extra = unknown(tree, scene, lens.kind, cameras)
     return Document(scene, projection, extra, view, settings, mesh, quality)
+
+
+def _placement(values: Tree) -> Chain:
+    """Read the object's chain, or its five tiles as documents before version 3 have them."""
+    texts = values.pop("chain", [])
+    if values:
+        return FiveTiles(**values).chain
+    if not isinstance(texts, list):
+        raise Refusal.in_document(A_CHAIN, field="object.chain", value=texts)
+    return Chain(read_tiles(texts))
 
 
 def _lens(section: Any, path: str) -> Lens:
@@ -395,14 +411,13 @@ def to_tree(document: Document) -> Tree:
     """Convert a document to a JSON tree, which `from_tree` reads."""
     projection, quality = document.projection, document.quality
     width, height = projection.image_size
-    moved = projection.placement != NOT_MOVED
     tree: Tree = {
         "format": FORMAT,
         "version": VERSION,
         "scene": document.scene,
         "mesh": document.mesh,
         "settings": _plain(document.settings),
-        "object": _plain(projection.placement) if moved else {},
+        "object": chain_tree(projection.placement),
         "camera": _plain(projection.camera),
         "lens": _plain(projection.lens),
         "depth": projection.depth,
@@ -410,8 +425,6 @@ def to_tree(document: Document) -> Tree:
         "quality": _plain(quality.chosen),
         "view": _plain(view_tree(document.view)),
     }
-    if moved and projection.placement.order == NOT_MOVED.order:
-        del tree["object"]["order"]
     if document.view.panes:
         tree["view"]["panes"] = _plain(document.view.panes)
     if document.view.compare:
@@ -420,6 +433,10 @@ def to_tree(document: Document) -> Tree:
     tree = {key: value for key, value in tree.items() if value not in ("", {})}
     _add(tree, document.extra)
     return tree
+
+
+def chain_tree(chain: Chain) -> Tree:
+    return {"chain": [tile.text for tile in chain.tiles]} if chain.tiles else {}
 
 
 def _plain(value: Any) -> Any:

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field, fields
 from types import MappingProxyType
 from typing import Any
 
+from app.model.chain import FiveTiles
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
@@ -121,11 +122,13 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
         if all(each.name in {other.name for other in fields(lens)} for lens in lenses):
             compared(f"lens.{each.name}", [getattr(lens, each.name) for lens in lenses])
     compared("image", [projection.image_size for projection in shown])
-    for each in fields(shown[0].placement):
-        compared(
-            f"object.{each.name}",
-            [getattr(projection.placement, each.name) for projection in shown],
-        )
+    chains = [projection.placement for projection in shown]
+    fives = [five for chain in chains if (five := chain.five) is not None]
+    if len(fives) == len(chains):
+        for each in fields(FiveTiles):
+            compared(f"object.{each.name}", [getattr(five, each.name) for five in fives])
+    else:
+        compared("object.chain", [chain.text for chain in chains])
     compared("depth", [projection.depth for projection in shown])
     return differing
 

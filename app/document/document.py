@@ -17,10 +17,10 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.compare import Held
 from app.document.view import View
+from app.model.chain import A_CHAIN, FiveTiles, Tile
 from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
-from app.model.object_transform import ObjectTransform
 from app.model.parameter import Settings
 from app.model.parameters import FOCAL_LENGTH, FOV_X, HEIGHT, WIDTH
 from app.model.projection import (
@@ -204,6 +204,24 @@ def _cells(text: str, height: int, width: int) -> list[list[float]] | None:
     return rows if (len(rows), len(rows[0])) == (height, width) else None
 
 
+def read_tiles(texts: Iterable[Any]) -> tuple[Tile, ...]:
+    """Read the tiles of an object's chain; refuse the first one that is not a tile by its place."""
+    tiles = []
+    for place, text in enumerate(texts):
+        try:
+            if not isinstance(text, str):
+                raise Refusal("chain", text, A_CHAIN)
+            tiles.append(Tile.read(text))
+        except Refusal as error:
+            path = f"object.chain[{place}]"
+            raise Refusal.in_document(error.bound, *error.limits, field=path, value=text) from None
+    return tuple(tiles)
+
+
+def _chain(text: str) -> list[str]:
+    return [tile.text for tile in read_tiles(map(str.strip, text.split(";")) if text else ())]
+
+
 def _number_or_word(text: str) -> float | str:
     value = number(text)
     word = "inf" if text.lower() in ("∞", "infinity") else text
@@ -242,7 +260,9 @@ def _fields(
 
 
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
-OBJECT = _fields("object", ObjectTransform, required=False)
+FIVE = _fields("object", FiveTiles, required=False)
+"""The object's fields in documents before version 3; they replace its chain."""
+OBJECT = (Field("object", "chain", FieldKind(_chain, (A_CHAIN,))), *FIVE)
 CAMERA = _fields("camera", Camera, required=True)
 IMAGE = tuple(Field("image", side.name, PIXELS, True, "px", True) for side in (WIDTH, HEIGHT))
 QUALITY = _fields("quality", Quality, required=False)

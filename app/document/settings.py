@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import difflib
+import re
 from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
@@ -14,6 +15,7 @@ from app.document.document import (
     ANGLES,
     CALIBRATED,
     CAMERA_P,
+    FIVE,
     Document,
     Field,
     controls_of,
@@ -23,9 +25,9 @@ from app.document.document import (
 from app.document.files import read
 from app.document.view import AS_EVER, STRIP
 from app.lecture.equation import equation_of
+from app.model.chain import NOT_MOVED, FiveTiles
 from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
-from app.model.object_transform import NOT_MOVED
 from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, nearest, shown_name
@@ -37,6 +39,7 @@ OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene 
 CONTRADICTS = QT_TRANSLATE_NOOP(
     "Refusal", "cannot be set together with {0}: both decide what the lens sees"
 )
+EITHER = QT_TRANSLATE_NOOP("Refusal", "cannot be set together with {0}, which it replaces")
 NO_SENSOR = QT_TRANSLATE_NOOP(
     "Refusal",
     "needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is"
@@ -124,6 +127,12 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         document = document.with_settings(values)
     document = _with_lens(document, kind)
     tree = to_tree(document)
+    older = [field.path for field in FIVE if field.path in texts]
+    if older:  # they replace the chain
+        if "object.chain" in texts:
+            raise Refusal.in_document(EITHER, "object.chain", field=older[0])
+        five = document.projection.placement.five or FiveTiles()
+        tree["object"] = {field.name: getattr(five, field.name) for field in FIVE}
     for path, text in texts.items():
         each = known[path]
         if each not in settings:
@@ -238,6 +247,8 @@ def _read(field: Field, text: str) -> object:
     try:
         value = field.read(text)
     except Refusal as error:  # it says what in the text is not a value
+        if error.field.startswith(f"{field.path}["):  # and at which place
+            raise
         value, bound = None, (error.bound, *error.limits)
     if value is None:
         raise Refusal.in_document(*bound, field=field.path, value=text)
@@ -309,7 +320,15 @@ def _picture(text: str) -> ComparedPicture:
     name, ends, values = text.partition(NAME_ENDS)
     if not ends or "=" in name:
         name, values = "", text
-    return ComparedPicture(name.strip(), tuple(change.strip() for change in values.split(";")))
+    return ComparedPicture(name.strip(), tuple(map(str.strip, assignments_in(values))))
+
+
+def assignments_in(text: str) -> list[str]:
+    """Split ``NAME=VALUE; NAME=VALUE``; the tiles of ``object.chain`` have no names."""
+    return _NEXT_NAME.split(text)
+
+
+_NEXT_NAME = re.compile(r";(?!\s*(?:off|translate|rotate|scale|shear|mirror|matrix)\s)")
 
 
 def picture_text(picture: ComparedPicture) -> str:

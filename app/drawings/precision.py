@@ -44,7 +44,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors, lifted
 from app.drawings.scene_bounds import bounds_px
 from app.drawings.style import Style
-from app.model.projection import Array, ObjectTransform, Projection, Space
+from app.model.projection import Array, Chain, Projection, Space
 from app.precision.levels import Precision
 from app.scenes.scene import Scene
 
@@ -96,7 +96,7 @@ class ModelActors:
         self.actors.show_grid(shown)
         self.show_detail(self._fewer)
 
-    def _move(self, placement: ObjectTransform) -> None:
+    def _move(self, placement: Chain) -> None:
         if self.actors.is_moved == placement.is_identity:
             self.show_local()
             self.actors.show_moved(not placement.is_identity)
@@ -131,7 +131,7 @@ class ModelActors:
         forward = {id(matrix): lifted(matrix, projection, self._scene) for matrix in matrices[1:]}
         self.actors.place([matrices[0], *(forward[id(matrix)] for matrix in matrices[1:])])
 
-    def show_placed(self, placement: ObjectTransform) -> Array:
+    def show_placed(self, placement: Chain) -> Array:
         """Give the actors the scene's own vertices, and return the objects' matrix, (4, 4).
 
         It converts the objects' coordinates to world-local ones, which the ground has already.

@@ -15,7 +15,7 @@ from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
 from app.lecture.highlight import AXES, ENDS, SIDES, WINDOW, Highlight
-from app.model.projection import Array, Camera, ObjectTransform, Projection
+from app.model.projection import Array, Camera, Chain, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
@@ -160,7 +160,7 @@ class WorldState(PaneState):
         if is_placed or projection.camera is not self.standing.camera:
             self.standing = self._stand(projection.camera)
 
-    def _place(self, placement: ObjectTransform) -> None:
+    def _place(self, placement: Chain) -> None:
         scene, origin = self.scene, self.origin
         self._placement = placement
         self.local_from_object = placement.local_from(scene.origin, scene.origin)

@@ -10,6 +10,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
+from app.model.chain import MOST_TILES, lettered_kinds
 from app.model.formula import (
     Call,
     Difference,
@@ -18,15 +19,32 @@ from app.model.formula import (
     Negative,
     Number,
     Pair,
+    Power,
     Quotient,
     Sum,
     parse,
 )
-from app.model.parameters import ASPECT, EYE, FOV_Y, PARAMETERS, TARGET, UP
+from app.model.parameters import (
+    ASPECT,
+    EYE,
+    FOV_Y,
+    PARAMETERS,
+    ROTATE,
+    TARGET,
+    TILES,
+    TRANSLATE,
+    UP,
+)
 from app.model.projection import Projection
 
 FIELDS = {  # fields of the document by the names in the formulas of `app.lecture.notation`
     **{each.letter: each.fields for each in PARAMETERS.values() if each.letter},
+    **{
+        f"{stem}{n}": (f"{each.name}{n}",)
+        for each in TILES.values()
+        for stem in (each.letter, *(["about"] if each is ROTATE else []))
+        for n in ("", *range(2, MOST_TILES + 1))
+    },
     "theta_v": FOV_Y.fields,
     "theta_h": (*FOV_Y.fields, *ASPECT.fields),
     "e": (*FOV_Y.fields, *ASPECT.fields),
@@ -35,6 +53,7 @@ FIELDS = {  # fields of the document by the names in the formulas of `app.lectur
     "axis_n": (EYE.name, TARGET.name),
 }
 
+_OF_TILES = {each.letter for each in TILES.values()}
 _SIDES = {("r", "l"): "x", ("t", "b"): "y"}
 
 
@@ -81,8 +100,18 @@ def state_of(projection: Projection) -> ProjectionState:
         getattr(lens, "keep", ""),
         frozenset(name for name, value in values.items() if not value),
         lens.fits(projection.aspect),
-        tuple(lens.table.fields.items()),
+        (*lens.table.fields.items(), *_of_product(projection.placement.kinds)),
         tuple(held),
+    )
+
+
+@lru_cache(maxsize=64)
+def _of_product(kinds: tuple[str, ...]) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return the letters of the cells of the object's product, and all that its tiles have."""
+    fields = tuple(kind.field for kind in lettered_kinds(kinds) if kind.letters)
+    linear = tuple(field for field in fields if not field.startswith(TRANSLATE.name))
+    return tuple(
+        (f"o_{i}{j}", fields if j == 4 else linear) for i in range(1, 4) for j in range(1, 5)
     )
 
 
@@ -104,8 +133,8 @@ def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
         return {}, node.number == 0
     if isinstance(node, Letter):
         return _of_name(node.name, state)
-    if isinstance(node, Negative):
-        return _of(node.operand, state)
+    if isinstance(node, Negative | Power):
+        return _of(node.parts[0], state)
     if isinstance(node, Call):
         first = node.arguments[0]
         if node.name == "dot":
@@ -150,7 +179,7 @@ def _of_name(name: str, state: ProjectionState) -> _FieldsAndZero:
     if name in dict(state.held):
         return dict.fromkeys(dict(state.held)[name]), True
     stem, _, part = name.partition("_")
-    if part in ("x", "y", "z"):
+    if part in ("x", "y", "z") or stem.rstrip("2345678") in _OF_TILES:
         stem = f"axis_{stem}" if stem in ("u", "v", "n") else stem
     else:
         stem = name

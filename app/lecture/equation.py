@@ -25,8 +25,8 @@ from app.lecture.algebra import Ratio, ratio
 from app.lecture.copying import latex_called
 from app.lecture.letters import LETTERS, Letters, latex_formula
 from app.lecture.notation import Formulas, WrittenMatrix, matrices, names_of
+from app.model.chain import FROM_OBJECT
 from app.model.formula import LONGEST, parse
-from app.model.object_transform import FROM_OBJECT
 from app.model.projection import Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 

@@ -9,8 +9,8 @@ from typing import Literal, TypeAlias
 
 from app.lecture.highlight import OBJECT_AXES
 from app.model import formula_text
+from app.model.chain import FROM_OBJECT, MOST_TILES
 from app.model.formula import ARROW, parse
-from app.model.object_transform import FROM_OBJECT
 
 Letters: TypeAlias = Literal["own", "000", "001", "002", "003", "004"]
 
@@ -20,9 +20,15 @@ LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
     "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
-    **{f"move_{x}": f"t_{x}" for x in "xyz"},
-    **{f"turn_{x}": f"φ_{x}" for x in "xyz"},
-    **{f"size_{x}": f"s_{x}" for x in "xyz"},
+    **{
+        f"{stem}{n}_{part}": f"{letter}_{n}{part}"
+        for stem, letter, parts in (
+            ("move", "t", "xyz"), ("turn", "φ", "xyza"), ("size", "s", "xyz"),
+            ("about", "a", "xyz"), ("shear", "h", ("xy", "xz", "yx", "yz", "zx", "zy")),
+        )
+        for part in parts
+        for n in ("", *range(2, MOST_TILES + 1))
+    },
     "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
     "near_distance": "n", "far_distance": "f", "divided_z": "\u2212A \u2212 B / z",
     "eye_plane": "w = 0", "pixel_x": "x", "pixel_y": "y", "near_in_cube": "\u22121",

@@ -12,7 +12,6 @@ from __future__ import annotations
 import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from fractions import Fraction
 from functools import cache, lru_cache, partial
 from typing import NamedTuple, TypeAlias
@@ -23,9 +22,9 @@ from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
 from app.lecture.letters import FROM_SHEARED, MATRIX_NAMES, SHEARED, Letters, written
+from app.model.chain import FROM_OBJECT, Chain, lettered_kinds
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
-from app.model.object_transform import FACTORS, FROM_OBJECT
 from app.model.projection import DEPTH_RANGES, Array, Projection, Stage
 from app.model.tables import VIEWPORT, PipelineStep, evaluated
 
@@ -34,6 +33,18 @@ Formulas: TypeAlias = tuple[tuple[str, ...], ...]
 
 _ONE_MATRIX = ("000", "002", "003")
 """The lectures with one matrix from view to clip space, possibly after a shear."""
+
+_CALLED = {
+    "translate": "T",
+    "rotate": "R",
+    "scale": "S",
+    "shear": "H",
+    "mirror": "M",
+    "matrix": "G",
+}
+"""The letters of the object's tiles; neighbouring rotations are one."""
+_LONGEST, _MOST_TERMS = 300, 48
+"""Most characters of a cell of the object's product; a longer one has a letter."""
 
 _QUANTITIES: dict[str, dict[str, Ratio]] = {  # the lectures' replacements of our quantities
     lecture: {ours: ratio(parse(its)) for ours, its in terms.items()}
@@ -60,10 +71,10 @@ def steps_of_a_point(
     and far, and the ``depth`` from z; ``_`` stands before a subscript. `directions` is for points
     with w = 0, from which the eye is not subtracted.
     """
-    lens, placement = _written(projection), projection.placement
+    lens = _written(projection)
     names, signs = _names(lens, letters), clip_signs(projection, letters)
     table = _formulas(lens, letters)
-    moved = "I" if placement.is_identity else " ".join(placement.order.upper())
+    moved = " ".join(letter for letter, _ in itertools.groupby(map(_called, lens.kinds))) or "I"
     eye = written("eye", letters).replace(ARROW, "")
     factors = () if lens.has_own_view else ("rotation", "translation")
     view = names.get("view_from_world") or _chain(names, [f"view_from_world/{f}" for f in factors])
@@ -140,7 +151,12 @@ def matrices(
     tables = _Tables(
         _formulas(lens, letters),
         # Numbers are the same in all letters; lecture 002's have signs of their own.
-        _fields(lens, "002" if letters == "002" else "own", state_of(projection)),
+        _fields(
+            lens,
+            "002" if letters == "002" else "own",
+            state_of(projection),
+            projection.placement.kinds,
+        ),
     )
     whole = [_matrix(stage, parts, projection, tables, letters, rows) for stage, parts in shown]
     return _chained(whole, _names(lens, letters)) if letters != "own" else tuple(whole)
@@ -296,10 +312,10 @@ def _one(
 
 @cache
 def _turned(formula: str) -> str:
-    """Exchange the indices of p_ij and m_ij, for the transposed matrix."""
+    """Exchange the indices of p_ij, m_ij, g_ij and o_ij, for the transposed matrix."""
     tree = parse(formula)
-    cells = [name for name in tree.letters if re.fullmatch(r"[pm]_[1-4]{2}", name)]
-    return tree.where({name: parse(f"{name[:2]}{name[3]}{name[2]}") for name in cells}).text
+    cells = [name for name in tree.letters if re.fullmatch(r"[pmgo][2-8]?_[1-4]{2}", name)]
+    return tree.where({name: parse(f"{name[:-2]}{name[-1]}{name[-2]}") for name in cells}).text
 
 
 @cache
@@ -311,17 +327,17 @@ def _spelled(formula: str, lens: Formulas) -> str:
 
 
 @lru_cache(maxsize=64)
-def _fields(lens: _WrittenForm, letters: Letters, state: ProjectionState) -> _FieldTable:
+def _fields(
+    lens: _WrittenForm, letters: Letters, state: ProjectionState, kinds: tuple[str, ...]
+) -> _FieldTable:
     """Return `WrittenMatrix.fields` by the keys of `_formulas`.
 
     A cell also depends on the depth range if another range gives it another formula, and likewise
     on an infinite far.
     """
     own = _formulas(lens, letters)
-    # An object that is not moved can be moved; no lens matters for that.
-    no_lens = replace(lens.table, steps=())
-    moved = lens._replace(table=no_lens, order=lens.order or "trs")
-    own = {**own, FROM_OBJECT: _formulas(moved, letters)[FROM_OBJECT]}
+    # Tiles that change nothing can be edited.
+    own = {**own, FROM_OBJECT: _of_object(kinds)[FROM_OBJECT]}
     others = [
         (field, _formulas(lens._replace(table=table), letters))
         for field, table in lens.table.otherwise.items()
@@ -389,7 +405,7 @@ class _WrittenForm(NamedTuple):
     table: LensTable
     has_own_view: bool
     depth: str
-    order: str  # of the object's factors; empty for the identity
+    kinds: tuple[str, ...]  # of the object's tiles; empty for the identity
 
     @property
     def is_central(self) -> bool:
@@ -400,8 +416,22 @@ class _WrittenForm(NamedTuple):
 def _written(projection: Projection) -> _WrittenForm:
     lens = projection.lens
     placement = projection.placement
-    order = "" if placement.is_identity else placement.order
-    return _WrittenForm(lens.table, not projection.has_camera, projection.depth, order)
+    kinds = () if placement.is_identity else placement.kinds
+    return _WrittenForm(lens.table, not projection.has_camera, projection.depth, kinds)
+
+
+def _called(kind: str) -> str:
+    return _CALLED[kind.partition(" ")[0]]
+
+
+def object_product(chain: Chain, *, rows: bool = False) -> tuple[Formulas, tuple[str, ...]]:
+    """Return the formulas of an object's product, and the letters of its tiles in order."""
+    formulas = _of_object(chain.kinds)[FROM_OBJECT]
+    names = tuple(map(_called, chain.kinds))
+    if not rows:
+        return formulas, names
+    turned = tuple(tuple(map(_turned, row)) for row in zip(*formulas, strict=True))
+    return turned, names[::-1]
 
 
 _IDENTITY: Formulas = tuple(tuple(str(int(i == j)) for j in range(4)) for i in range(4))
@@ -411,6 +441,10 @@ _LAST_ROW = ("0", "0", "0", "1")
 def _lettered(letter: str) -> Formulas:
     """Return a matrix of single letters with indices: p_ij."""
     return tuple(tuple(f"{letter}_{i}{j}" for j in range(1, 5)) for i in range(1, 5))
+
+
+_OF_OBJECT: Formulas = (*_lettered("o")[:3], _LAST_ROW)
+"""The product of the object's tiles, if its formulas are too long for cells."""
 
 
 def _view_formulas(has_own_view: bool) -> _Table:
@@ -425,6 +459,30 @@ def _view_formulas(has_own_view: bool) -> _Table:
         "view_from_world/translation": (*moved, _LAST_ROW),
         "world_from_view": (*back, _LAST_ROW),
     }
+
+
+@lru_cache(maxsize=64)
+def _of_object(kinds: tuple[str, ...]) -> _Table:
+    """Return the formulas of the object's tiles and of their product."""
+    table: _Table = {}
+    whole = _ONES
+    for kind in lettered_kinds(kinds):
+        cells = evaluated(kind.table, Quantities(), SYMBOLS)
+        table[f"{FROM_OBJECT}/{kind.factor}"] = _texts(cells)
+        whole = whole and product(whole, cells)
+        if any(len(cell.above) > _MOST_TERMS for row in whole for cell in row):
+            whole = []
+    short = zip(_texts(whole) if whole else _OF_OBJECT, _OF_OBJECT, strict=True)
+    return table | {
+        FROM_OBJECT: tuple(
+            tuple(cell if len(cell) <= _LONGEST else o for cell, o in zip(*rows, strict=True))
+            for rows in short
+        )
+    }
+
+
+def _texts(cells: list[list[Ratio]]) -> Formulas:
+    return tuple(tuple(cell.text for cell in row) for row in cells)
 
 
 @lru_cache(maxsize=64)
@@ -443,7 +501,7 @@ def _formulas(lens: _WrittenForm, letters: Letters) -> _Table:
         return tuple(tuple(written.get(cell, cell) for cell in row) for row in signed)
 
     view = _view_formulas(lens.has_own_view)
-    table: _Table = {FROM_OBJECT: _IDENTITY, **view}
+    table: _Table = {**_of_object(lens.kinds), **view}
 
     def step_by_step(steps: Sequence[PipelineStep]) -> None:
         from_view = _ONES
@@ -454,7 +512,7 @@ def _formulas(lens: _WrittenForm, letters: Letters) -> _Table:
                 table[f"{step.name}/{label}"] = formulas(f"{step.name}/{label}", cells)
                 whole = product(whole, cells)
             table[step.name] = formulas(step.name, whole)
-            if step.name.endswith(("from_object", "from_ndc")):
+            if step.name.endswith("from_ndc"):
                 continue
             from_view = product(whole, from_view)
             target, _, _ = step.name.partition("_from_")
@@ -464,8 +522,7 @@ def _formulas(lens: _WrittenForm, letters: Letters) -> _Table:
 
     if (of_lecture := _steps(lens.table, letters)) is not steps:
         step_by_step(of_lecture)
-    own = [PipelineStep(FROM_OBJECT, FACTORS[lens.order])] if lens.order else []
-    step_by_step((*own, *steps, VIEWPORT))
+    step_by_step((*steps, VIEWPORT))
     if steps:
         # The whole formula is too long for a cell, so p_ij are the cells of clip_from_view.
         lettered = tuple(

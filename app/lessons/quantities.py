@@ -43,6 +43,7 @@ from app.model.parameters import (
     HEIGHT,
     NEAR,
     PARAMETERS,
+    ROTATE,
     WIDTH,
     WINDOW_SIDES,
 )  # fmt: skip
@@ -251,7 +252,7 @@ class Quantities:
         owners = {
             "view": self._view,
             "lens": projection.lens,
-            "object": projection.placement,
+            "object": projection.placement.five,
             "quality": document.quality,
             "": projection if path == "depth" else document,
         }
@@ -422,6 +423,20 @@ def _value(parameter: Parameter, known: Quantities) -> float:
     return float(parameter.value(known.projection))
 
 
+def _of_tile(parameter: Parameter, known: Quantities) -> float:
+    """Return a number of the only tile that has it; without one, that of a tile that does nothing.
+
+    Raise `NotThere` for several.
+    """
+    letter = parameter.name[-1]
+    kind = f"rotate {letter}" if ROTATE.name in parameter.name else parameter.name[:-2]
+    rivals = [kind, "rotate"] if kind.startswith("rotate") else [kind]
+    tiles = [tile for tile in known.projection.placement.on if tile.kind in rivals]
+    if len(tiles) > 1 or any(tile.kind != kind for tile in tiles):
+        raise NotThere(f"single tile “{kind}”")
+    return _value(parameter, known)
+
+
 def _of_frame(row: int, place: int, known: Quantities) -> float:
     return float(known.projection.camera.frame[row][place])
 
@@ -444,7 +459,8 @@ _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
 }
 for _place, _axis in enumerate(XYZ):
     for _vector in (each for each in PARAMETERS.values() if each.vector):
-        _SIMPLE[f"{_vector.formula}_{_axis}"] = partial(_value, _vector.component(_place))
+        _read = _of_tile if _vector.section == "object" else _value
+        _SIMPLE[f"{_vector.formula}_{_axis}"] = partial(_read, _vector.component(_place))
     for _row, _letter in enumerate("uvn"):
         _SIMPLE[f"{_letter}_{_axis}"] = partial(_of_frame, _row, _place)
 

@@ -2,13 +2,11 @@
 
 import math
 from dataclasses import fields, replace
-from typing import Any, TypeVar
+from typing import Any
 
 from app.document.document import Document
-from app.model.projection import Camera, Lens, ObjectTransform, Orbit
+from app.model.projection import Camera, Lens, Orbit
 from app.model.refusal import Refusal
-
-Owner = TypeVar("Owner", Lens, ObjectTransform)
 
 
 def can_move(start: Document, end: Document) -> bool:
@@ -32,8 +30,8 @@ def between(start: Document, end: Document, part: float) -> Document | None:
         projection = replace(
             other,
             camera=camera_between(one.camera, other.camera, part),
-            lens=_fields(one.lens, other.lens, part),
-            placement=_fields(one.placement, other.placement, part),
+            lens=_lens_between(one.lens, other.lens, part),
+            placement=one.placement.towards(other.placement, part),
         )
         settings = dict(end.settings)
         for name, value in settings.items():
@@ -61,7 +59,7 @@ def _number(one: float, other: float, part: float) -> float:
     return (1.0 - part) * one + part * other
 
 
-def _fields(one: Owner, other: Owner, part: float) -> Owner:
+def _lens_between(one: Lens, other: Lens, part: float) -> Lens:
     names = [field.name for field in fields(other)]
     mixed = {name: _mixed(getattr(one, name), getattr(other, name), part) for name in names}
     return replace(other, **mixed)

@@ -85,7 +85,8 @@ def _texts(document: Document) -> dict[str, str]:
     texts = {"depth": str(tree["depth"])}
     for section in ("lens", "camera", "object", "image", "quality", "settings"):
         for key, value in tree.get(section, {}).items():
-            texts[f"{section}.{key}"] = _text(value)
+            is_chain = (section, key) == ("object", "chain")
+            texts[f"{section}.{key}"] = "; ".join(value) if is_chain else _text(value)
     ever = {"layout": "pictures", "large": "", "stage": "ndc", "letters": "own", "layers": "",
             "fixed": ""}  # fmt: skip
     texts |= {f"view.{key}": text for key, text in ever.items()}

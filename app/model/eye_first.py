@@ -14,9 +14,9 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.model.chain import WorldPoints
 from app.model.lenses.lens import EyeLens
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
-from app.model.object_transform import WorldPoints
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, empty_trace
 from app.model.refusal import Refusal
 

@@ -14,6 +14,7 @@ from operator import attrgetter
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from app.model.chain import KINDS
 from app.model.lenses.lens import FAR as FAR
 from app.model.lenses.lens import NEAR as NEAR
 from app.model.lenses.oblique import ALPHA as ALPHA
@@ -158,7 +159,21 @@ _orbit = partial(stated, section="camera", place="camera", computed=ORBIT)
 _vector = partial(stated, section="camera", place="more_camera", vector=True)
 _image = partial(stated, section="image", place="image", changes=("image",), shows=("image",))
 _side_px = partial(_image, unit="px", span=(10.0, 4000.0), step=10.0)
-_object = partial(stated, section="object", place="object")
+
+
+def _leftmost(projection: Projection, *kinds: str) -> Any:
+    """Return the numbers of the leftmost tile of some kinds, or those that change nothing."""
+    chain = projection.placement
+    place = chain.place_of(*kinds)
+    return KINDS[kinds[0]].neutral if place is None else chain.tiles[place].numbers
+
+
+def _angles_deg(projection: Projection) -> Any:
+    """Return the angles about x, y and z of the leftmost tile about each."""
+    return tuple(_leftmost(projection, f"rotate {axis}")[0] for axis in "xyz")
+
+
+_object = partial(stated, section="object", vector=True)
 
 KIND = _lens("kind", shows=(), write=Projection.with_lens)
 FOV_X = _by_fov(
@@ -227,14 +242,25 @@ ASPECT = _image(
 DEPTH = stated(
     "depth", section="", place="image", read=attrgetter("depth"), write=Projection.with_depth
 )
-TRANSLATE = _object("translate", unit="units", vector=True, letter="move", formula="move",
-                    handle="origin")  # fmt: skip
-ROTATE = _object("rotate_deg", **_TURN, vector=True, letter="turn", formula="turn", handle="turn")
-SCALE = _object(
-    "scale", unit="×", span=(-3.0, 3.0), step=0.01, vector=True, letter="size", formula="size",
-    handle="object",
+CHAIN = stated(
+    "chain", section="object", shows=(), read=attrgetter("placement"),
+    write=lambda p, chain: replace(p, placement=chain),
 )  # fmt: skip
-ORDER = _object("order", buttons=True)
+TRANSLATE = _object(
+    "translate", unit="units", letter="move", formula="move", handle="origin",
+    read=lambda p: _leftmost(p, "translate"),
+)  # fmt: skip
+ROTATE = _object(
+    "rotate_deg", **_TURN, letter="turn", formula="turn", handle="turn", read=_angles_deg
+)
+SCALE = _object(
+    "scale", unit="×", span=(-3.0, 3.0), step=0.01, letter="size", formula="size", handle="object",
+    read=lambda p: _leftmost(p, "scale"),
+)  # fmt: skip
+SHEAR = stated("shear", section="object", span=(-3.0, 3.0), step=0.01, letter="shear")
+MATRIX = stated("matrix", section="object", letter="g")
+TILES = {each.name: each for each in (TRANSLATE, ROTATE, SCALE, SHEAR, MATRIX)}
+"""The parameters of the numbers of the object's tiles, by `TileKind.field`."""
 
 
 def parameters() -> tuple[Parameter, ...]:
@@ -244,7 +270,7 @@ def parameters() -> tuple[Parameter, ...]:
         KIND, FOV_X, FOCAL_LENGTH, KEEP, *own.values(), PRESET, RECEDING, RECEDING_DEG,
         LEFT, RIGHT, BOTTOM, TOP, NEAR, FAR, FOCAL_E, HALF_WIDTH, HALF_HEIGHT, FX, FY, CX, CY,
         AZIMUTH, ELEVATION, DISTANCE, ROLL, EYE, TARGET, UP, WIDTH, HEIGHT, ASPECT, DEPTH,
-        TRANSLATE, ROTATE, SCALE, ORDER,
+        CHAIN, *TILES.values(),
     )  # fmt: skip
 
 

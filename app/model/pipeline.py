@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.arithmetic.rationals import Rationals, product, rationals
 from app.model.camera import Camera
+from app.model.chain import NOT_MOVED, SPACES, Chain, Space, WorldPoints
 from app.model.formula import FLOAT64
 from app.model.lenses import Lens, Perspective
 from app.model.lenses.answers import Axis, ExactLens, Window
@@ -40,7 +41,6 @@ from app.model.limits import (
     keep_checked,
     read_only,
 )
-from app.model.object_transform import NOT_MOVED, SPACES, ObjectTransform, Space, WorldPoints
 from app.model.refusal import Bound, Refusal
 from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
@@ -104,6 +104,18 @@ class Stage(NamedTuple):
         return rounded(self.exact)
 
 
+class Link(NamedTuple):
+    """One factor of the way from the object to the picture.
+
+    - `exact`: its matrix before it is rounded; None for the divide by w.
+    - `so_far`: the product of all factors up to it, from object coordinates.
+    """
+
+    name: str
+    exact: Rationals | None
+    so_far: Rationals
+
+
 def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
     whole = reduce(product, [factor for _, factor in factors] or [_diagonal(1, 1, 1, 1)])
     return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
@@ -131,7 +143,7 @@ class Pipeline:
     lens: Lens = Perspective()
     image_size: tuple[int, int] = (1280, 720)  # width and height in pixels
     depth: DepthRange = "opengl"  # the NDC range of z: "opengl", "direct3d" or "reversed"
-    placement: ObjectTransform = NOT_MOVED  # where the scene's object stands
+    placement: Chain = NOT_MOVED  # where the scene's object stands
 
     def __post_init__(self) -> None:
         try:
@@ -352,6 +364,28 @@ class Pipeline:
         for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
             row[3] = part
         return view
+
+    @property
+    def links(self) -> tuple[Link, ...]:
+        """Every factor from the object to the picture, in the order in which they act on a point.
+
+        A tile is named by its text. The product is written in the reverse order.
+        """
+        named: list[tuple[str, Rationals | None]] = []
+        for tile, factor in zip(self.placement.on, self.placement.factors, strict=True):
+            named.insert(0, (tile.text, factor))
+        if self.has_camera:
+            moved = _shift(*(Fraction(-part) for part in self.camera.eye))
+            named.extend([("view translation", moved), ("view rotation", self._exact_rotation)])
+        else:
+            named.append(("view_from_world", self._view_stage.exact))
+        named.extend((each.name, each.exact) for each in self.lens_stages or self.direct_stages[:1])
+        named.extend([("divide by w", None), (VIEWPORT.name, self.staged(VIEWPORT).exact)])
+        links, so_far = [], _diagonal(1, 1, 1, 1)
+        for name, exact in named:
+            so_far = product(exact, so_far) if exact else so_far
+            links.append(Link(name, exact, so_far))
+        return tuple(links)
 
     @cached_property
     def direct_stages(self) -> tuple[Stage, Stage]:

@@ -37,6 +37,7 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.rationals import Rationals
 from app.model.camera import Camera, Orbit, checked_intrinsics
+from app.model.chain import Chain, Space, WorldPoints
 from app.model.eye_first import EyeFirst
 from app.model.formula import FLOAT64
 from app.model.lenses import (
@@ -80,7 +81,6 @@ from app.model.limits import (
     between,
     read_only,
 )
-from app.model.object_transform import ObjectTransform, Space, WorldPoints
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
 from app.model.refusal import Refusal
 from app.model.tables import evaluated
@@ -89,8 +89,8 @@ from app.model.typed_cells import TypedCells
 __all__ = [  # the other packages import the model from here
     "AT_LEAST", "AT_MOST", "BETWEEN", "DEPTH_RANGES", "FINITE_NUMBER", "LARGEST",
     "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "NOT_THE_EYE", "OBLIQUE_PRESETS", "ONE_OF",
-    "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "DepthRange", "FreeMatrix",
-    "Frustum", "Intrinsics", "Lens", "ObjectTransform", "Oblique", "Orbit", "Orthographic",
+    "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "Chain", "DepthRange",
+    "FreeMatrix", "Frustum", "Intrinsics", "Lens", "Oblique", "Orbit", "Orthographic",
     "Perspective", "Projection", "Rationals", "Space", "Stage", "Trace", "Vector", "WorldPoints",
     "checked_points", "focal_length_35mm", "focal_length_e", "fov_x_from_fov_y",
     "fov_y_from_focal_length_35mm", "fov_y_from_focal_length_e", "fov_y_from_window", "kinds",

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 
 from app.arithmetic.double_double import DoubleDouble
+from app.model.chain import WorldPoints
 from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
-from app.model.object_transform import WorldPoints
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, checked_pixels, checked_points
 from app.model.refusal import Refusal
 from app.model.tables import rounded

@@ -21,10 +21,12 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 
 from app.model import parameters
+from app.model.chain import KINDS, Tile
 from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.parameters import (
     BOTTOM,
+    CHAIN,
     FAR,
     FOV_Y,
     LEFT,
@@ -37,11 +39,11 @@ from app.model.parameters import (
     TRANSLATE,
     UP,
 )  # fmt: skip
-from app.model.projection import LENSES, ONE_OF, Array, ObjectTransform, Projection, Vector
+from app.model.projection import LENSES, ONE_OF, Array, Chain, Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.sight import Sight, heading
 
-Change: TypeAlias = dict[str, "float | Vector"]
+Change: TypeAlias = dict[str, "float | Vector | Chain"]
 """New values for fields of the camera, the lens or the object."""
 Spot: TypeAlias = tuple[float, float]  # a position in a pane, in pixels from its top left
 
@@ -228,7 +230,7 @@ def dragged(
         longer = np.linalg.norm(camera.up) / max(float(np.linalg.norm(moved)), 1e-300)
         return {UP.name: vector(np.round(longer * moved, 4))}
     if handle.name == "object":
-        return _moved_object(projection.placement, drag, shift)
+        return {CHAIN.name: _moved_object(projection.placement, drag, shift)}
     if handle.name in PLANES:
         return {handle.name: _moved_plane(projection, drag, drawn)}
     before = projection.lens.fov_y_deg
@@ -246,7 +248,7 @@ def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
     if handle.name == CORNER and 0.0 in handle.at:
         return np.array(projection.camera.frame[int(handle.at[0] == 0.0)])
     if handle.name == "object" and handle.setting in "xyz":
-        return _turned(projection.placement)[:, "xyz".index(handle.setting)]
+        return _directions(projection.placement)[:, "xyz".index(handle.setting)]
     return None
 
 
@@ -288,13 +290,16 @@ def dollied(projection: Projection, factor: float) -> Change:
     return {EYE.name: vector(target + factor * (eye - target))}
 
 
-def changed(projection: Projection, change: Mapping[str, float | Vector]) -> Projection:
+def changed(projection: Projection, change: Mapping[str, float | Vector | Chain]) -> Projection:
     """The projection with new field values.
 
     Raises a `Refusal` if the camera or the lens cannot have these values.
     """
     parts: dict[str, Change] = {}
     for name, value in change.items():
+        if isinstance(value, Chain):
+            projection = CHAIN.put(projection, value)
+            continue
         parts.setdefault(PARAMETERS[name].part, {})[name] = value
     owners: dict[str, Any] = {part: getattr(projection, part) for part in parts}
     return replace(
@@ -325,76 +330,96 @@ def moved_by(projection: Projection, handle: Handle) -> tuple[Parameter, ...]:
 # --------------------------------------------------------------------------- the object
 
 
-def object_points(placement: ObjectTransform, reach: float) -> dict[str, Array]:
+def object_points(chain: Chain, reach: float) -> dict[str, Array]:
     """World points (3,) of the object's handles, by `OBJECT_POINTS`.
 
     `reach` is the drawn length of an axis, in lengths of its matrix column.
     """
-    matrix, turned = placement.matrix, _turned(placement)
+    matrix, turned = chain.matrix, _directions(chain)
     origin = matrix[:3, 3]
     tips = [origin + reach * matrix[:3, axis] for axis in range(3)]
     aside = origin + _TURN_OUT * reach * (turned[:, 0] + turned[:, 2])
     return dict(zip(OBJECT_POINTS, (origin, *tips, aside), strict=True))
 
 
-def _turned(placement: ObjectTransform) -> Array:
-    """Directions of the object's axes as columns (3, 3), also for a flattened axis."""
-    return np.asarray(ObjectTransform(rotate_deg=placement.rotate_deg).matrix[:3, :3])
+def _directions(chain: Chain) -> Array:
+    """Directions of the object's axes as columns (3, 3), also of a flattened axis."""
+    linear = Chain(tuple(tile for tile in chain.on if tile.kind != "scale")).matrix[:3, :3]
+    return np.asarray(linear / np.linalg.norm(linear, axis=0))
 
 
-def _moved_object(placement: ObjectTransform, drag: _HandleDrag, shift: bool) -> Change:
-    """Move the origin to the pixel, stretch an axis to it, or turn the object."""
-    handle, grabbed, sight, pixel = drag
-    reach, turned = handle.at[0], _turned(placement)
-    points = object_points(placement, reach)
-    origin = points["origin"]
-    if handle.setting == "origin":
-        moved = np.array(moved_point(vector(origin), sight, pixel, shift))
-        if placement.order == "rts":  # it is rotated after it is translated
-            moved = turned.T @ moved
-        return {TRANSLATE.name: vector(moved)}
-    if handle.setting == "turn":
-        return {ROTATE.name: _turned_as_seen(placement, points, sight, pixel)}
-    axis = "xyz".index(handle.setting)
-    before = placement.scale[axis]
-    if before:  # somewhere on the axis
-        reach = float(turned[:, axis] @ (grabbed - origin)) / before
-    along, per_px = sight.slide(origin, reach * turned[:, axis], pixel)
-    scale = list(placement.scale)
-    scale[axis] = _tidy(along, before, per_px)
-    return {SCALE.name: vector(scale)}
+def _moved_object(chain: Chain, drag: _HandleDrag, shift: bool) -> Chain:
+    """Move the origin to the pixel, stretch an axis to it, or turn the object.
 
-
-def _turned_as_seen(
-    placement: ObjectTransform, points: Mapping[str, Array], sight: Sight, pixel: Spot
-) -> Vector:
-    """Angles of ``Rz Ry Rx`` after a turn about the line of sight to the object's origin.
-
-    The turn takes the shorter way round on the screen.
+    The leftmost tile of the kind changes; without one, a tile is added where the object moves as
+    it is seen: a translation at the left, a scale and a rotation next to the object.
     """
-    origin = points["origin"]
-    (centre, held) = sight.seen([origin, points["turn"]])
+    handle, _, sight, pixel = drag
+    if handle.setting == "origin":
+        return _translated(chain, sight, pixel, shift)
+    if handle.setting == "turn":
+        return _turned(chain, object_points(chain, handle.at[0]), sight, pixel)
+    return _scaled(chain, "xyz".index(handle.setting), drag)
+
+
+def _of_kind(chain: Chain, new: int, *kinds: str) -> tuple[Chain, int]:
+    """The chain with a tile of some kinds, put in at a place if there is none, and its place."""
+    place = chain.place_of(*kinds)
+    if place is not None:
+        return chain, place
+    return chain.with_tile(new, Tile(kinds[0], KINDS[kinds[0]].neutral)), new
+
+
+def _translated(chain: Chain, sight: Sight, pixel: Spot, shift: bool) -> Chain:
+    chain, place = _of_kind(chain, 0, "translate")
+    before, tile = vector(chain.matrix[:3, 3]), chain.tiles[place]
+    moved = moved_point(before, sight, pixel, shift)
+    left = Chain(chain.tiles[:place])
+    if not left.is_identity or before != tile.numbers:
+        away = np.linalg.pinv(left.matrix[:3, :3]) @ np.subtract(moved, before)
+        moved = vector([float(f"{part:.12g}") for part in np.add(tile.numbers, away)])
+    return chain.with_tile(place, Tile("translate", moved), over=1)
+
+
+def _scaled(chain: Chain, axis: int, drag: _HandleDrag) -> Chain:
+    handle, grabbed, sight, pixel = drag
+    chain, place = _of_kind(chain, len(chain.tiles), "scale")
+    tile = chain.tiles[place]
+    left, right = Chain(chain.tiles[:place]).matrix, Chain(chain.tiles[place + 1 :]).matrix
+    part = int(np.abs(right[:3, axis]).argmax())  # the number of the scale that stretches most
+    before = tile.numbers[part]
+    origin, column, reach = chain.matrix[:3, 3], chain.matrix[:3, axis], handle.at[0]
+    if column.any():  # somewhere on the axis
+        reach = float(column @ (grabbed - origin)) / float(column @ column)
+    along = left[:3, part] * (reach * right[part, axis] + right[part, 3])
+    value, per_px = sight.slide(origin + reach * column - before * along, along, pixel)
+    numbers = list(tile.numbers)
+    numbers[part] = _tidy(value, before, per_px)
+    return chain.with_tile(place, Tile("scale", tuple(numbers)), over=1)
+
+
+def _turned(chain: Chain, points: Mapping[str, Array], sight: Sight, pixel: Spot) -> Chain:
+    """The chain after its leftmost rotation has turned as the pixel goes round the origin.
+
+    A new rotation has the axis nearest to the line of sight.
+    """
+    centre, held = sight.seen([points["origin"], points["turn"]])
     start, end = held - centre, np.array(pixel) - centre
     x, y, _, w = sight.rows
     # The axis towards the pane's camera: along it x and y on the screen do not change.
     toward = np.cross((x - centre[0] * w)[:3], (y - centre[1] * w)[:3])
-    toward /= np.linalg.norm(toward)
     angle = math.atan2(start[0] * end[1] - start[1] * end[0], float(start @ end))
     angle_deg = _tidy(math.degrees(angle), 0.0, math.degrees(1.0 / max(math.hypot(*start), 1.0)))
-    about = math.radians(angle_deg)
-    across = np.cross(np.eye(3), toward)  # Rodrigues' formula
-    turn = np.eye(3) + math.sin(about) * across + (1.0 - math.cos(about)) * across @ across
-    matrix = turn @ _turned(placement)
-    up = math.hypot(matrix[0, 0], matrix[1, 0])
-    angles = (
-        math.atan2(matrix[2, 1], matrix[2, 2]) if up > 1e-12 else 0.0,
-        math.atan2(-matrix[2, 0], up),
-        math.atan2(matrix[1, 0], matrix[0, 0])
-        if up > 1e-12
-        else math.atan2(-matrix[0, 1], matrix[1, 1]),
-    )
-    about_x, about_y, about_z = (round(math.degrees(part), 9) + 0.0 for part in angles)
-    return about_x, about_y, about_z
+    new = len(chain.tiles) - (chain.tiles[-1:] == chain.on[-1:] and chain.kinds[-1:] == ("scale",))
+    facing = np.abs(Chain(chain.tiles[:new]).matrix[:3, :3].T @ toward)
+    kinds = [f"rotate {axis}" for axis in "xyz"]
+    chain, place = _of_kind(chain, new, kinds[int(facing.argmax())], *kinds, "rotate")
+    tile = chain.tiles[place]
+    axis = tile.numbers[:3] if tile.kind == "rotate" else np.eye(3)[kinds.index(tile.kind)]
+    if Chain(chain.tiles[:place]).matrix[:3, :3] @ axis @ toward < 0.0:
+        angle_deg = -angle_deg
+    turned_deg = math.remainder(round(tile.numbers[-1] + angle_deg, 9), 360.0)
+    return chain.with_tile(place, Tile(tile.kind, (*tile.numbers[:-1], turned_deg)), over=1)
 
 
 # --------------------------------------------------------------------------- in the view volume

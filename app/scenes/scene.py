@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.model.limits import vector
-from app.model.projection import Array, ObjectTransform, Projection, Space, Vector
+from app.model.projection import Array, Chain, Projection, Space, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished
@@ -268,7 +268,7 @@ class Scene(Appearance):
             replace(self, surface=None, lines=ground, dots=None),
         )
 
-    def parts(self, placement: ObjectTransform) -> tuple[tuple[Scene, Space], ...]:
+    def parts(self, placement: Chain) -> tuple[tuple[Scene, Space], ...]:
         """Return the parts that are drawn under one matrix each, with their spaces.
 
         The whole scene is one part unless the object is moved; then objects and ground are two.
@@ -278,7 +278,7 @@ class Scene(Appearance):
         objects, ground = self.apart
         return (objects, "object"), (ground, "world")
 
-    def reach(self, placement: ObjectTransform) -> Array:
+    def reach(self, placement: Chain) -> Array:
         """Return corners (8 or 16, 3) of boxes around everything drawn, in world coordinates."""
         if placement.is_identity:
             return self.corners

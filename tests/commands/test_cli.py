@@ -33,8 +33,8 @@ from app.document.view import View
 from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.lecture.letters import LETTERS
+from app.model.chain import SPACES
 from app.model.limits import SMALLEST_WINDOW
-from app.model.object_transform import SPACES
 from app.model.projection import (
     LARGEST,
     PLANES,

@@ -3,14 +3,19 @@
 from __future__ import annotations
 
 import json
+import re
 
 import numpy as np
 import pytest
 
 from app.commands import options
+from app.document.document import Document
+from app.document.settings import set_values
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
+from app.model.projection import kinds
 from app.scenes.scene import load
 from tests.support.commands import one_sentence, run_here
+from tests.support.printed import sides
 
 START = load("letter-f").start
 NUMPY = "[[1.8,0,0,0],[0,2.4,0,0],[0,0,-1.002,-0.2002],[0,0,-1,0]]"
@@ -98,3 +103,37 @@ def test_a_text_that_is_no_matrix_is_refused(text: str, bound: str) -> None:
     done = run_here("matrices", "--set=lens.kind=matrix", f"--set=lens.clip_from_view={text}")
     said = one_sentence(done, 2)
     assert "lens.clip_from_view = '" in said and said.rstrip(".\n").endswith(bound)
+
+
+OBJECT = "object.chain=translate 3,0,0; rotate 1,2,2 40; off mirror x; shear xy 0.5; scale 2,1,1"
+
+
+@pytest.mark.parametrize("lens", kinds())
+def test_the_whole_chain_ends_in_the_picture_and_every_product_so_far_is_one_factor_more(
+    lens: str,
+) -> None:
+    values = ["--set", OBJECT, "--set", f"lens.kind={lens}"]
+    printed = json.loads(run_here("matrices", "--chain", "--format=json", *values).stdout)
+    so_far, names = np.eye(4), [step["name"] for step in printed["steps"]]
+    for step in printed["steps"]:
+        so_far = so_far if step["matrix"] is None else np.array(step["matrix"]) @ so_far
+        np.testing.assert_allclose(step["so_far"], so_far, rtol=1e-12, atol=1e-12)
+    assert printed["product"] == names[::-1]
+    assert names[:4] == ["scale 2,1,1", "shear xy 0.5", "rotate 1,2,2 40", "translate 3,0,0"]
+    x, y, depth, w = so_far @ [0.3, 0.7, 0.2, 1.0]
+    projection = set_values(Document("letter-f", load("letter-f").start), values[1::2]).projection
+    seen = projection.trace((0.3, 0.7, 0.2), "object")
+    np.testing.assert_allclose([x / w, y / w, depth / w], [*seen.image, seen.depth], rtol=1e-11)
+
+
+def test_the_chain_in_latex_multiplies_to_its_result() -> None:
+    values = "--set", OBJECT
+    tex = run_here("matrices", "--chain", "--format=latex", "--digits=17", *values).stdout
+    (body,) = re.findall(r"\\\[(.*)\\\]", tex, re.DOTALL)
+    product, result = sides(re.sub(r"\\\w+\{aligned\}", "", body), {}, {})[-2:]
+    np.testing.assert_allclose(product, result, rtol=1e-12, atol=1e-12)
+    text = run_here("matrices", "--chain", *values).stdout
+    assert "translate 3,0,0 | rotate 1,2,2 40 | shear xy 0.5 | scale 2,1,1\nthe rightmost" in text
+    assert text.count("  so far\n") == 12 and "x, y and z divided by w" in text
+    refused = run_here("matrices", "--chain", "--planes")
+    assert refused.returncode and "stands alone" in refused.stderr

@@ -62,7 +62,7 @@ from tests.support.carrier import carrier
 from tests.support.phenomenon import EVERYTHING, called, make_known
 
 DESIGN = """
-{"format": "frustum-lab", "version": 2, "scene": "letter-f",
+{"format": "frustum-lab", "version": 3, "scene": "letter-f",
  "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
  "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 1, "far": 30},
  "depth": "opengl", "image": {"width": 1280, "height": 720}}
@@ -70,7 +70,7 @@ DESIGN = """
 WRITTEN = """\
 {
   "format": "frustum-lab",
-  "version": 2,
+  "version": 3,
   "scene": "letter-f",
   "camera": {"eye": [5, 4.5, 8], "target": [0, 2.2, 0], "up": [0, 1, 0]},
   "lens": {"kind": "perspective", "fov_y_deg": 38, "near": 5, "far": 12.5},
@@ -234,9 +234,9 @@ def test_only_a_lens_whose_far_may_be_infinite_offers_inf() -> None:
 
 
 def test_a_newer_version_is_refused() -> None:
-    assert sentence(parse, with_value("version", 3)) == (
-        "The document was written by a newer Frustum Lab: its version is 3, this program reads "
-        "up to 2."
+    assert sentence(parse, with_value("version", 4)) == (
+        "The document was written by a newer Frustum Lab: its version is 4, this program reads "
+        "up to 3."
     )
     # Whatever else it holds, that is what is said.
     sentence(parse, json.dumps({"format": "frustum-lab", "version": 4})).index("newer")
@@ -1065,7 +1065,7 @@ def test_every_document_of_version_1_opens_and_keeps_all_it_has(
     assert opened == replace(document, extra=opened.extra)
     assert opened.view == (View(panes=document.view.panes) if has_views else View())
     again = json.loads(to_json(opened))
-    assert again.pop("version") == 2
+    assert again.pop("version") == 3
     now = again.pop("view", {})
     assert now.get("panes", {}) == (cameras if has_views else {})
     assert now.get("version 1", {}) == view

@@ -18,7 +18,8 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
 from app.drawings.vectors import Disc, LineShape, Shape, shapes_of
 from app.drawings.world import WorldDrawing
-from app.model.projection import Array, Camera, ObjectTransform, Perspective, Projection
+from app.model.chain import FiveTiles
+from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.precision.quality import Quality
 from app.scenes.fewer_triangles import reduced
@@ -68,7 +69,7 @@ def test_the_dots_of_a_figure_are_the_traced_points_inside_the_volume(
     scene, points = scattered
     for projection in (
         CAMERA,
-        replace(CAMERA, placement=ObjectTransform((0.5, 0.0, -1.0), (0.0, 30.0, 0.0))),
+        replace(CAMERA, placement=FiveTiles((0.5, 0.0, -1.0), (0.0, 30.0, 0.0)).chain),
     ):
         trace = projection.trace(points, "object")
         inside = trace.image[~trace.outside.any(axis=1)]

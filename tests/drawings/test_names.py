@@ -20,7 +20,7 @@ from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import AXES, WINDOW
 from app.lecture.letters import Letters
-from app.model.object_transform import ObjectTransform
+from app.model.chain import FiveTiles
 from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
 from app.picking.picking import Probe
@@ -130,7 +130,7 @@ def test_named_axes_of_a_moved_object_are_in_the_picture(off_screen: MakeScreen)
     screen, scene = off_screen(540, 420), load("letter-f")
     drawing = opened(screen)
     drawing.show_names(frozenset("xyz"))
-    placement = ObjectTransform(translate=(3.0, 0.0, 0.0), rotate_deg=(0.0, 0.0, 90.0))
+    placement = FiveTiles(translate=(3.0, 0.0, 0.0), rotate_deg=(0.0, 0.0, 90.0)).chain
     drawing.show_projection(replace(scene.start, placement=placement))
     drawing.reset_view()
     tips = axes_reach(scene.size) * np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])

@@ -12,7 +12,8 @@ from app.document.view import LAYERS, STAGES, View
 from app.drawings.image import ImageDrawing
 from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT
-from app.model.projection import Camera, ObjectTransform, Perspective, Projection
+from app.model.chain import FiveTiles
+from app.model.projection import Camera, Chain, Perspective, Projection
 from app.scenes.scene import load
 from tests.support.drawings import MakeScreen, figure_of, off_screen
 
@@ -24,12 +25,12 @@ BARE = View(layers=frozenset(LAYERS))
 
 
 def moved_object() -> Projection:
-    return replace(F.start, placement=ObjectTransform(SHIFT, (0.0, TURN_DEG, 0.0)))
+    return replace(F.start, placement=FiveTiles(SHIFT, (0.0, TURN_DEG, 0.0)).chain)
 
 
 def moved_camera() -> Projection:
     """The camera in the object's coordinates: turned back, after it was shifted back."""
-    back = ObjectTransform(rotate_deg=(0.0, -TURN_DEG, 0.0)).matrix[:3, :3]
+    back = FiveTiles(rotate_deg=(0.0, -TURN_DEG, 0.0)).chain.matrix[:3, :3]
     camera = F.start.camera
     eye, target = (tuple(back @ np.subtract(p, SHIFT)) for p in (camera.eye, camera.target))
     return replace(F.start, camera=Camera(eye, target))
@@ -51,7 +52,7 @@ def test_l2_a_moved_object_is_what_a_camera_sees_that_moves_the_other_way(pane: 
 
 
 def test_l2_the_ground_stays_where_it_is_and_the_object_does_not() -> None:
-    without_object = replace(F.start, placement=ObjectTransform((0.0, 500.0, 0.0)))
+    without_object = replace(F.start, placement=FiveTiles((0.0, 500.0, 0.0)).chain)
     pictures = [
         figure_of(
             F,
@@ -81,7 +82,7 @@ def test_l2_both_precisions_draw_the_moved_object(
         drawing = ImageDrawing(screen, F, words, LIGHT, tolerance_px, options=UNFRAMED)
         drawing.show_layers(frozenset({"grid"}))
         camera = Camera((6.0 + away, 5.0, 9.0), (away, 2.2, 0.0))
-        placement = ObjectTransform((away, 0.0, 0.0), (0.0, 20.0, 0.0), (1.0, 0.5, 1.0))
+        placement = FiveTiles((away, 0.0, 0.0), (0.0, 20.0, 0.0), (1.0, 0.5, 1.0)).chain
         drawing.show_projection(
             Projection(camera, Perspective(45.0, 4.0, 18.0), (320, 240), placement=placement)
         )
@@ -111,7 +112,7 @@ def test_l2_no_vertex_is_touched(off_screen: MakeScreen) -> None:
     screen.pixels()
     before = meshes()
     for x in (0.5, 3.0, -2.0):
-        placement = ObjectTransform((x, 0.0, 0.0), (x, 10.0, 0.0), (1.0, 2.0, x))
+        placement = FiveTiles((x, 0.0, 0.0), (x, 10.0, 0.0), (1.0, 2.0, x)).chain
         drawing.show_projection(replace(F.start, placement=placement))
         screen.pixels()
         assert meshes() == before
@@ -121,16 +122,16 @@ def test_l2_no_vertex_is_touched(off_screen: MakeScreen) -> None:
 @pytest.mark.parametrize(
     "placement",
     [
-        ObjectTransform(scale=(1.0, 0.0, 1.0)),
-        ObjectTransform(scale=(0.0, 0.0, 0.0)),
-        ObjectTransform(scale=(-1.0, 1.0, 1.0)),
-        ObjectTransform((1e100, 0.0, 0.0)),
-        ObjectTransform(scale=(1e30, 1e-100, 1.0)),
-        ObjectTransform((0.0, 0.0, 1e9), (1e-9, 0.0, 1e30)),
+        FiveTiles(scale=(1.0, 0.0, 1.0)).chain,
+        FiveTiles(scale=(0.0, 0.0, 0.0)).chain,
+        FiveTiles(scale=(-1.0, 1.0, 1.0)).chain,
+        FiveTiles((1e100, 0.0, 0.0)).chain,
+        FiveTiles(scale=(1e30, 1e-100, 1.0)).chain,
+        FiveTiles((0.0, 0.0, 1e9), (1e-9, 0.0, 1e30)).chain,
     ],
     ids=["flat", "point", "mirrored", "gone", "wild", "far"],
 )
-def test_any_object_is_drawn_in_every_pane_and_at_every_stage(placement: ObjectTransform) -> None:
+def test_any_object_is_drawn_in_every_pane_and_at_every_stage(placement: Chain) -> None:
     projection = replace(F.start, placement=placement)
     for stage in ("view", "ndc"):
         view = View(stage=float(STAGES.index(stage)))

@@ -17,6 +17,7 @@ from app.document.document import Document
 from app.document.view import FIXED, LAYERS, LAYOUTS, MOST_PROBES, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS
+from app.model.chain import Chain
 from app.model.parameter import Parameter
 from app.model.projection import DEPTH_RANGES, LENSES, Array, Camera
 from app.model.refusal import Refusal
@@ -201,7 +202,10 @@ def edited(rng: random.Random, document: Document) -> Document:
             return replace(document, projection=replace(projection, image_size=size))
         if kind == 5 and phenomenon is None:
             turn = rng.choice((0.0, -0.0, 30.0, rng.uniform(-180.0, 180.0)))
-            placement = replace(projection.placement, rotate_deg=(0.0, turn, 0.0))
+            text = rng.choice(
+                ("rotate y {0}", "translate 1,0,0; rotate y {0}", "scale 2,1,1; rotate 1,1,0 {0}")
+            )
+            placement = Chain.read(text.format(repr(turn)))
             return replace(document, projection=replace(projection, placement=placement))
         depth = rng.choice(list(DEPTH_RANGES))
         return replace(document, projection=replace(projection, depth=depth))

@@ -16,6 +16,7 @@ import pytest
 from app.lecture import copying
 from app.lecture.letters import LETTERS, Letters, written
 from app.lecture.notation import WrittenMatrix, matrices
+from app.model.chain import FiveTiles
 from app.model.formula import ARROW, parse
 from app.model.projection import (
     DEPTH_RANGES,
@@ -23,7 +24,6 @@ from app.model.projection import (
     FreeMatrix,
     Frustum,
     Lens,
-    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -275,7 +275,7 @@ def test_l6_off_the_axis_is_h_before_a_window_about_it() -> None:
 
 def test_l2_the_three_matrices_of_lecture_003() -> None:
     projection = replace(
-        projection_of("frustum"), placement=ObjectTransform((1.0, 2.0, 3.0), (0.0, 90.0, 0.0))
+        projection_of("frustum"), placement=FiveTiles((1.0, 2.0, 3.0), (0.0, 90.0, 0.0)).chain
     )
     object_, view, lens, *_ = matrices(projection, "003")
     assert (object_.called, view.called, lens.called) == ("M_O→W", "M_W→E", "M_projection")
@@ -341,8 +341,10 @@ def moves(projection: Projection) -> dict[str, list[Projection]]:
         moved = replace(camera, **{vector: tuple(parts)})
         found[vector] = [replace(projection, camera=moved)]
     for vector in ("translate", "rotate_deg", "scale"):
-        parts = tuple(part + 0.03 for part in getattr(projection.placement, vector))
-        placement = replace(projection.placement, **{vector: parts})
+        five = projection.placement.five
+        assert five is not None
+        parts = tuple(part + 0.03 for part in getattr(five, vector))
+        placement = replace(five, **{vector: parts}).chain
         found[vector] = [replace(projection, placement=placement)]
     if isinstance(lens, FreeMatrix):
         return found
@@ -368,9 +370,9 @@ CAMERAS = {
     "level": Camera((0.0, 2.0, 9.0), (0.0, 0.0, 0.0), (0.0, 0.0, -2.0)),
 }
 PLACED = {
-    "opengl": ObjectTransform(),
-    "direct3d": ObjectTransform((1.0, 0.0, 2.0), (0.0, 20.0, 0.0), (2.0, 1.0, 0.0)),
-    "reversed": ObjectTransform((1.0, 0.0, 2.0), (10.0, 20.0, 30.0), (2.0, 1.0, 1.0), "rts"),
+    "opengl": FiveTiles().chain,
+    "direct3d": FiveTiles((1.0, 0.0, 2.0), (0.0, 20.0, 0.0), (2.0, 1.0, 0.0)).chain,
+    "reversed": FiveTiles((1.0, 0.0, 2.0), (10.0, 20.0, 30.0), (2.0, 1.0, 1.0), "rts").chain,
 }
 KEEPS: tuple[Any, ...] = ("stretch", "x", "y")
 MOVED: dict[str, tuple[Lens, ...]] = {

@@ -7,7 +7,7 @@ import pytest
 from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import WrittenMatrix, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
-from app.model.object_transform import ObjectTransform
+from app.model.chain import FiveTiles
 from app.model.projection import Oblique, Perspective, Projection
 
 
@@ -63,7 +63,7 @@ def test_a_number_has_as_many_digits_as_asked(digits: int, near: str) -> None:
 
 
 def test_products_are_named_and_what_is_too_wide_is_left_to_its_factors() -> None:
-    moved = ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0), "rts")
+    moved = FiveTiles((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0), "rts").chain
     projection = Projection(lens=Perspective(45.0, 4.0, 18.0), placement=moved)
     factors = displayed(
         one("world_from_object", projection=projection), "own", symbols=True, numbers=False

@@ -15,7 +15,7 @@ from app.lecture.equation import MOST_FACTORS, Equation, equation_of, latex_cell
 from app.lecture.letters import LETTERS, Letters, latex_formula
 from app.lecture.notation import matrices, steps_of_a_point
 from app.lecture.paper import displayed
-from app.model.object_transform import ObjectTransform
+from app.model.chain import Chain, FiveTiles, lettered_kinds
 from app.model.projection import Projection
 from app.model.refusal import Refusal
 from tests.lecture.test_notation import DEPTHS, letter_values, one, projection_of
@@ -24,9 +24,12 @@ from tests.support.printed import sides, value
 from tests.support.samples import pairwise
 
 PLACES = {
-    "": ObjectTransform(),
-    "trs": ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0)),
-    "rts": ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0), "rts"),
+    "chain": Chain.read("rotate z 20; translate 1,2,3; shear xy 0.5; translate 0.5,0,1; mirror y"),
+    "long": Chain.read("rotate 1,2,2 40; rotate x 3; scale 1,2,3; rotate 2,1,2 9; scale 3,2,1"),
+    "typed": Chain.read("matrix 1,2,0,3 0,1,0.5,4 0,0,2,5 0,0,0,1; off mirror x; rotate z 30"),
+    "": FiveTiles().chain,
+    "trs": FiveTiles((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0)).chain,
+    "rts": FiveTiles((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (1.0, 2.0, 3.0), "rts").chain,
 }
 SAMPLE = pairwise(product((*LENSES, "matrix"), DEPTHS, LETTERS, (False, True), PLACES))
 
@@ -39,13 +42,20 @@ def shown(lens: str, depth: Any = "opengl", place: str = "") -> Projection:
 
 def tex_values(projection: Projection, letters: Letters, rows: bool = False) -> dict[str, Any]:
     """The values of a lecture's letters, by their TeX."""
-    values, placement = letter_values(projection, letters), projection.placement
+    values, chain = letter_values(projection, letters), projection.placement
     clip = one(matrices(projection, letters, rows=rows), "clip_from_view").values
     values |= {f"p_{i}{j}": clip[i - 1][j - 1] for i in range(1, 5) for j in range(1, 5)}
-    for axis, move, turn, size in zip(
-        "xyz", placement.translate, np.radians(placement.rotate_deg), placement.scale, strict=True
-    ):
-        values |= {f"move_{axis}": move, f"turn_{axis}": turn, f"size_{axis}": size}
+    whole = chain.matrix.T if rows else chain.matrix
+    values |= {f"o_{i}{j}": whole[i - 1][j - 1] for i in range(1, 5) for j in range(1, 5)}
+    for kind, tile in zip(lettered_kinds(chain.kinds), chain.on, strict=True):
+        numbers = np.array(tile.numbers)
+        if tile.kind == "rotate":
+            numbers[:3] /= np.linalg.norm(numbers[:3])
+        numbers[-1:] = np.radians(numbers[-1:]) if "rotate" in tile.kind else numbers[-1:]
+        if rows and tile.kind == "matrix":
+            numbers = numbers.reshape(4, 4).T.ravel()
+            values |= {f"{kind.letters[0][:-2]}4{j}": numbers[11 + j] for j in (1, 2, 3)}
+        values |= dict(zip(kind.letters, numbers, strict=False))
     return {
         latex_formula(name, letters): np.array(part)
         for name, part in values.items()

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.model.chain import FiveTiles
 from app.model.infinity import homogeneous, trace_at_infinity
-from app.model.object_transform import ObjectTransform
 from app.model.projection import (
     LARGEST,
     Camera,
@@ -141,7 +141,7 @@ def test_l13_points_and_directions_go_together(precision: Any) -> None:
 
 def test_l13_a_direction_of_the_object_is_turned_and_scaled_but_not_moved() -> None:
     """Turned by 90 degrees about y, x of the object runs along -z; twice as long, however long."""
-    placement = ObjectTransform((7.0, -3.0, 1e9), (0.0, 90.0, 0.0), (2.0, 1.0, 1.0))
+    placement = FiveTiles((7.0, -3.0, 1e9), (0.0, 90.0, 0.0), (2.0, 1.0, 1.0)).chain
     projection = Projection(CAMERA, CENTRAL[0], placement=placement)
     for size in (1.0, LARGEST):
         found = trace_homogeneous(projection, [(size, 0.0, 0.0, 0.0)], space="object")

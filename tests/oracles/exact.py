@@ -12,7 +12,8 @@ from typing import Any, NamedTuple
 
 import mpmath
 
-from app.model.projection import FreeMatrix, ObjectTransform, Oblique, Perspective, Projection
+from app.model.chain import Tile
+from app.model.projection import Chain, FreeMatrix, Oblique, Perspective, Projection
 
 mp = mpmath.mp.clone()
 mp.dps = 80
@@ -35,19 +36,38 @@ def vector(values: Sequence[float]) -> Numbers:
     return [value if isinstance(value, mp.mpf) else mp.mpf(float(value)) for value in values]
 
 
-def placed(placement: ObjectTransform, point: Sequence[float]) -> Numbers:
-    """A point of the object in the world, by turning it about one axis after the other."""
-    x, y, z = (s * p for s, p in zip(vector(placement.scale), vector(point), strict=True))
-    move = vector(placement.translate)
-    if placement.order == "rts":
-        x, y, z = (p + t for p, t in zip((x, y, z), move, strict=True))
-    about_x, about_y, about_z = (mp.radians(angle) for angle in vector(placement.rotate_deg))
-    y, z = y * mp.cos(about_x) - z * mp.sin(about_x), y * mp.sin(about_x) + z * mp.cos(about_x)
-    z, x = z * mp.cos(about_y) - x * mp.sin(about_y), z * mp.sin(about_y) + x * mp.cos(about_y)
-    x, y = x * mp.cos(about_z) - y * mp.sin(about_z), x * mp.sin(about_z) + y * mp.cos(about_z)
-    if placement.order == "rts":
-        return [x, y, z]
-    return [p + t for p, t in zip((x, y, z), move, strict=True)]
+def placed(placement: Chain, point: Sequence[float]) -> Numbers:
+    """A point of the object in the world, moved by one tile after the other from the right."""
+    here = vector(point)
+    for tile in reversed(placement.tiles):
+        if not tile.is_off:
+            here = _moved(tile, here)
+    return here
+
+
+def _moved(tile: Tile, p: Numbers) -> Numbers:
+    """A point after one move, by the move's definition and without its matrix."""
+    kind, _, axes = tile.kind.partition(" ")
+    numbers = vector(tile.numbers)
+    if kind == "translate":
+        return [a + b for a, b in zip(p, numbers, strict=True)]
+    if kind == "scale":
+        return [a * b for a, b in zip(p, numbers, strict=True)]
+    if kind == "matrix":
+        return [dot(numbers[row : row + 3], p) + numbers[row + 3] for row in (0, 4, 8)]
+    if kind == "rotate":  # Rodrigues' formula
+        *about, angle_deg = numbers if not axes else [*(mp.mpf(x == axes) for x in "xyz"), *numbers]
+        length = mp.sqrt(dot(about, about))
+        k, angle = [part / length for part in about], mp.radians(angle_deg)
+        along = dot(k, p) * (1 - mp.cos(angle))
+        return [
+            a * mp.cos(angle) + b * mp.sin(angle) + c * along
+            for a, b, c in zip(p, cross(k, p), k, strict=True)
+        ]
+    moved = list(p)
+    i = "xyz".index(axes[0])
+    moved[i] = -p[i] if kind == "mirror" else p[i] + numbers[0] * p["xyz".index(axes[1])]
+    return moved
 
 
 def minus(a: Numbers, b: Numbers) -> Numbers:

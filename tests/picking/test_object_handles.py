@@ -8,7 +8,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.projection import Camera, ObjectTransform, Projection
+from app.model.chain import Chain, FiveTiles, Tile
+from app.model.projection import Camera, Projection
 from app.picking.handles import (
     OBJECT_POINTS,
     Handle,
@@ -31,12 +32,12 @@ def handle(name: str) -> Handle:
 
 def placed(random: np.random.Generator, order: str = "trs") -> Projection:
     """A random object of ordinary size in front of a camera."""
-    placement = ObjectTransform(
+    placement = FiveTiles(
         tuple(random.uniform(-2.0, 2.0, 3)),
         tuple(random.uniform(-170.0, 170.0, 3)),
         tuple(random.uniform(0.5, 2.0, 3)),
         order,  # type: ignore[arg-type]
-    )
+    ).chain
     return Projection(Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=placement)
 
 
@@ -55,49 +56,16 @@ def test_l2_the_held_handle_follows_the_pointer(name: str, order: str) -> None:
         if name == "origin":
             end = spot(projection, name, sight) + random.uniform(-30.0, 30.0, 2)
         else:
-            scale = np.array(placement.scale)
+            scale = np.array(placement.tiles[-1].numbers)
             scale["xyz".index(name)] *= random.uniform(0.6, 1.5)
-            other = replace(placement, scale=tuple(scale.tolist()))
+            other = placement.with_tile(4, Tile("scale", tuple(scale.tolist())), over=1)
             end = spot(replace(projection, placement=other), name, sight)
         change = dragged(projection, handle(name), planes(projection), sight, tuple(end.tolist()))
         after = changed(projection, change)
         assert math.dist(spot(after, name, sight), end) < 1.0
-        kept = {"translate", "rotate_deg", "scale"} - set(change)
-        assert all(getattr(after.placement, key) == getattr(placement, key) for key in kept)
-
-
-def test_l2_a_turn_follows_the_pointer_about_the_line_of_sight() -> None:
-    random = np.random.default_rng(4)
-    for _ in range(60):
-        projection = placed(random)
-        sight = looks(projection.camera)
-        centre, start = (spot(projection, name, sight) for name in ("origin", "turn"))
-        if math.dist(centre, start) < 40.0:
-            continue
-        angle = random.uniform(-2.5, 2.5)
-        x, y = start - centre
-        cos, sin = math.cos(angle), math.sin(angle)
-        end = centre + np.array([cos * x - sin * y, sin * x + cos * y])
-        drawn = planes(projection)
-        change = dragged(projection, handle("turn"), drawn, sight, tuple(end.tolist()))
-        after = changed(projection, change)
-        assert set(change) == {"rotate_deg"}
-        assert np.allclose(spot(after, "origin", sight), centre)
-        # A turn about the ray keeps the ray and turns the directions across it by the angle.
-        before, now = (
-            ObjectTransform(rotate_deg=p.placement.rotate_deg).matrix[:3, :3]
-            for p in (projection, after)
-        )
-        turn = now @ before.T
-        origin = place(projection, handle("origin"), drawn)
-        ray = origin - sight.eye
-        ray /= np.linalg.norm(ray)
-        assert np.allclose(turn @ ray, ray, atol=1e-6)
-        assert math.acos(min(1.0, (np.trace(turn) - 1.0) / 2.0)) == pytest.approx(
-            abs(angle), abs=0.01
-        )
-        seen_end = spot(after, "turn", sight) - centre
-        assert float(seen_end @ (end - centre)) > 0.0 or abs(angle) < 0.2
+        changed_kind = "translate" if name == "origin" else "scale"
+        for before, now in zip(placement.tiles, after.placement.tiles, strict=True):
+            assert before == now or before.kind == now.kind == changed_kind
 
 
 def test_the_object_s_handles_are_on_its_columns() -> None:
@@ -111,7 +79,7 @@ def test_the_object_s_handles_are_on_its_columns() -> None:
 
 
 def test_the_object_has_handles_only_while_its_axes_are_drawn() -> None:
-    projection = Projection(placement=ObjectTransform((0.0, 0.0, 1.0), (0.0, 20.0, 0.0)))
+    projection = Projection(placement=FiveTiles((0.0, 0.0, 1.0), (0.0, 20.0, 0.0)).chain)
     sight = looks(Camera((9.0, 6.0, 12.0), (0.0, 2.0, 0.0)))
 
     def names(reach: float) -> set[str]:
@@ -122,19 +90,85 @@ def test_the_object_has_handles_only_while_its_axes_are_drawn() -> None:
     assert names(REACH) == set(OBJECT_POINTS)
 
 
-def test_the_moved_fields_are_named_and_restored() -> None:
+def test_a_drag_is_taken_back_to_the_chain_before_it() -> None:
     projection = placed(np.random.default_rng(6))
-    fields = ("translate", "rotate_deg", "scale")
-    before = present(projection, fields)
-    moved = changed(projection, {"translate": (0.0, 0.0, 0.0), "scale": (0.0, 1.0, 1.0)})
+    before = present(projection, ("chain",))
+    moved = changed(projection, {"chain": Chain.read("scale 0,1,1")})
     assert moved.placement.rank == 2 and changed(moved, before) == projection
+
+
+CHAINS = (
+    "", "rotate z 90", "scale 2,1,1; translate 1,0,0", "rotate z 90; translate 3,0,0; scale 2,1,1",
+    "translate 1,0,0; rotate 1,1,0 30; translate 0,1,0", "shear xy 0.5; mirror x; rotate y 20",
+    "off translate 1,1,1; matrix 1,0.2,0,1 0,1,0,0 0,0.3,1,0 0,0,0,1; rotate x 30; scale 1,2,1",
+)  # fmt: skip
+
+
+@pytest.mark.parametrize("text", CHAINS)
+def test_l2_any_chain_follows_a_drag_of_its_origin_with_its_leftmost_translation(text: str) -> None:
+    chain = Chain.read(text)
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=chain)
+    sight = looks(projection.camera)
+    end = spot(projection, "origin", sight) + np.array([25.0, -14.0])
+    after = changed(
+        projection,
+        dragged(projection, handle("origin"), planes(projection), sight, tuple(end.tolist())),
+    )
+    assert math.dist(spot(after, "origin", sight), end) < 1.0
+    place, tiles = chain.place_of("translate"), after.placement.tiles
+    if place is None:  # the new one is in the world's axes
+        assert tiles[0].kind == "translate" and tiles[1:] == chain.tiles
+    else:
+        assert [a == b for a, b in zip(tiles, chain.tiles, strict=True)].index(False) == place
+
+
+@pytest.mark.parametrize("text", CHAINS)
+@pytest.mark.parametrize("name", ["x", "y", "z"])
+def test_l2_any_chain_follows_a_drag_of_an_axis_with_its_leftmost_scale(
+    text: str, name: str
+) -> None:
+    chain = Chain.read(text)
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=chain)
+    sight = looks(projection.camera)
+    longer = chain.with_tile(
+        len(chain.tiles), Tile("scale", tuple(1.0 + 0.3 * (x == name) for x in "xyz"))
+    )
+    end = spot(replace(projection, placement=longer), name, sight)
+    change = dragged(projection, handle(name), planes(projection), sight, tuple(end.tolist()))
+    after = changed(projection, change)
+    assert math.dist(spot(after, name, sight), end) < 1.0
+    scales = [tile.kind for tile in after.placement.tiles].count("scale")
+    assert scales == max(1, [tile.kind for tile in chain.tiles].count("scale"))
+
+
+@pytest.mark.parametrize("text", CHAINS)
+def test_l2_any_chain_turns_with_its_leftmost_rotation_about_the_origin_of_the_object(
+    text: str,
+) -> None:
+    chain = Chain.read(text)
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=chain)
+    sight = looks(projection.camera)
+    centre, start = (spot(projection, name, sight) for name in ("origin", "turn"))
+    x, y = start - centre
+    end = centre + np.array([0.94 * x - 0.34 * y, 0.34 * x + 0.94 * y])  # 20 degrees
+    change = dragged(projection, handle("turn"), planes(projection), sight, tuple(end.tolist()))
+    tiles = changed(projection, change).placement.tiles
+    turns = [tile for tile in tiles if tile.kind.startswith("rotate")]
+    assert len(turns) == max(1, text.count("rotate"))
+    before = [tile for tile in chain.tiles if tile.kind.startswith("rotate")] or [
+        Tile("rotate y", (0.0,))
+    ]
+    assert abs(turns[0].numbers[-1] - before[0].numbers[-1]) == pytest.approx(20.0, abs=1.0)
+    assert [t for t in tiles if t not in turns] == [t for t in chain.tiles if t not in before]
 
 
 def test_a_flattened_axis_can_be_pulled_out_again() -> None:
     projection = Projection(
-        Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=ObjectTransform(scale=(1.0, 0.0, 1.0))
+        Camera((6.0, 5.0, 9.0), (0.0, 1.0, 0.0)), placement=FiveTiles(scale=(1.0, 0.0, 1.0)).chain
     )
     sight = looks(projection.camera)
     up = sight.seen([(0.0, REACH * 1.5, 0.0)])[0]
     change = dragged(projection, handle("y"), planes(projection), sight, tuple(up.tolist()))
-    assert changed(projection, change).placement.scale[1] == pytest.approx(1.5, abs=0.01)
+    assert changed(projection, change).placement.tiles[-1].numbers[1] == pytest.approx(
+        1.5, abs=0.01
+    )

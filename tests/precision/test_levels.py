@@ -15,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
+from app.model.chain import FiveTiles
 from app.model.eye_first import EyeFirst
 from app.model.infinity import trace_at_infinity
 from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
@@ -29,7 +30,6 @@ from app.model.projection import (
     FreeMatrix,
     Frustum,
     Lens,
-    ObjectTransform,
     Oblique,
     Orthographic,
     Perspective,
@@ -321,7 +321,7 @@ def test_many_directions_are_as_one_by_one(depth: DepthRange, space: Any) -> Non
     """All of one's numbers are rationals, rounded once; those of many are double-doubles."""
     rng = np.random.default_rng(6)
     rows = rng.normal(size=(40, 3)).tolist() + np.eye(3).tolist() + (-np.eye(3)).tolist()
-    turned = ObjectTransform((7.0, -3.0, 1e9), (10.0, 90.0, 0.0), (2.0, 1.0, 0.5))
+    turned = FiveTiles((7.0, -3.0, 1e9), (10.0, 90.0, 0.0), (2.0, 1.0, 0.5)).chain
     view = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, -5), (0, 0.1, 0, 1))
     typed = FreeMatrix(free_matrix().clip_from_view, view)
     for lens in (*samples.LENSES.values(), free_matrix(), typed):

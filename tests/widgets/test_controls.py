@@ -36,6 +36,7 @@ from PySide6.QtWidgets import (
 from app.document.document import IMAGE, Document, lens_fields
 from app.document.settings import set_values
 from app.drawings.figure import SCALED_WIDTH
+from app.model.chain import FiveTiles
 from app.model.limits import DISTINCT
 from app.model.projection import (
     AT_LEAST,
@@ -46,7 +47,6 @@ from app.model.projection import (
     Camera,
     FreeMatrix,
     Lens,
-    ObjectTransform,
     Oblique,
     Orbit,
     Orthographic,
@@ -140,7 +140,7 @@ def slanted(**fields: Any) -> Projection:
 
 
 def placed(**fields: Any) -> Projection:
-    return replace(START, placement=ObjectTransform(**fields))
+    return replace(START, placement=FiveTiles(**fields).chain)
 
 
 def seen_from(*camera: tuple[float, float, float]) -> Projection:
@@ -240,20 +240,8 @@ for _vector, _texts in (
     for _axis, _letter in enumerate("xyz"):
         _holds = _component("camera", _vector, _axis, "7.5")
         NUMBERS[f"{_vector}_{_letter}"] = ("7.5", _holds, VECTORS, _texts[_axis])
-for _vector, _typed, _text in (
-    ("translate", "2.5", "-1.25"),
-    ("rotate_deg", "30", "-45.5"),
-    ("scale", "0.5", "2"),
-):
-    for _axis, _letter in enumerate("xyz"):
-        _other = list(getattr(ObjectTransform(), _vector))
-        _other[_axis] = float(_text)
-        _holds = _component("placement", _vector, _axis, _typed)
-        _shown = placed(**{_vector: tuple(_other)})
-        NUMBERS[f"{_vector}_{_letter}"] = (_typed, _holds, _shown, _text)
 
 CHOICES: dict[str, tuple[str, Any, Projection]] = {
-    "order": ("rts", lambda p: p.placement.order == "rts", placed(order="rts")),
     "kind": ("orthographic", lambda p: p.lens.kind == "orthographic", BOX),
     "keep": ("x", lambda p: p.lens.keep == "x", box(keep="x")),
     "preset": (
@@ -1140,7 +1128,7 @@ def test_a_double_click_on_the_name_resets(controls: Column, reader: Reader) -> 
     camera = Camera((1.0, 2.5, 3.0), (-1.0, 0.5, -3.0), (0.5, 0.6, 0.7))
     for key, record in each(controls, NUMBERS):
         kind = controls.projection.lens.kind
-        placement = ObjectTransform((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (2.0, 3.0, 4.0))
+        placement = FiveTiles((1.0, 2.0, 3.0), (10.0, 20.0, 30.0), (2.0, 3.0, 4.0)).chain
         show(controls, Projection(camera, lenses[kind], (99, 88), placement=placement))
         row = number(controls, key)
         QTest.mouseDClick(row.name_label, Qt.MouseButton.LeftButton)

@@ -11,15 +11,17 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel
+from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
 from app.drawings.frame import axes_reach
-from app.model.projection import ObjectTransform
+from app.model.chain import Chain, FiveTiles
 from app.scenes.scene import load
-from tests.support.controls import enter, number
+from tests.support.controls import enter
 from tests.support.window import move_mouse, pixels, settle, show_scene
+from widgets.controls.chain_editor import ChainEditor
+from widgets.parts.number_rows import NumberRow
 from widgets.window.main_window import MainWindow
 
 
@@ -32,39 +34,103 @@ def spots(window: MainWindow, *points: Any) -> list[tuple[float, float]]:
 KEYS = [f"{vector}_{x}" for vector in ("translate", "rotate_deg", "scale") for x in "xyz"]
 
 
-def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: MainWindow) -> None:
-    section = window.controls.sections["object"]
-    section.set_open(True)
+def build(window: MainWindow, text: str) -> ChainEditor:
+    """Unfold the object's tiles, and make it this chain."""
+    window.controls.sections["object"].set_open(True)
+    editor = window.controls.chain
+    editor.edited.emit(Chain.read(text))
     settle()
+    return editor
+
+
+def row_of(window: MainWindow, key: str) -> NumberRow:
+    row = window.controls.chain.rows[key]
+    assert isinstance(row, NumberRow)
+    return row
+
+
+def chain_of(window: MainWindow) -> Chain:
+    return window.store.document.projection.placement
+
+
+def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: MainWindow) -> None:
+    build(window, FiveTiles().chain.text)
     for key in KEYS:
-        row = number(window.controls, key)
+        row = row_of(window, key)
         assert row.isVisible() and row.tip
         before = {name: pixels(window, name) for name in window.panes}
         row.edited.emit(row.value() + 0.75 if "rotate" not in key else 35.0)
         settle()
         for name, picture in before.items():
             assert (pixels(window, name) != picture).any(), (key, name)
-    placement = window.store.document.projection.placement
-    assert placement == ObjectTransform((0.75,) * 3, (35.0,) * 3, (1.75,) * 3)
+    assert chain_of(window) == FiveTiles((0.75,) * 3, (35.0,) * 3, (1.75,) * 3).chain
     for _ in KEYS:
         window.store.undo()
-    assert window.store.document.projection.placement.is_identity
-    assert number(window.controls, "scale_x").value() == 1.0
+    assert chain_of(window).is_identity
+    assert row_of(window, "scale_x").value() == 1.0
+
+
+def press(card: Any, place: int) -> None:
+    """Click one of the buttons of a tile: up, down, away."""
+    card.findChildren(QToolButton)[place].click()
 
 
 @pytest.mark.undrawn
-def test_l2_the_orders_are_a_choice(window: MainWindow) -> None:
-    window.controls.rows["rotate_deg_y"].edited.emit(90.0)  # type: ignore[attr-defined]
-    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
-    places = []
-    for order in ("trs", "rts"):
-        window.controls.rows["order"].edited.emit(order)  # type: ignore[attr-defined]
-        places.append(window.store.document.projection.placement.matrix[:3, 3].tolist())
-    assert places == [[2.0, 0.0, 0.0], [0.0, 0.0, -2.0]]
+def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> None:
+    editor = build(window, "rotate z 90")
+    editor.add.menu().actions()[1].trigger()  # a translation
+    assert chain_of(window).text == "translate 0,0,0; rotate z 90"
+    enter(row_of(window, "translate_x"), "3")
+    card = editor.cards[0]
+    press(card, 0)  # it is at the top
+    press(card, 1)
+    assert chain_of(window).text == "rotate z 90; translate 3,0,0"
+    assert chain_of(window).matrix[:3, 3].tolist() == [0.0, 3.0, 0.0]
+    assert editor.cards[1] is card and editor.rows["translate_x"] is card.rows["x"]
+    press(card, 1)  # it is at the bottom
+    card.switch.click()
+    assert chain_of(window).text == "rotate z 90; off translate 3,0,0"
+    assert chain_of(window).matrix[0, 3] == 0.0 and not row_of(window, "off1_x").error
+    press(card, 2)
+    assert chain_of(window).text == "rotate z 90" and len(editor.cards) == 1
+    texts = []
+    while window.store.can_undo:
+        window.store.undo()
+        texts.append(chain_of(window).text)
+    assert texts[:2] == ["rotate z 90; off translate 3,0,0", "rotate z 90; translate 3,0,0"]
+    assert texts[-3:] == ["translate 0,0,0; rotate z 90", "rotate z 90", ""]
+    settle()
+    assert not editor.cards
+    editor.add.menu().actions()[0].trigger()
+    assert chain_of(window) == FiveTiles().chain
+
+
+@pytest.mark.undrawn
+def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> None:
+    editor = build(window, "off scale 1e20,1,1; scale 1e20,1,1")
+    editor.cards[0].switch.click()
+    assert "product" in editor.refusal.text() and not editor.cards[0].switch.isChecked()
+    assert chain_of(window).text == "off scale 1e+20,1,1; scale 1e+20,1,1"
+    editor = build(window, "matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
+    column = editor.rows["matrix_x"]
+    column.edited.emit((0.0, 0.0, 0.0))
+    assert "inverse" in column.error and chain_of(window).is_identity
+    editor = build(window, "; ".join(["mirror x"] * 8))
+    assert not editor.add.isEnabled()
+
+
+@pytest.mark.undrawn
+def test_the_product_is_beside_the_tiles_in_numbers_and_letters(window: MainWindow) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
+    assert editor.product.formula.startswith("T R S = [0&-1&0&3;2&0&0&0")
+    editor.vectors.setChecked(True)
+    assert editor.product.formula.startswith("S R T = [0&2&0&0")
+    editor.letters.setChecked(True)
+    assert "s_x" in editor.product.formula and "t_x" in editor.product.formula
 
 
 def test_l2_a_column_highlights_its_axis_and_an_axis_its_column(window: MainWindow) -> None:
-    window.controls.rows["rotate_deg_y"].edited.emit(30.0)  # type: ignore[attr-defined]
+    build(window, "rotate y 30")
     settle()
     drawing = window.panes["world"].drawing
     way = axes_reach(load("letter-f").size) * np.array(
@@ -86,16 +152,16 @@ def test_objects_of_a_phenomenon_are_fixed_and_a_text_says_so(window: MainWindow
     section.set_open(True)
     show_scene(window, "eye-plane")
     said = [w.text() for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
-    assert len(said) == 1 and not number(window.controls, "translate_x").isVisible()
+    assert len(said) == 1 and not window.controls.chain.isVisible()
     show_scene(window, "cube")
-    assert number(window.controls, "translate_x").isVisible()
+    assert window.controls.chain.isVisible()
     assert not [w for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
 
 
 @pytest.mark.undrawn
 def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(window: MainWindow) -> None:
-    window.controls.sections["object"].set_open(True)
-    row = number(window.controls, "scale_x")
+    build(window, "scale 1,1,1")
+    row = row_of(window, "scale_x")
     for typed in ("nan", "1e308", "2e30"):
         enter(row, typed)
         settle()
@@ -104,7 +170,7 @@ def test_a_wrong_scale_is_refused_and_the_last_good_one_stays(window: MainWindow
 
 @pytest.mark.undrawn
 def test_l2_a_prepared_document_comes_back(window: MainWindow, tmp_path: Path) -> None:
-    placement = ObjectTransform((1.0, 0.0, -2.0), (0.0, 30.0, 0.0), (1.0, 2.0, 1.0), "rts")
+    placement = FiveTiles((1.0, 0.0, -2.0), (0.0, 30.0, 0.0), (1.0, 2.0, 1.0), "rts").chain
     document = Document("cube", replace(load("cube").start, placement=placement))
     path = tmp_path / "moved.json"
     write(document, path)
@@ -112,15 +178,14 @@ def test_l2_a_prepared_document_comes_back(window: MainWindow, tmp_path: Path) -
     window.files.open(path)
     settle()
     assert window.store.document.projection.placement == placement
-    assert number(window.controls, "rotate_deg_y").value() == 30.0
+    assert row_of(window, "rotate_deg_y").value() == 30.0
 
 
 def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
     """The keyboard goes to the moved vertices."""
     from app.drawings.probes import next_vertex, pick_in, vertex_of
 
-    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
-    window.controls.rows["rotate_deg_y"].edited.emit(40.0)  # type: ignore[attr-defined]
+    build(window, "translate 2,0,0; rotate y 40")
     settle()
     scene, projection = window.shown.scene, window.store.document.projection
     sight = window.panes["image"].drawing.sight
@@ -141,8 +206,7 @@ def test_a_vertex_is_picked_where_it_is_seen(window: MainWindow) -> None:
 def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -> None:
     window.panels.open(window.probe_panel)
     window.probe_panel.follow(point=(2.0, 1.0, 0.0))
-    window.controls.rows["translate_x"].edited.emit(2.0)  # type: ignore[attr-defined]
-    window.controls.rows["rotate_deg_y"].edited.emit(90.0)  # type: ignore[attr-defined]
+    build(window, FiveTiles((2.0, 0.0, 0.0), (0.0, 90.0, 0.0)).chain.text)
     settle()
 
     def line(row: int) -> list[str]:
@@ -150,7 +214,7 @@ def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -
         return [str(model.index(row, 1 + part).data()) for part in range(4)]
 
     assert line(0) == ["0", "1", "0", "1"] and line(1) == ["2", "1", "0", "1"]
-    window.controls.rows["scale_y"].edited.emit(0.0)  # type: ignore[attr-defined]
+    row_of(window, "scale_y").edited.emit(0.0)
     settle()
     assert "flattened" in line(0)[0] and line(1)[0] == "2"
 

@@ -31,12 +31,13 @@ from app.model.parameters import (
     KIND,
     NEAR,
     TARGET,
-    TRANSLATE,
+    TILES,
     parameters,
 )
 from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
 from app.model.refusal import Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
+from widgets.controls.chain_editor import ChainEditor
 from widgets.controls.dock import ControlTexts, Dock, find
 from widgets.controls.lens_sliders import LensSliders
 from widgets.controls.parameter_rows import Binding, TypedMemory, bindings_of
@@ -76,6 +77,7 @@ class Controls(Dock, RowHolder):
         self._lifted: tuple[str, ...] = ()
         self._replaced: Collection[str] = ()
         self._lent: list[str] = []  # the keys of the rows that are outside the dock
+        self._lent_tiles: list[Row] = []  # and the rows of the object's tiles
         self._matches: set[QWidget] | None = None
         """The rows found by the search, the only ones shown; None without a search."""
         self.setAccessibleName(self.tr("Controls"))
@@ -103,6 +105,13 @@ class Controls(Dock, RowHolder):
         )
         self._fixed = PlainLabel(text, wordWrap=True)
         named["object"].add(self._fixed)
+        self.chain = ChainEditor()
+        self.chain.edited.connect(
+            lambda chain: self._adopt(replace(self._projection, placement=chain))
+        )
+        self.chain.highlighted.connect(self.highlighted)
+        self.pass_on(self.chain)
+        named["object"].add(self.chain)
         self._bindings: dict[str, Binding] = {}
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
         self._lens = LensSliders(self._bindings, self)
@@ -126,7 +135,8 @@ class Controls(Dock, RowHolder):
 
     def _make_rows(self, places: Mapping[str, Rows]) -> None:
         memories: dict[Computed, TypedMemory] = {}
-        ordered = sorted(parameters(), key=lambda each: [*places].index(each.place))
+        placed = (each for each in parameters() if each.place)
+        ordered = sorted(placed, key=lambda each: [*places].index(each.place))
         for parameter in ordered:  # Tab follows the order in which rows are made
             rows, computed, memory = places[parameter.place], parameter.computed, None
             if computed is not None:
@@ -212,7 +222,7 @@ class Controls(Dock, RowHolder):
             about_target = Linear.about(camera.target[axis], reach)
             self._number(f"{EYE.name}_{letter}").setScale(about_target)
             self._number(f"{TARGET.name}_{letter}").setScale(about_target)
-            self._number(f"{TRANSLATE.name}_{letter}").setScale(Linear.about(0.0, 2.0 * size))
+        self.chain.set_scene(size)
         near, far = sorted((size, camera.distance))
         self._number(DISTANCE.name).setScale(Log(float(f"{near / 10.0:.2g}"), 10.0 * far))
         self._lens.fit(self._projection, size, defaults)
@@ -229,6 +239,7 @@ class Controls(Dock, RowHolder):
         for binding in self._bindings.values():
             names = binding.parameter.highlights.union(binding.parameter.makes)
             binding.row.set_marked(bool(names & shown))
+        self.chain.show_highlight(shown)
         self.card.show_highlight(shown)
 
     def bring_to_front(self, paths: Collection[str], replaced: Collection[str] = ()) -> None:
@@ -254,7 +265,11 @@ class Controls(Dock, RowHolder):
         self.take_back()
         self._lent = self._keys_of(paths)
         of_scene = [path.removeprefix("settings.") for path in paths]
-        rows = [self.rows[key] for key in self._lent] + self.card.lend(of_scene)
+        self.chain.show_chain(self._projection.placement)
+        names = (path.removeprefix("object.") for path in paths)
+        self._lent_tiles = [row for name in names for row in self.chain.rows_of(name)]
+        own = [self.rows[key] for key in self._lent]
+        rows = [*own, *self._lent_tiles, *self.card.lend(of_scene)]
         self._show_values(_ALL)
         return rows
 
@@ -277,9 +292,11 @@ class Controls(Dock, RowHolder):
 
     def take_back(self) -> None:
         """Put every row that was lent back into the dock."""
-        if not self._lent and not self.card.lent:
+        if not self._lent and not self._lent_tiles and not self.card.lent:
             return
         self._lent.clear()
+        self._lent_tiles.clear()
+        self.chain.return_borrowed()
         for part in self._parts:
             part.return_borrowed()
         self.card.take_back()
@@ -321,6 +338,9 @@ class Controls(Dock, RowHolder):
         walk = self.animation
         names = [*(row.name for row in walk.rows), self.tr("animation play walk turn")]
         here[walk] = ControlTexts(" ".join(names), "")
+        if not self._has_fixed_objects:
+            tiles = (parameter_text(each, f"{each.title} {each.also}") for each in TILES.values())
+            here[self.chain] = ControlTexts(" ".join(tiles), "")
         matches, others = find(text, here), find(text, elsewhere)
         self._not_here.setText(self._why_not_here(matches, others))
         self._show_matches(matches)
@@ -360,10 +380,14 @@ class Controls(Dock, RowHolder):
         places = {row: row.mapTo(self._column, QPoint()).y() for row in rows if row.isVisible()}
         first = min(places, key=lambda row: places[row], default=None)
         if first is None:
-            if self._matches and self.animation in self._matches:
-                first = self.animation.speed
-            else:
+            if self._matches and self.chain in self._matches:
+                self.sections["object"].set_open(True)
+                self.search.clear()
+                self.chain.add.setFocus(Qt.FocusReason.ShortcutFocusReason)
                 return
+            if not self._matches or self.animation not in self._matches:
+                return
+            first = self.animation.speed
         for section in self.sections.values():
             if section.isAncestorOf(first):
                 section.set_open(True)
@@ -476,14 +500,14 @@ class Controls(Dock, RowHolder):
 
     def _in_use(self, binding: Binding) -> bool:
         """Whether the row applies to lens and scene, and no setting of the scene replaces it."""
-        if binding.part == "placement" and self._has_fixed_objects:
-            return False
         of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
         return of_lens and binding.field not in self._replaced
 
     def _show_rows(self) -> None:
         """Show the rows in use, or only the results of a search, with their values."""
         matches = self._matches
+        shows_chain = matches is None or self.chain in matches
+        self.chain.setVisible(shows_chain and not self._has_fixed_objects)
         for binding in self._bindings.values():
             row = binding.row
             row.setVisible(self._in_use(binding) and (matches is None or row in matches))
@@ -494,6 +518,8 @@ class Controls(Dock, RowHolder):
     def _show_values(self, parts: Collection[str]) -> None:
         """Write the visible values of these parts of the projection."""
         is_open = {rows: rows.is_open for rows in self._parts}
+        if "placement" in parts and (is_open[self.sections["object"]] or self._lent_tiles):
+            self.chain.show_chain(self._projection.placement)
         for key, binding in self._bindings.items():
             seen = is_open[binding.rows] or key in self._lifted or key in self._lent
             if seen and binding.part in parts and not binding.row.isHidden():

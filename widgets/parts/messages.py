@@ -77,6 +77,8 @@ FACTORS = {  # names of the stages' factors, except for the lectures' own letter
     "rotation_x": QT_TRANSLATE_NOOP("Factor", "rotation about x"),
     "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
     "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
+    "mirror": QT_TRANSLATE_NOOP("Factor", "mirror"),
+    "matrix": QT_TRANSLATE_NOOP("Factor", "typed matrix"),
 }
 
 # Refusals of controls only: the text is not a number.
@@ -99,7 +101,9 @@ def file_title(path: str) -> str:
 
 def field_name(field: str) -> str:
     """Return the translated name of a field; any other name is already translated."""
-    return QCoreApplication.translate("Field", TITLES[field]) if field in TITLES else field
+    name = field.rstrip("0123456789")  # the second scale of a chain is scale2
+    number = f" {field[len(name) :]}" if name != field else ""
+    return QCoreApplication.translate("Field", TITLES[name]) + number if name in TITLES else field
 
 
 def plane_name(plane: str) -> str:
@@ -111,7 +115,14 @@ def stage_title(name: str) -> str:
     """Return ``clip_from_view`` as “clip ← view”, and a factor by its name."""
     target, between, source = name.partition("_from_")
     if not between:
-        return QCoreApplication.translate("Factor", FACTORS[name]) if name in FACTORS else name
+        factor = name.rstrip("0123456789")
+        number = f" {name[len(factor) :]}" if factor != name else ""
+        if factor not in FACTORS:  # shear_xy, mirror_x
+            factor, _, letters = factor.partition("_")
+            number = f" {letters}{number}"
+        if factor not in FACTORS:
+            return name
+        return QCoreApplication.translate("Factor", FACTORS[factor]) + number
     spaces = (QCoreApplication.translate("Space", SPACES[space]) for space in (target, source))
     return " ← ".join(spaces)
 

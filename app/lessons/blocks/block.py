@@ -16,6 +16,7 @@ from pathlib import Path
 from typing import Any, ClassVar, NamedTuple, Protocol
 
 from app.document.document import Document
+from app.document.settings import assignments_in
 from app.document.view import View
 from app.lessons.lines import LACKS, ONLY_ONCE, Body, Items, LineItem, Lines, refused
 from app.lessons.quantities import Quantities
@@ -73,7 +74,7 @@ def state_in(item: LineItem | None) -> State | None:
     """Read a state on one line, its values separated by semicolons."""
     if item is None:
         return None
-    return read_state([(item.line, part) for part in item.text.split(";")], item.line)
+    return read_state([(item.line, part) for part in assignments_in(item.text)], item.line)
 
 
 def _mesh_beside(text: str, line: int) -> str:

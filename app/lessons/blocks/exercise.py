@@ -15,6 +15,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import NamedTuple
 
+from app.document.settings import assignments_in
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
@@ -90,7 +91,7 @@ class Exercise(Asked):
             elif own is not None and own[1] == "hide":
                 hides |= hidden_in(own[2], line)
             elif own is not None:
-                states += [(line, part) for part in own[2].split(";")]
+                states += [(line, part) for part in assignments_in(own[2])]
             else:
                 recipe.append((line, text))
         if not varied:

@@ -1,0 +1,264 @@
+"""The tiles of the object's transform in the dock, and their product.
+
+::
+
+    row, switch, menu, drag -> edited(chain) -> the model -> show(chain)
+
+The tiles stand as in the product, the leftmost at the top: the one at the bottom acts first.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import replace
+from functools import partial
+
+from PySide6.QtCore import QCoreApplication, Signal
+from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
+
+from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.letters import written
+from app.lecture.notation import object_product
+from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile
+from app.model.parameters import TILES
+from app.model.refusal import Refusal, format_value
+from widgets.controls.parameter_rows import make_row
+from widgets.parts.fields import Row, RowHolder
+from widgets.parts.labels import RefusalLabel
+from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.number_field import refusal
+from widgets.parts.number_rows import NumberRow, VectorRow
+from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.scales import Linear
+from widgets.parts.section import GAP_PX, Rows
+from widgets.parts.typeset import TypesetLabel, matrix
+
+_COLUMNS = ("x", "y", "z", "origin")
+
+
+class _TileCard(Rows):
+    """One tile: its switch, its numbers, and the buttons that move and remove it."""
+
+    def __init__(self, tile: Tile, reach: float, owner: "ChainEditor") -> None:
+        super().__init__()
+        self.kind = tile.kind
+        self.field = ""  # what its numbers are called in highlights; empty while it is off
+        title = stage_title(KINDS[tile.kind].factor)
+        self.switch = QCheckBox(title)
+        set_tip(self.switch, self.tr("Whether the product has this tile"))
+        self._tile = tile
+        self.switch.clicked.connect(lambda on: owner.put(self, replace(self._tile, is_off=not on)))
+        up, down, away = (
+            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
+            for icon, tip, act in (
+                ("up", self.tr("Move it left in the product: it acts later"),
+                 lambda: owner.step(self, -1)),
+                ("choose", self.tr("Move it right: it acts earlier"), lambda: owner.step(self, 1)),
+                ("close", self.tr("Remove it"), lambda: owner.put(self)),
+            )
+        )  # fmt: skip
+        head = QWidget()
+        in_row((self.switch, 1), up, down, away, on=head, margins=(0, 0, 0, 0), gap=0)
+        self._column.insertWidget(0, head)
+        self.rows = dict(self._made_rows(tile, title))
+        self.set_reach(reach)
+        for key, row in self.rows.items():
+            self.add(row)
+            owner.join(self, key, row)
+
+    def _made_rows(self, tile: Tile, title: str) -> Iterator[tuple[str, Row]]:
+        """Yield a row for each number, or for each column of a matrix and for an axis."""
+        parameter = TILES.get(KINDS[tile.kind].field)
+        if parameter is None:  # a mirror has no numbers
+            return
+        named = QCoreApplication.translate("Field", "{0} {1}")
+        tip = parameter_text(parameter, parameter.tip)
+        if tile.kind == "matrix":
+            for column in _COLUMNS:
+                yield column, VectorRow(named.format(title, column), tip)
+            return
+        letters = KINDS[tile.kind].letters
+        if tile.kind == "rotate":
+            yield "axis", VectorRow(named.format(title, self.tr("axis")), tip)
+            letters = letters[-1:]
+        for letter in letters:
+            part = letter.rpartition("_")[2]
+            name = named.format(title, part) if len(letters) > 1 else title
+            row = make_row(replace(parameter, vector=False), name)
+            row.setDefault(KINDS[tile.kind].neutral[-1])
+            yield part, row
+
+    def set_reach(self, reach: float) -> None:
+        for row in self.rows.values():
+            if self.kind == "translate" and isinstance(row, NumberRow):
+                row.setScale(Linear.about(0.0, reach))
+
+    def show_tile(self, tile: Tile, field: str) -> None:
+        self._tile, self.field = tile, field
+        self.switch.setChecked(not tile.is_off)
+        for row, value in zip(self.rows.values(), self._values(tile), strict=True):
+            row.setValue(value)
+
+    def _values(self, tile: Tile) -> list[object]:
+        numbers = tile.numbers
+        if tile.kind == "matrix":
+            return [numbers[column:12:4] for column in range(4)]
+        return [numbers[:3], numbers[3]] if tile.kind == "rotate" else list(numbers)
+
+    def typed(self, tile: Tile, key: str, value: object) -> tuple[float, ...]:
+        """Return a tile's numbers after an edit of one of the rows."""
+        values = self._values(tile)
+        values[list(self.rows).index(key)] = value
+        parts = [part if isinstance(part, tuple) else (part,) for part in values]
+        if tile.kind == "matrix":
+            return (*(part for row in zip(*parts, strict=True) for part in row), *tile.numbers[12:])
+        return tuple(part for group in parts for part in group)
+
+
+class ChainEditor(QWidget, RowHolder):
+    """The tiles of the object, a menu for more, and their product."""
+
+    edited = Signal(object)  # the user made this `Chain`
+    highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._chain, self._reach = NOT_MOVED, 10.0
+        self.rows: dict[str, Row] = {}
+        self.cards: list[_TileCard] = []
+        text, tip = self.tr("Add a tile"), self.tr("It acts last: left of the others")
+        self.add = tool_button(text, tip, name=text)
+        self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
+        menu = QMenu(self.add)
+        menu.addAction("T Rz Ry Rx S", lambda: self._adopt(FiveTiles().chain))
+        for kind in KINDS:
+            title = stage_title(KINDS[kind].factor)
+            menu.addAction(title, partial(self.put, None, Tile(kind, KINDS[kind].neutral)))
+        self.add.setMenu(menu)
+        self.letters = QCheckBox(self.tr("Letters"))
+        self.vectors = QCheckBox(self.tr("Row vectors"))
+        for box in (self.letters, self.vectors):
+            box.toggled.connect(self._show_product)
+        self.product = TypesetLabel()
+        self.product.shrinks = True
+        self._tiles = in_column(margins=(0, 0, 0, 0), gap=GAP_PX)
+        self.refusal = RefusalLabel()
+        self.first = PlainLabel(
+            self.tr("The tile at the bottom acts first."), objectName="paneNote"
+        )
+        bar = in_row(self.letters, self.vectors, FREE)
+        parts = self.add, self.refusal, self._tiles, self.first, self.product, bar
+        in_column(*parts, on=self, margins=(0, 0, 0, 0))
+        self._build(NOT_MOVED)
+
+    # -- the interface
+
+    def show_chain(self, chain: Chain) -> None:
+        """Show another chain, without a signal."""
+        if chain == self._chain:
+            return
+        self._chain = chain
+        self.refusal.show_text("")
+        if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
+            self._build(chain)
+        self._show_tiles()
+        self._show_product()
+
+    def set_scene(self, size: float) -> None:
+        """Fit the sliders of translations to a scene."""
+        self._reach = 2.0 * size
+        for card in self.cards:
+            card.set_reach(self._reach)
+
+    def show_highlight(self, highlighted: Highlight) -> None:
+        for card in self.cards:
+            for row in card.rows.values():
+                row.set_marked(card.field in highlighted)
+
+    def rows_of(self, name: str) -> list[Row]:
+        """Return the rows of the tiles of one kind: ``rotate_deg``."""
+        return [row for key, row in self.rows.items() if key.rpartition("_")[0] == name]
+
+    def return_borrowed(self) -> None:
+        for card in self.cards:
+            card.return_borrowed()
+
+    # -- edits
+
+    def put(self, card: _TileCard | None, *tiles: Tile) -> None:
+        """Put tiles over that of a card, or at the left, which acts last."""
+        place, over = (0, 0) if card is None else (self.cards.index(card), 1)
+
+        def refuse(said: str) -> None:
+            self._show_tiles()
+            self.refusal.show_text(said)
+
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
+
+    def step(self, card: _TileCard, by: int) -> None:
+        """Move a tile up or down, which is left or right in the product."""
+        place = self.cards.index(card)
+        to = min(max(place + by, 0), len(self.cards) - 1)
+        self.cards.insert(to, self.cards.pop(place))
+        self._tiles.insertWidget(to, card)
+        self._adopt(self._chain.moved(place, to))
+
+    def type_in(self, card: _TileCard, key: str, value: object) -> None:
+        place = self.cards.index(card)
+        tile = self._chain.tiles[place]
+
+        def edited() -> Chain:
+            numbers = card.typed(tile, key, value)
+            return self._chain.with_tile(place, replace(tile, numbers=numbers), over=1)
+
+        self._attempt(edited, card.rows[key].show_error)
+
+    def join(self, card: _TileCard, key: str, row: Row) -> None:
+        """Follow a new row."""
+        row.edited.connect(partial(self.type_in, card, key))
+        row.highlighted.connect(partial(self._point_at, card, key))
+        self._join(row)
+
+    def _point_at(self, card: _TileCard, key: str, is_here: bool) -> None:
+        about = frozenset({card.field}) if is_here and card.field else NOTHING
+        self.highlighted.emit(f"{card.field}_{key}", about)
+
+    def _attempt(self, make: Callable[[], Chain], refuse: Callable[[str], None]) -> None:
+        try:
+            self._adopt(make())
+        except Refusal as error:
+            refuse(refusal(sentence(error)))
+
+    def _adopt(self, chain: Chain) -> None:
+        if chain != self._chain:
+            self.show_chain(chain)
+            self.edited.emit(chain)
+
+    # -- shown
+
+    def _build(self, chain: Chain) -> None:
+        discard(self._tiles, self.cards)
+        self.cards = [_TileCard(tile, self._reach, self) for tile in chain.tiles]
+        for card in self.cards:
+            self._tiles.addWidget(card)
+        self.add.setEnabled(len(self.cards) < MOST_TILES)
+        for part in (self.first, self.product, self.letters, self.vectors):
+            part.setVisible(bool(self.cards))
+
+    def _show_tiles(self) -> None:
+        self.rows.clear()
+        tiles = zip(self.cards, self._chain.tiles, self._chain.fields(), strict=True)
+        for place, (card, tile, field) in enumerate(tiles):
+            card.show_tile(tile, field)
+            for part, row in card.rows.items():
+                self.rows[f"{field or f'off{place}'}_{part}"] = row
+
+    def _show_product(self) -> None:
+        rows = self.vectors.isChecked()
+        formulas, names = object_product(self._chain, rows=rows)
+        cells = [[written(cell, "own") for cell in line] for line in formulas]
+        if not self.letters.isChecked():
+            product = self._chain.matrix.T if rows else self._chain.matrix
+            cells = [
+                [format_value(float(f"{part:.5g}")) for part in line] for line in product + 0.0
+            ]
+        self.product.set_formula(f"{' '.join(names)} = {matrix(cells)}" if names else matrix(cells))
