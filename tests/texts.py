@@ -13,9 +13,9 @@ import json
 from pathlib import Path
 
 from app.lecture.kinds import KINDS
-from app.measure.chart import TEXTS
 from app.model.parameter import texts_of
 from app.model.parameters import PARAMETERS
+from app.model.refusal import SENTENCES
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
@@ -40,6 +40,23 @@ def key_texts() -> set[str]:
     return {*groups, *(text for lines in groups.values() for line in lines for text in line)}
 
 
+def sentence_texts() -> list[tuple[str, set[str]]]:
+    """The texts of the page of sentences, by their contexts."""
+    contexts = {section.partition("/")[0] for section in SENTENCES}
+    return [
+        (
+            each,
+            {
+                text
+                for name in SENTENCES
+                if name.startswith(each)
+                for text in SENTENCES[name].values()
+            },
+        )
+        for each in sorted(contexts)
+    ]
+
+
 def source() -> str:
     """Python that marks them all."""
     lines = (
@@ -49,7 +66,7 @@ def source() -> str:
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
             ("Help", key_texts()),
-            ("Measure", {text for each in TEXTS.values() for text in each.values()}),
+            *sentence_texts(),
         )
         for text in sorted(texts)
     )

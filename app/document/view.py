@@ -13,6 +13,7 @@ from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
+from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
 from app.model.limits import (
     LARGEST_IMAGE_PX,
@@ -24,7 +25,7 @@ from app.model.limits import (
     within,
 )
 from app.model.projection import Camera
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
@@ -43,22 +44,14 @@ MOST_PROBES = 6  # most probes: more cannot be compared at a glance
 MOST_NAMES = 7  # most names of a view: a picture with more of them has no point
 EVERYTHING = ("*",)  # the names of a view that names everything
 
-A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
+A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from {1} to {2}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
 SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
 SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names from {1}")
 SOME_CONTROLS = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names of values")
 AN_EQUATION = QT_TRANSLATE_NOOP("Refusal", "must be a text")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
-A_PROBE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
-    " probe",
-)
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
-SOME_NAMES = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a list of at most {0} different names, or only *"
-)
 
 
 @dataclass(frozen=True)
@@ -67,7 +60,8 @@ class View:
 
     layout: str = "pictures"
     large: str = ""  # the pane in the large slot; empty for the one that the scene chooses
-    stage: float = float(NDC)  # position on the stage strip; a whole number at each of `STAGES`
+    stage: float = float(NDC)
+    """Position on the stage strip: whole at each of `STAGES`, below 0 during the object's moves."""
     frame_step: str = STEPS[0]  # the step up to which the camera's frame is built
     panel: str | None = None  # the drawer's open panel; empty for none, None for the scene's
     letters: Letters = LETTERS[0]  # of the formulas: a lecture's, or the text of a file
@@ -97,8 +91,8 @@ class View:
         _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
         lettering(self.letters)  # or a `Refusal`
         _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
-        if not _is_number(self.stage) or not 0.0 <= self.stage <= IMAGE:
-            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
+        if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
+            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), -MOST_TILES, IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
         _check_names(self.names)
@@ -110,7 +104,7 @@ class View:
             where = f"probes[{probe.number - 1}]"
             given = [x for x in (probe.point, probe.pixel, probe.direction) if x is not None]
             if len(given) != 1:
-                raise Refusal(where, None, A_PROBE)
+                raise Refusal(where, None, REFUSALS["a-probe"])
             if probe.pixel is not None:
                 for part in probe.pixel:
                     within(where, real(where, part), 0.0, LARGEST_IMAGE_PX)
@@ -159,7 +153,7 @@ def _check_names(names: tuple[str, ...] | None) -> None:
         return
     texts = [name for name in names if isinstance(name, str) and name.strip() not in ("", "*")]
     if len(texts) != len(names) or len(set(texts)) != len(texts) or len(texts) > MOST_NAMES:
-        raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
+        raise Refusal("names", list(names), REFUSALS["some-names"], MOST_NAMES)
 
 
 AS_EVER = View()  # the default view
@@ -217,7 +211,7 @@ def _probe(number: int, part: Any) -> Probe:
     where = f"probes[{number - 1}]"
     count = len(part) if isinstance(part, list) else 0
     if count not in (2, 3, 4) or not all(map(_is_number, part)):
-        raise Refusal(where, part, A_PROBE)
+        raise Refusal(where, part, REFUSALS["a-probe"])
     if count == 2:
         return Probe(number, pixel=(real(where, part[0]), real(where, part[1])))
     if count == 3:
@@ -242,7 +236,7 @@ def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
 _ONE_OR_NONE = {"panel": PANELS, "fixed": FIXED}
 _LISTS: dict[str, tuple[Any, ...]] = {
     "layers": (frozenset, Hashable, SOME_OF, ", ".join(LAYERS)),
-    "names": (tuple, Hashable, SOME_NAMES, MOST_NAMES),
+    "names": (tuple, Hashable, REFUSALS["some-names"], MOST_NAMES),
     "pinned": (frozenset, Hashable, PROBE_NUMBERS),
     "slide": (tuple, str, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)),
     "controls": (tuple, str, SOME_CONTROLS, MOST_ON_SLIDE),
@@ -250,7 +244,7 @@ _LISTS: dict[str, tuple[Any, ...]] = {
 }
 """What each list becomes, the type of its parts, and its bound; the view checks them further."""
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
-    "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
+    "stage": lambda stage: STAGES[int(stage)] if stage in range(len(STAGES)) else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
     "pinned": sorted,
     "probes": _probe_places,

@@ -14,7 +14,6 @@ import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -30,19 +29,16 @@ from app.measure.results import (
     plain,
 )
 from app.model import parameters
-from app.model.parameter import read_sections
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
-TEXTS = {
-    name: section.named
-    for name, section in read_sections(Path(__file__).with_name("content") / "charts.md").items()
-    if section.named
-}  # of every trade and every sweep: its title, and what stands across and up its chart
-TITLES = {name: named["title"] for name, named in TEXTS.items()}
+TITLES = SENTENCES["Measure/titles"]
+_ACROSS = SENTENCES["Measure/across"]
+_BYTES = SENTENCES["Measure/bytes"]
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
+_UP = SENTENCES["Measure/up"]
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
@@ -207,8 +203,7 @@ def _of_trade(
         Diagram(
             ": ".join(filter(None, (title(trade, translate), remark(trade, translate)))),
             tuple(curves), *across, *up,
-            translate(TEXTS[trade.name]["bytes" if paid else "across"]),
-            translate(TEXTS[trade.name]["up"]),
+            translate((_BYTES if paid else _ACROSS)[trade.name]), translate(_UP[trade.name]),
             x_log=not memory, y_log=True, spots=tuple(spots),
         ),
     )  # fmt: skip
@@ -251,11 +246,11 @@ def _of_sweep(
     up = up[0], up[1] * (up[1] / up[0]) ** (_HEIGHT * len(broken))
     values = [v for each in shown for v in each.values if 0.0 < v < math.inf]
     sides: list[tuple[Callable[[float], float], list[float], str]] = [
-        (float, values, TEXTS[sweep.parameter]["across"])
+        (float, values, _ACROSS[sweep.parameter])
     ]
     if sweep.parameter == "fov" and max(values, default=0.0) > _WIDE_DEG:
         sides = [
-            (float, [v for v in values if v <= 90.0], TEXTS["fov"]["across"]),
+            (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
             (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
         ]
     charts = []
@@ -291,7 +286,7 @@ def _of_sweep(
         charts.append(
             Diagram(
                 text, tuple(curves), *across, *up, translate(label),
-                translate(TEXTS["depth"]["up"] if gaps else ERROR_PX),
+                translate(_UP["depth"] if gaps else ERROR_PX),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip

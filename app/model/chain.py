@@ -6,7 +6,7 @@ the world and its origin (lecture 003).
 
 - `Chain.exact` and `Chain.matrix` are the product of the tiles that are on.
 - `Chain.after(k)` is the chain of the k rightmost tiles: its product is where the object stands
-  after k moves, and its columns are the axes at that step.
+  after k moves, and its columns are the axes at that step. ``from_left`` reads the other way.
 - `Chain.moved` and `Chain.with_tile` rearrange; `Chain.read` and `Chain.text` are the text form.
 - Two chains do the same if their `exact` products are equal, whatever their tiles.
 """
@@ -39,7 +39,7 @@ from app.model.limits import (
     within,
 )
 from app.model.numerals import numbers as numbers_in
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from app.model.refusal import nearest as nearest_word
 from app.model.tables import PipelineStep, Table, evaluated, inverse, matrix, rounded
 
@@ -58,9 +58,6 @@ SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} finite numbers after {1}")
 NO_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must have no number after {0}")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have at most {0} tiles, but has {1}")
 A_CHAIN = QT_TRANSLATE_NOOP("Refusal", "must be tiles such as translate 3,0,0 or rotate z 90")
-HAS_W = QT_TRANSLATE_NOOP(
-    "Refusal", "must have 0, 0, 0, 1 in its last row: no move of an object changes w"
-)
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "must have a product with numbers up to {0} only")
 
 MOST_TILES = 8
@@ -191,7 +188,7 @@ class Tile:
         keep_checked(self, numbers=numbers)
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
-                raise Refusal(field, numbers[12:], HAS_W)
+                raise Refusal(field, numbers[12:], REFUSALS["has-w"])
             rows = [[*map(Fraction, numbers[i : i + 3])] for i in (0, 4, 8)]
             if (rank := eliminate(rows).rank) < 3:
                 raise Refusal(field, tuple(numbers[i : i + 3] for i in (0, 4, 8)), INVERTIBLE, rank)
@@ -227,6 +224,18 @@ class Tile:
             words += [",".join(parts[:size])] * bool(parts)
             parts = parts[size:]
         return " ".join(words)
+
+    def partly(self, part: float) -> Tile:
+        """A part of the move: of an angle, a way, a factor. A mirror flattens half-way."""
+        if self.kind.startswith("mirror"):
+            return Tile("scale", tuple(1.0 - 2.0 * part * (x == self.kind[-1]) for x in "xyz"))
+        begin = list(KINDS[self.kind].neutral)
+        if self.kind == "rotate":
+            begin[:3] = self.numbers[:3]
+        try:
+            return replace(self, numbers=tuple(begin)).towards(self.numbers, part)
+        except Refusal:  # a typed matrix that is singular on the way
+            return self
 
     def towards(self, numbers: Sequence[float], part: float) -> Tile:
         """The tile with its numbers on the way to others."""
@@ -314,9 +323,17 @@ class Chain:
         names = iter(kind.field for kind in lettered_kinds(self.kinds))
         return tuple("" if tile.is_off else next(names) for tile in self.tiles)
 
-    def after(self, count: int) -> Chain:
-        """The chain of the first moves of an object: the rightmost tiles that are on."""
-        return Chain(self.on[len(self.on) - count :])
+    def after(self, moves: float, *, from_left: bool = False) -> Chain:
+        """The chain after so many moves of the tiles that are on, the last one in part.
+
+        They are read from the right, in the world's axes; or done from the left, in the axes that
+        the moves before have moved. Both end in the whole product.
+        """
+        tiles = self.on if from_left else self.on[::-1]
+        made, part = tiles[: int(moves)], moves % 1.0
+        if part:
+            made = (*made, tiles[int(moves)].partly(part))
+        return Chain(made if from_left else made[::-1])
 
     def place_of(self, *kinds: str) -> int | None:
         """The place of the leftmost tile of some kinds that is on; None if there is none."""
