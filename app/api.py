@@ -52,7 +52,7 @@ from app.model.projection import (
     Trace,
     checked_points,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.mesh import Colours
@@ -80,15 +80,9 @@ Palette: TypeAlias = Literal["screen", "print", "dark", "contrast"]
 Hidden: TypeAlias = Literal["none", "dashed", "grey"]
 Fit: TypeAlias = Literal["named", "frustum", "scene"]
 
-A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
-A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
-SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
-CLOUD = QT_TRANSLATE_NOOP("Refusal", "cloud: must have 1 to {1} points, and {0} were given.")
-A_DOT = QT_TRANSLATE_NOOP("Refusal", "must be from {0} to {1} points")
 MOST_DOTS = 1_000_000  # most points of a cloud
 DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
 _HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
-MARKED = QT_TRANSLATE_NOOP("Refusal", "points: at most {0} can be marked, and {1} were given.")
 
 
 class ScriptFigure(drawn.Figure):
@@ -319,14 +313,14 @@ def figure(
         given = _checked(points)
         rows = given.reshape(-1, given.shape[-1]).tolist()
         if len(rows) > MOST_PROBES:
-            raise Refusal.saying(MARKED, MOST_PROBES, len(rows))
+            raise Refusal.saying(REFUSALS["marked"], MOST_PROBES, len(rows))
         probes = tuple(
             Probe.of(number, (x, y, z, w[0] if w else 1.0))
             for number, (x, y, z, *w) in enumerate(rows, 1)
         )
         document = replace(document, view=replace(document.view, probes=probes))
     if not isinstance(panes, Sequence):
-        raise Refusal("panes", panes, SOME_PANES, ", ".join(PANES))
+        raise Refusal("panes", panes, REFUSALS["some-panes"], ", ".join(PANES))
     column = isinstance(panes, str) and "/" in panes
     named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
     if cloud is None:
@@ -354,10 +348,10 @@ def _clouded(
     """Return the scene with a cloud, or the cloud alone."""
     points = checked_points(cloud, (3,)).reshape(-1, 3)
     if not 1 <= len(points) <= MOST_DOTS:
-        raise Refusal.saying(CLOUD, len(points), MOST_DOTS)
+        raise Refusal.saying(REFUSALS["api-cloud"], len(points), MOST_DOTS)
     size_pt, (least, most) = _points(dot_size, "dot_size"), DOT_PT
     if size_pt is not None and not least <= size_pt <= most:
-        raise Refusal("dot_size", dot_size, A_DOT, least, most)
+        raise Refusal("dot_size", dot_size, REFUSALS["a-dot"], least, most)
     widths = None if size_pt is None else size_pt * DPI / 72.0 / LIGHT.line_width
     rgb = None if colours is None else _rgb(colours, len(points))
     if alone:
@@ -392,7 +386,9 @@ def _document(of: Source) -> Document:
     if isinstance(of, Projection):
         return Document(projection=of)
     if not isinstance(of, Document):
-        raise Refusal("of", of, A_SOURCE, repr(of if isinstance(of, str) else "letter-f"))
+        raise Refusal(
+            "of", of, REFUSALS["a-source"], repr(of if isinstance(of, str) else "letter-f")
+        )
     return of
 
 
@@ -413,7 +409,7 @@ def _read(
 
 
 def _points(size: str | float | None, name: str = "text_size") -> float | None:
-    no = Refusal(name, size, A_TEXT_SIZE)
+    no = Refusal(name, size, REFUSALS["a-text-size"])
     points: float | None = _read(size, parse_points, _number, no)
     return points
 

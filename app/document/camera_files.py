@@ -30,7 +30,7 @@ from app.model.camera import (
 from app.model.limits import Array, positive
 from app.model.numerals import number
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
 
 View: TypeAlias = Callable[[Projection], Projection]
@@ -43,11 +43,7 @@ MOST_VALUES = 1_000_000
 DEEPEST = 20
 LONGEST_NAME = 200
 
-NO_PERSPECTIVE = QT_TRANSLATE_NOOP("Refusal", "is no perspective camera, and is not read")
-NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be {0} finite numbers")
-NO_VIEW = QT_TRANSLATE_NOOP("Refusal", "has no camera: no camera_matrix, K or fx, and no frame")
-NO_XML = QT_TRANSLATE_NOOP("Refusal", "is not XML as OpenCV writes it: {0}")
-NO_CAMERA = QT_TRANSLATE_NOOP("Refusal", "has a CAMERA_ID that is not in cameras.txt")
+NO_PERSPECTIVE = REFUSALS["no-perspective"]
 
 _OTHERS = {
     ".nvm": "VisualSFM", ".out": "Bundler", ".sfm": "Meshroom", ".blend": "Blender",
@@ -125,7 +121,7 @@ def _named(views: Iterable[tuple[str, View]], *, is_sure: bool = True) -> Views:
         shown = printable(name[:LONGEST_NAME])
         named[shown if shown and shown not in named else f"{shown} ({count})".strip()] = view
     if is_sure and not named:
-        raise Refusal.in_document(NO_VIEW)
+        raise Refusal.in_document(REFUSALS["no-view"])
     return named
 
 
@@ -250,7 +246,7 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
     given = [value for value in values if value is not None]
     if len(given) < len(values) or (counts and len(values) not in counts):
         shown, least = " ".join(map(str, tokens)), counts[0] if counts else len(values)
-        raise Refusal.in_document(NUMBERS, least, field=key, value=shown)
+        raise Refusal.in_document(REFUSALS["numbers"], least, field=key, value=shown)
     return given
 
 
@@ -343,7 +339,7 @@ def _xml(text: str) -> Tree:
         if root.tag != "opencv_storage":
             raise ValueError(f"<{root.tag}>")
     except (ElementTree.ParseError, ValueError) as error:
-        raise Refusal.in_document(NO_XML, str(error)) from error
+        raise Refusal.in_document(REFUSALS["no-xml"], str(error)) from error
     return {
         child.tag: {part.tag: part.text or "" for part in child} or child.text or ""
         for child in root
@@ -390,7 +386,7 @@ def _image(cameras: Mapping[str, Line], line: Line, projection: Projection) -> P
     where, parts = line[0], line[1].split(maxsplit=9)
     values = _numbers({"": (where, parts[1:8])}, [""], 7)
     if len(parts) < 9 or parts[8] not in cameras:
-        raise Refusal.in_document(NO_CAMERA, field=where)
+        raise Refusal.in_document(REFUSALS["camera-files-no-camera"], field=where)
     pose = world_from_opencv(rotation_from_quaternion(values[:4]), np.array(values[4:]))
     return _of_camera(cameras[parts[8]], pose, projection)
 

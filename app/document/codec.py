@@ -44,7 +44,7 @@ from app.document.view import read_view, view_tree
 from app.model.chain import A_CHAIN, Chain, FiveTiles
 from app.model.parameter import YES_OR_NO
 from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal, format_value, shown_name
+from app.model.refusal import REFUSALS, Bound, Refusal, format_value, shown_name
 from app.precision.quality import Quality
 
 Path: TypeAlias = str | os.PathLike[str]
@@ -74,20 +74,12 @@ SHORTEST = 1e-100  # shortest distance and up vector of a pane's own camera: VTK
 DEEPEST = 50  # most levels of brackets in a document, far below what Python's recursion can write
 LONGEST_SHOWN = 60  # most characters of a key in a refusal
 
-MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
-EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")
+MISSING = REFUSALS["missing"]
+EMPTY = REFUSALS["empty"]
 BROKEN = REFUSALS["broken"]
-FOREIGN = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document")
-VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number, 1 or more")
-TWICE = QT_TRANSLATE_NOOP("Refusal", "is given twice")
-FINITE_OR_INF = QT_TRANSLATE_NOOP("Refusal", "must be a finite number or inf")
-TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} levels of brackets")
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} values")
-MAPPING = QT_TRANSLATE_NOOP("Refusal", "must be an object with named values in braces")
-AWAY_FROM_TARGET = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} away from the target")
-LONGER = QT_TRANSLATE_NOOP("Refusal", "must be at least {0} long")
-A_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name")
-SOME_CHANGES = QT_TRANSLATE_NOOP("Refusal", "must be a list of texts NAME=VALUE")
+FOREIGN = REFUSALS["foreign"]
+TOO_DEEP = REFUSALS["too-deep"]
+MAPPING = REFUSALS["mapping"]
 
 
 # --------------------------------------------------------------------------- text to tree
@@ -112,7 +104,7 @@ def _read_pairs(pairs: list[tuple[str, Any]]) -> Tree | _Refused:
     tree: Tree = {}
     for key, value in pairs:
         if key in tree:
-            return _Refused(TWICE, key)
+            return _Refused(REFUSALS["twice"], key)
         tree[key] = value
     return tree
 
@@ -146,7 +138,11 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
 def _bound_of_far(kind: object) -> Bound:
     """Return the bound on a lens's far, which only some lenses allow to be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
-    return FINITE_OR_INF if lens is not None and lens.far_may_be_infinite else FINITE_NUMBER
+    return (
+        REFUSALS["finite-or-inf"]
+        if lens is not None and lens.far_may_be_infinite
+        else FINITE_NUMBER
+    )
 
 
 def _join(path: str, key: str) -> str:
@@ -160,7 +156,7 @@ def tree_of(text: str, most: int = MOST_VALUES) -> Any:
     if not text.strip():
         raise Refusal.in_document(EMPTY)
     if sum(map(text.count, ",[{")) >= most:  # before JSON's parser takes its time
-        raise Refusal.in_document(TOO_MANY, most)
+        raise Refusal.in_document(REFUSALS["codec-too-many"], most)
     try:
         tree = json.loads(
             text,
@@ -188,7 +184,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
         raise Refusal.in_document(FOREIGN)
     version = _whole(_required(tree, "version"))
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
-        raise Refusal.in_document(VERSION_NUMBER, field="version", value=version)
+        raise Refusal.in_document(REFUSALS["version-number"], field="version", value=version)
     if version > VERSION:
         raise Refusal.in_document(REFUSALS["newer"], format_value(version), VERSION)
     for step in MIGRATIONS[version - 1 :]:
@@ -311,9 +307,9 @@ def _pane_camera(section: Any, path: str) -> Camera:
     with document_paths(path):
         camera = Camera(**_values(section, CAMERA, path))
         if camera.distance < SHORTEST:
-            raise Refusal("eye", camera.eye, AWAY_FROM_TARGET, SHORTEST)
+            raise Refusal("eye", camera.eye, REFUSALS["away-from-target"], SHORTEST)
         if math.hypot(*camera.up) < SHORTEST:
-            raise Refusal("up", camera.up, LONGER, SHORTEST)
+            raise Refusal("up", camera.up, REFUSALS["longer"], SHORTEST)
     return camera
 
 
@@ -328,8 +324,8 @@ def _pictures(value: Any, scene: str, mesh: Any) -> tuple[ComparedPicture, ...]:
         values: Tree = {"name": "", "set": [], "live": False, "held": {}} | _mapping(part, where)
         texts = isinstance(values["set"], list) and all(isinstance(x, str) for x in values["set"])
         for key, fits, bound in (
-            ("name", isinstance(values["name"], str), A_NAME),
-            ("set", texts, SOME_CHANGES),
+            ("name", isinstance(values["name"], str), REFUSALS["a-name"]),
+            ("set", texts, REFUSALS["some-changes"]),
             ("live", isinstance(values["live"], bool), YES_OR_NO),
             ("held", isinstance(values["held"], dict), MAPPING),
         ):

@@ -22,7 +22,7 @@ MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge a
 
 SOME_PICTURES = REFUSALS["some-pictures"]
 SOME_DIVIDERS = REFUSALS["some-dividers"]
-HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
+HELD_ELSEWHERE = REFUSALS["held-elsewhere"]
 NAME_ENDS = ": "  # separates the name of a picture from its values
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
 """The parts of a document that a picture shows and may override."""

@@ -33,7 +33,7 @@ from app.model.projection import (
     Projection,
     kinds,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.shapes import LETTER_F
@@ -41,9 +41,7 @@ from app.scenes.shapes import LETTER_F
 MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")
 """A scene name with one of these endings is a mesh file; every other scene is built in."""
 
-SCENE_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the name of a scene or of a mesh file")
-MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}), or empty for none")
-FIXED = QT_TRANSLATE_NOOP("Refusal", "cannot be moved in the scene {0}, whose objects are fixed")
+SCENE_NAME = REFUSALS["scene-name"]
 
 
 def is_mesh(scene: str) -> bool:
@@ -83,10 +81,10 @@ class Document:
         settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
         object.__setattr__(self, "settings", settings)
         if phenomenon is not None and not self.projection.placement.is_identity:
-            raise Refusal.in_document(FIXED, self.scene, field="object")
+            raise Refusal.in_document(REFUSALS["fixed"], self.scene, field="object")
         if self.mesh != "":
             if not isinstance(self.mesh, str) or "\0" in self.mesh or not is_mesh(self.mesh):
-                bound = MESH_NAME, ", ".join(MESH_ENDINGS)
+                bound = REFUSALS["mesh-name"], ", ".join(MESH_ENDINGS)
                 raise Refusal.in_document(*bound, field="mesh", value=self.mesh)
             if phenomenon is None or not phenomenon.own_mesh:
                 raise Refusal.in_document(
@@ -122,9 +120,6 @@ Tree: TypeAlias = dict[str, Any]
 
 _UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
 
-THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
-THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
-POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
@@ -231,7 +226,7 @@ SWITCH = FieldKind(
 )
 VECTOR = FieldKind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
 MATRIX = FieldKind(_matrix, (FOUR_BY_FOUR,))
-PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
+PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (REFUSALS["points"],))
 PANES = FieldKind(_looks, (REFUSALS["looks"],))
 NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
 
@@ -298,9 +293,11 @@ def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     )
 
 
-CAMERA_P = Field("camera", "P", FieldKind(lambda text: _cells(text, 3, 4), (THREE_BY_FOUR,)))
+CAMERA_P = Field(
+    "camera", "P", FieldKind(lambda text: _cells(text, 3, 4), (REFUSALS["three-by-four"],))
+)
 CALIBRATED = (
-    Field("lens", "K", FieldKind(lambda text: _cells(text, 3, 3), (THREE_BY_THREE,))),
+    Field("lens", "K", FieldKind(lambda text: _cells(text, 3, 3), (REFUSALS["three-by-three"],))),
     *(
         Field("lens", name, NUMBER)
         for name in (*Intrinsics._fields, "focal_mm", "sensor_width_mm", "sensor_height_mm")

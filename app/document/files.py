@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.lecture.letters import LONGEST_FILE, Letters, lettering
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 from app.strangers import decode, log_warning, open_regular
 
 if TYPE_CHECKING:
@@ -34,17 +34,14 @@ MOST_NAMED = 12  # most views that a refusal names
 LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
 STALE_S = 60.0  # the age at which an unfinished file counts as left by a killed program
 
-NOT_TEXT = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document: it is not text")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
-NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
-FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
-WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
-UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
-UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
-BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
+NOT_TEXT = REFUSALS["not-text"]
+TOO_LARGE = REFUSALS["files-too-large"]
+NO_FILE = REFUSALS["no-file"]
+FOLDER = REFUSALS["folder"]
+UNREADABLE = REFUSALS["files-unreadable"]
+UNWRITABLE = REFUSALS["unwritable"]
+BAD_NAME = REFUSALS["bad-name"]
 CLOUDS = frozenset({".xyz", ".pts", ".pcd", ".las", ".laz", ".e57"})
-NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
-PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 
 
 @contextlib.contextmanager
@@ -107,12 +104,12 @@ def read(
     with blamed_on(file, UNREADABLE):
         content = _read_bytes(file)
         if view and (content.startswith(_PNG) or _has_mark(content)):
-            raise Refusal.in_document(NO_VIEWS, f"#{view}")
+            raise Refusal.in_document(REFUSALS["no-views"], f"#{view}")
         folder = os.path.dirname(os.path.realpath(file))
         if content.startswith(_PNG):
             text = extract(content)
             if text is None:
-                raise Refusal.in_document(PLAIN_PICTURE)
+                raise Refusal.in_document(REFUSALS["plain-picture"])
             # A picture names its mesh without folders: look beside the link, then beside the
             # picture.
             document = parse(text, os.path.dirname(os.path.abspath(file)))
@@ -315,7 +312,7 @@ def _mode_to_keep(target: str) -> int | None:
     if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
         raise Refusal.in_document(REFUSALS["not-regular"])
     if not os.access(target, os.W_OK):  # replacing it would bypass its owner's write protection
-        raise Refusal.in_document(WRITE_PROTECTED)
+        raise Refusal.in_document(REFUSALS["write-protected"])
     return mode
 
 

@@ -31,7 +31,6 @@ from app.model.numerals import numbers
 from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
 from app.model.refusal import (
-    QT_TRANSLATE_NOOP,
     REFUSALS,
     Refusal,
     format_value,
@@ -40,12 +39,9 @@ from app.model.refusal import (
 )
 from app.scenes.phenomena import PHENOMENA
 
-UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
-OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
-OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
+UNKNOWN = REFUSALS["unknown"]
+OTHER_LENS = REFUSALS["other-lens"]
 CONTRADICTS = REFUSALS["contradicts"]
-EITHER = QT_TRANSLATE_NOOP("Refusal", "cannot be set together with {0}, which it replaces")
-NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 Values: TypeAlias = dict[str, Any]
 MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
@@ -94,7 +90,9 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
         path, equals, text = (part.strip() for part in assignment.partition("="))
         if not equals or not path:
             written = assignment.strip()
-            raise Refusal.in_document(NO_EQUALS, field=shown_name(written) or repr(written))
+            raise Refusal.in_document(
+                REFUSALS["no-equals"], field=shown_name(written) or repr(written)
+            )
         texts[path] = text
     scene = texts.pop("scene", document.scene)
     if scene != document.scene:
@@ -125,7 +123,7 @@ def set_values(document: Document, assignments: Iterable[str]) -> Document:
     older = [field.path for field in FIVE if field.path in texts]
     if older:  # they replace the chain
         if "object.chain" in texts:
-            raise Refusal.in_document(EITHER, "object.chain", field=older[0])
+            raise Refusal.in_document(REFUSALS["either"], "object.chain", field=older[0])
         five = document.projection.placement.five or FiveTiles()
         tree["object"] = {field.name: getattr(five, field.name) for field in FIVE}
     for path, text in texts.items():
@@ -271,7 +269,7 @@ def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
             if key in {setting.name for setting in phenomenon.settings}
         ]
         if scenes:
-            return Refusal.in_document(OTHER_SCENE, ", ".join(scenes), field=shown)
+            return Refusal.in_document(REFUSALS["other-scene"], ", ".join(scenes), field=shown)
 
     def likeness(known: str) -> float:
         typed, known = shown.lower(), known.lower()

@@ -9,17 +9,12 @@ from typing import NamedTuple
 from app.document.document import Document, fields_of
 from app.model.numerals import numbers
 from app.model.projection import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 EASES = ("linear", "log", "smooth")
 LOOPS = ("repeat", "once", "back-and-forth")
 FRAMES, FPS = 48, 25.0  # frames, and frames a second, unless others are asked for
 MOST_FRAMES, FASTEST = 1000, 50  # players slow a GIF down that asks for more frames a second
-
-TWICE = QT_TRANSLATE_NOOP("Refusal", "sweep = {0}: {1} is swept already.")
-SOME_FRAMES = QT_TRANSLATE_NOOP("Refusal", "frames = {0}: must be a whole number from 2 to {1}.")
-EVEN_FRAMES = QT_TRANSLATE_NOOP("Refusal", "frames = {0}: must be even to go back and forth.")
-A_SPEED = QT_TRANSLATE_NOOP("Refusal", "fps = {0}: must be from 1 to {1}.")
 
 
 class ValueSweep(NamedTuple):
@@ -42,7 +37,7 @@ def parse_sweeps(texts: Sequence[str]) -> list[ValueSweep]:
         if not first or not last or len(first) != len(last):
             raise Refusal.saying(REFUSALS["a-sweep"], repr(text))
         if path.strip() in sweeps:
-            raise Refusal.saying(TWICE, repr(text), path.strip())
+            raise Refusal.saying(REFUSALS["sweeping-twice"], repr(text), path.strip())
         sweeps[path.strip()] = ValueSweep(path.strip(), first, last)
     return list(sweeps.values())
 
@@ -93,13 +88,13 @@ def order(frames: int, loop: str) -> list[int]:
         raise Refusal("loop", loop, ONE_OF, ", ".join(LOOPS))
     is_back = loop == "back-and-forth"
     if not 2 <= frames <= MOST_FRAMES:
-        raise Refusal.saying(SOME_FRAMES, frames, MOST_FRAMES)
+        raise Refusal.saying(REFUSALS["some-frames"], frames, MOST_FRAMES)
     if is_back and frames % 2:
-        raise Refusal.saying(EVEN_FRAMES, frames)
+        raise Refusal.saying(REFUSALS["even-frames"], frames)
     return [min(frame, frames - frame) if is_back else frame for frame in range(frames)]
 
 
 def checked_speed(fps: float) -> float:
     if not 1.0 <= fps <= FASTEST:
-        raise Refusal.saying(A_SPEED, f"{fps:g}", FASTEST)
+        raise Refusal.saying(REFUSALS["a-speed"], f"{fps:g}", FASTEST)
     return fps

@@ -25,7 +25,7 @@ from app.model.limits import (
     within,
 )
 from app.model.projection import Camera
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
@@ -44,14 +44,12 @@ MOST_PROBES = 6  # most probes: more cannot be compared at a glance
 MOST_NAMES = 7  # most names of a view: a picture with more of them has no point
 EVERYTHING = ("*",)  # the names of a view that names everything
 
-A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from {1} to {2}")
-ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
-SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
-SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names from {1}")
-SOME_CONTROLS = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names of values")
-AN_EQUATION = QT_TRANSLATE_NOOP("Refusal", "must be a text")
-SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
-PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
+ONE_OR_NONE = REFUSALS["one-or-none"]
+SOME_OF = REFUSALS["some-of"]
+SOME_SLIDES = REFUSALS["some-slides"]
+SOME_CONTROLS = REFUSALS["some-controls"]
+SOME_PROBES = REFUSALS["some-probes"]
+PROBE_NUMBERS = REFUSALS["probe-numbers"]
 
 
 @dataclass(frozen=True)
@@ -92,7 +90,9 @@ class View:
         lettering(self.letters)  # or a `Refusal`
         _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
         if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
-            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), -MOST_TILES, IMAGE)
+            raise Refusal(
+                "stage", self.stage, REFUSALS["a-stage"], ", ".join(STAGES), -MOST_TILES, IMAGE
+            )
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
         _check_names(self.names)
@@ -123,7 +123,7 @@ class View:
         if not len(set(self.controls)) == len(self.controls) <= MOST_ON_SLIDE:
             raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
         if not isinstance(self.equation, str):
-            raise Refusal("equation", self.equation, AN_EQUATION)
+            raise Refusal("equation", self.equation, REFUSALS["an-equation"])
 
     @property
     def compares_in(self) -> str:

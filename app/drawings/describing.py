@@ -14,7 +14,7 @@ from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
 from app.model.limits import PLANES
 from app.model.projection import Projection, Vector
-from app.model.refusal import DESCRIPTION, QT_TRANSLATE_NOOP, SENTENCES
+from app.model.refusal import DESCRIPTION, SENTENCES
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
 from app.scenes.phenomena.words import digits_apart, figure
@@ -22,18 +22,8 @@ from app.scenes.scene import Scene
 
 Translate = Callable[[str, str], str]  # from a text and its context to the text in another language
 
-CAMERA = QT_TRANSLATE_NOOP("Description", "The eye is at ({0}) and looks at ({1}).")
-LENS = QT_TRANSLATE_NOOP("Description", "Lens: {0}, near {1}, far {2}.")
-ANGLE = QT_TRANSLATE_NOOP("Description", "The vertical field of view is {0}°.")
-NO_PLANES = QT_TRANSLATE_NOOP("Description", "Lens: {0}.")
 WORLDS = SENTENCES["Description/worlds"]
-AT_A_STAGE = QT_TRANSLATE_NOOP("Description", "Cube: the scene in {0} coordinates.")
 STAGES = tuple(SENTENCES["Description/stages"].values())
-IMAGE = QT_TRANSLATE_NOOP("Description", "Image: the picture, {0} by {1} pixels.")
-EQUATION = QT_TRANSLATE_NOOP("Description", "Equation: {0}.")
-COMPARED = QT_TRANSLATE_NOOP("Description", "{0} pictures are compared.")
-POINT = QT_TRANSLATE_NOOP("Description", "Point {0} at ({1}) has its picture at the pixel ({2}).")
-NOWHERE = QT_TRANSLATE_NOOP("Description", "Point {0} has no picture.")
 
 
 def in_english(text: str, _context: str) -> str:
@@ -119,17 +109,21 @@ def describe(
 def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
     camera, lens = projection.camera, projection.lens
     if projection.has_camera:
-        yield translate(CAMERA, "Description").format(*_rows(camera.eye, camera.target))
+        yield translate(DESCRIPTION["camera"], "Description").format(
+            *_rows(camera.eye, camera.target)
+        )
     title = translate(lens.title, "Lens")
     if lens.planes is None:
-        yield translate(NO_PLANES, "Description").format(title)
+        yield translate(DESCRIPTION["no-planes"], "Description").format(title)
         return
     digits = digits_apart(lens.near, lens.far)
     far = "∞" if lens.far == np.inf else figure(lens.far, digits)
-    yield translate(LENS, "Description").format(title, figure(lens.near, digits), far)
+    yield translate(DESCRIPTION["lens"], "Description").format(
+        title, figure(lens.near, digits), far
+    )
     if lens.fov_y_deg is not None:
         angle = figure(lens.fov_y_deg, digits_apart(lens.fov_y_deg, 180.0))
-        yield translate(ANGLE, "Description").format(angle)
+        yield translate(DESCRIPTION["angle"], "Description").format(angle)
 
 
 def _points(document: Document, translate: Translate) -> Iterator[str]:
@@ -146,8 +140,8 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
             trace = document.projection.trace(probe.point)
         pixels.append(trace.image.tolist())
     for probe, place, pixel in zip(probes, _rows(*places), _rows(*pixels), strict=True):
-        template = POINT if probe.direction is None else DESCRIPTION["direction"]
-        template = NOWHERE if "nan" in pixel else template
+        template = DESCRIPTION["point"] if probe.direction is None else DESCRIPTION["direction"]
+        template = DESCRIPTION["nowhere"] if "nan" in pixel else template
         yield translate(template, "Description").format(probe.number, place, pixel)
 
 
@@ -156,13 +150,13 @@ def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> 
     if pane == "world":
         said = translate(WORLDS[seen_from(view, scene) or "free"], "Description")
     elif pane == "equation":
-        said = translate(EQUATION, "Description").format(view.equation)
+        said = translate(DESCRIPTION["equation"], "Description").format(view.equation)
     elif pane == "ndc":
         said = _stage(view.stage, projection, translate)
     else:
-        said = translate(IMAGE, "Description").format(*projection.image_size)
+        said = translate(DESCRIPTION["image"], "Description").format(*projection.image_size)
     if view.compare and view.compares_in == pane:
-        said += " " + translate(COMPARED, "Description").format(len(view.compare))
+        said += " " + translate(DESCRIPTION["compared"], "Description").format(len(view.compare))
     return said
 
 
@@ -176,7 +170,7 @@ def _stage(at: float, projection: Projection, translate: Translate) -> str:
         stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
     ]
     names = [translate(STAGES[stop], "Description") for stop in stops]
-    template = AT_A_STAGE if stops[0] == stops[1] else DESCRIPTION["between-stages"]
+    template = DESCRIPTION["at-a-stage"] if stops[0] == stops[1] else DESCRIPTION["between-stages"]
     return translate(template, "Description").format(*names)
 
 

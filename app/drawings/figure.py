@@ -28,7 +28,7 @@ from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
 from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Cancelled, Refusal, format_value
+from app.model.refusal import REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
 
@@ -58,17 +58,11 @@ _TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 
-NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
-UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
-SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
 SCALED_WIDTH = REFUSALS["scaled-width"]
-LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to {2} {3}.")
-LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
 TEXT = REFUSALS["text"]
-AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
 _SIDES = (
-    (REFUSALS["width"], SCALED_WIDTH, LENGTH_WIDE),
-    (REFUSALS["height"], REFUSALS["scaled-height"], LENGTH_HIGH),
+    (REFUSALS["width"], SCALED_WIDTH, REFUSALS["length-wide"]),
+    (REFUSALS["height"], REFUSALS["scaled-height"], REFUSALS["length-high"]),
 )
 
 
@@ -122,10 +116,10 @@ class Figure:
             if not isinstance(value, str) or value not in known:
                 raise Refusal(name, value, ONE_OF, ", ".join(known))
         if isinstance(self.panes, str) or not self.panes:
-            raise Refusal.saying(NO_PANES, repr(self.panes), ", ".join(PANES))
+            raise Refusal.saying(REFUSALS["no-panes"], repr(self.panes), ", ".join(PANES))
         for pane in self.panes:
             if pane not in PANES and tuple(self.panes) != ("equation",):
-                raise Refusal.saying(UNKNOWN_PANE, repr(pane), ", ".join(PANES))
+                raise Refusal.saying(REFUSALS["unknown-pane"], repr(pane), ", ".join(PANES))
         object.__setattr__(self, "panes", tuple(self.panes))
         self._check_size()
         side = LARGEST_PX if self.panes == ("equation",) else self._side
@@ -135,7 +129,7 @@ class Figure:
 
     def _check_size(self) -> None:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
-            raise Refusal.saying(SCALE, f"{self.scale:g}", LARGEST_PX)
+            raise Refusal.saying(REFUSALS["scale"], f"{self.scale:g}", LARGEST_PX)
         per_px = PX_PER[self.full_size.unit]
         divided = not self.column, self.column
         for templates, side, is_divided in zip(_SIDES, self.full_size[:2], divided, strict=True):
@@ -443,7 +437,7 @@ class Figure:
 
         name = os.fspath(path)
         if not name.lower().endswith(ENDINGS):
-            raise Refusal.saying(AN_ENDING, name)
+            raise Refusal.saying(REFUSALS["an-ending"], name)
         if name.lower().endswith(".png"):
             write_bytes_atomically(name, self.png(progress))
             return

@@ -17,10 +17,8 @@ from app.drawings.pdf import pdf
 from app.drawings.svg import svg
 from app.drawings.tikz import LARGEST, tikz
 from app.drawings.vectors import Shape
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
-
-A_LINK = QT_TRANSLATE_NOOP("Refusal", "{0}: is a link, where a picture of the figure would be.")
 
 
 def write_shapes(
@@ -42,7 +40,7 @@ def write_shapes(
             raise Refusal.saying(REFUSALS["too-large-for-tex"], path, *sizes, f"{name}.pdf")
         beside = {os.path.join(os.path.dirname(path), each): each for each in pictures}
         if any(map(os.path.islink, beside)):  # a stranger's list of figures chooses the name
-            raise Refusal.saying(A_LINK, next(filter(os.path.islink, beside)))
+            raise Refusal.saying(REFUSALS["a-link"], next(filter(os.path.islink, beside)))
         for place, each in beside.items():
             write_bytes_atomically(place, pictures[each])
     else:

@@ -26,13 +26,11 @@ from app.lecture.letters import in_letters
 from app.lessons.text import in_line
 from app.model.parameters import TITLES
 from app.model.projection import Camera
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
 FILMS = (".gif", ".apng", ".webp", ".mp4")
-A_FILM = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in one of {1}.")
-ONE_SIZE = QT_TRANSLATE_NOOP("Refusal", "A film's frames have one size: leave out crop and width.")
 
 
 def is_fixed(shown: Figure) -> bool:
@@ -114,9 +112,9 @@ def sweep_film(
 ) -> None:
     """Write a film of a figure in which values change; a `Refusal` for what is not possible."""
     if os.path.splitext(path)[1].lower() not in FILMS:
-        raise Refusal.saying(A_FILM, path, ", ".join(FILMS))
+        raise Refusal.saying(REFUSALS["a-film"], path, ", ".join(FILMS))
     if shown.crop or shown.width is not None:
-        raise Refusal.saying(ONE_SIZE)
+        raise Refusal.saying(REFUSALS["one-size"])
     sequence, speed, parsed = order(frames, loop), checked_speed(fps), parse_sweeps(sweeps)
     values = swept(parsed, shown.document, max(sequence) + 1, ease)
     states = [set_values(shown.document, each) for each in values]

@@ -11,11 +11,10 @@ import tempfile
 from collections.abc import Sequence
 from subprocess import PIPE
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
 
 PROGRAM = "ffmpeg"
-FAILED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0} says “{1}”")
 
 # Every player shows colours of half the resolution; better quality would not change those.
 _COLOURS = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
@@ -55,4 +54,4 @@ def mp4(frames: Sequence[bytes], fps: float) -> bytes:
                 return file.read()
         said = wrong.decode("utf-8", "replace").strip().rpartition("\n")[2]
         why = said[:200] or f"status {process.returncode}"
-        raise Refusal.in_document(FAILED, PROGRAM, printable(why.rstrip(".")))
+        raise Refusal.in_document(REFUSALS["failed"], PROGRAM, printable(why.rstrip(".")))

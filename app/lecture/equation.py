@@ -28,7 +28,7 @@ from app.lecture.notation import Formulas, WrittenMatrix, matrices, names_of
 from app.model.chain import FROM_OBJECT
 from app.model.formula import LONGEST, parse
 from app.model.projection import Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 USUAL = {
     "object": FROM_OBJECT,
@@ -51,7 +51,6 @@ ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
 """The projection onto a plane at the distance d, and the same times d: names and cells."""
 NUMBERS = "numbers"  # the last word of an equation whose cells are numbers
 MOST_FACTORS = 4
-OF_ONE_LECTURE = QT_TRANSLATE_NOOP("Refusal", "must name matrices that one lecture has together")
 
 
 class Term(NamedTuple):
@@ -138,7 +137,7 @@ def _terms_of(projection: Projection, letters: Letters, words: Sequence[str]) ->
     for lecture in lectures:
         if {key for key, _ in called.values()} <= _by_key(projection, lecture).keys():
             return _terms(projection, lecture, called)
-    raise Refusal("equation", " ".join(words), OF_ONE_LECTURE)
+    raise Refusal("equation", " ".join(words), REFUSALS["of-one-lecture"])
 
 
 def _terms(

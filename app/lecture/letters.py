@@ -22,7 +22,7 @@ from app.model import formula_text
 from app.model.chain import FROM_OBJECT, MOST_TILES
 from app.model.formula import ARROW, parse
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, nearest
+from app.model.refusal import REFUSALS, Refusal, nearest
 
 Letters: TypeAlias = str
 """One of `LETTERS`, or the text of a file of one's own letters."""
@@ -30,8 +30,7 @@ Letters: TypeAlias = str
 LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 """The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
 LONGEST_FILE = 10_000  # most characters of a file of letters
-NOT_KNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
-ONCE = QT_TRANSLATE_NOOP("Refusal", "is the letter of {0} already; two things cannot share one")
+NOT_KNOWN = REFUSALS["not-known"]
 
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
@@ -197,7 +196,7 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
         held = of_lecture.get(section, {}) | given[section]
         for other in held:
             if other != name and held[other] == held[name]:
-                raise Refusal(place, held[name], ONCE, other)
+                raise Refusal(place, held[name], REFUSALS["once"], other)
     return given
 
 

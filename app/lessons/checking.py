@@ -16,20 +16,16 @@ from app.lessons.course import Course, unnameable
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.text import MATH, formulas_in
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, counted
+from app.model.refusal import REFUSALS, Refusal, counted
 from app.scenes.mesh import Progress, report
 
 MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
 MOST_WORDS = 150  # most words of a step's text or of a note: the reader also looks at the pictures
 
-TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
-LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; the limit is {1}")
-NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
+TOO_LONG = REFUSALS["checking-too-long"]
+NOT_TEX = REFUSALS["not-tex"]
 
-UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
-NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
-NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step can name")
+UNCLOSED = REFUSALS["unclosed"]
 _MARK = re.compile(r"(`+|\\[$\[\]<])")
 _LINK = re.compile(
     r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
@@ -99,7 +95,10 @@ def _check(course: Course, trial: Trial, progress: Progress | None) -> None:
 
 
 def _count(steps: Sequence[Step], trial: Trial) -> None:
-    limits = (False, MOST_STEPS, TOO_MANY), (True, MOST_PRACTICE, REFUSALS["too-much-practice"])
+    limits = (
+        (False, MOST_STEPS, REFUSALS["checking-too-many"]),
+        (True, MOST_PRACTICE, REFUSALS["too-much-practice"]),
+    )
     for varies, most, said in limits:
         some = [step for step in steps if step.varies == varies]
         if len(some) > most:
@@ -112,7 +111,7 @@ def _check_view(course: Course, place: int, trial: Trial) -> None:
     values = state.values if state is not None else ()
     line = next((at for at, text in values if path_of(text) == "view.names"), 0)
     for name in unnameable(course.shown(place).document, PANES) if line else ():
-        trial.add_fault(refused(line, NOT_NAMED, name))
+        trial.add_fault(refused(line, REFUSALS["not-named"], name))
 
 
 def _check_texts(step: Step, trial: Trial) -> None:
@@ -126,7 +125,7 @@ def _check_texts(step: Step, trial: Trial) -> None:
     if words > MOST_WORDS:
         trial.add_fault(refused(step.line, TOO_LONG, words, MOST_WORDS))
     if step.note is not None and (words := len(step.note.text.split())) > MOST_WORDS:
-        trial.add_fault(refused(step.note.line, LONG_NOTE, words, MOST_WORDS))
+        trial.add_fault(refused(step.note.line, REFUSALS["long-note"], words, MOST_WORDS))
 
 
 def _check_signs(line: int, text: str, trial: Trial) -> None:
@@ -138,7 +137,7 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
         if link is not None:
             trial.add_fault(refused(number, REFUSALS["no-links"], value=link[0][:60]))
         elif html is not None:
-            trial.add_fault(refused(number, NO_HTML, value=html[0][:60]))
+            trial.add_fault(refused(number, REFUSALS["no-html"], value=html[0][:60]))
 
 
 def _bare(text: str) -> str:

@@ -33,7 +33,7 @@ from app.lessons.lines import (
 )
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, log_warning, open_regular
 
 if TYPE_CHECKING:
@@ -46,16 +46,8 @@ MOST_STEPS = 500  # most steps of a talk
 _MOST_READ = 20_000  # most lines of a block whose faults are all found; of a longer one, the first
 
 NOT_UTF8 = REFUSALS["not-utf8"]
-NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
-NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
-NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
-NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
-TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
-TWICE = QT_TRANSLATE_NOOP("Refusal", "repeats the name of line {0}; each needs its own")
-BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
-UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
-STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
-TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L27, separated by commas")
+BAD_NAME = REFUSALS["lesson-bad-name"]
+UNCLOSED = REFUSALS["lesson-unclosed"]
 
 AddFault: TypeAlias = Callable[[Refusal], object]
 
@@ -203,7 +195,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         raise refused(len(lines), REFUSALS["top"])
     title = values.get("title", "")
     if not title:
-        raise refused(1, NO_TITLE)
+        raise refused(1, REFUSALS["no-title"])
     if len(title) > 2 and title[0] == title[-1] and title[0] in "\"'":  # as in YAML
         title = title[1:-1]
     return {
@@ -226,7 +218,7 @@ def _check_top(key: str, value: str, line: int) -> None:
     elif key == "letters" and value not in LETTERS and not _BESIDE.fullmatch(value):
         raise refused(line, REFUSALS["letters-of"], ", ".join(LETTERS), value=value)
     elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
-        raise refused(line, TOPICS, value=value)
+        raise refused(line, REFUSALS["topics"], value=value)
 
 
 def _parted(text: str) -> list[str]:
@@ -267,14 +259,14 @@ def _steps(
         except Refusal as error:
             at_fault(error)
     if not steps and complain is None:
-        raise refused(first, NO_STEPS)
+        raise refused(first, REFUSALS["no-steps"])
     return tuple(steps)
 
 
 def _claim(names: dict[str, int], name: str, line: int) -> None:
     """Record the line of a name; refuse a name that is already used."""
     if name in names:
-        raise refused(line, TWICE, names[name], value=name)
+        raise refused(line, REFUSALS["lesson-twice"], names[name], value=name)
     names[name] = line
 
 
@@ -290,7 +282,7 @@ def _groups(lines: Sequence[str], first: int) -> list[tuple[list[Token], int]]:
             groups.append((group, _line(token, first) - 1))
             group = []
             if len(groups) > MOST_STEPS:
-                raise refused(_line(token, first), TOO_MANY_STEPS, MOST_STEPS)
+                raise refused(_line(token, first), REFUSALS["too-many-steps"], MOST_STEPS)
         else:
             group.append(token)
     return [*groups, (group, len(lines))]
@@ -373,7 +365,7 @@ class _StepReader:
         match = _OWN_NAME.search(whole)
         title = whole[: match.start()].rstrip() if match is not None else whole
         if heading.type != "heading_open" or heading.tag != "h1" or mark != "#" or not title:
-            raise refused(line, NO_HEADING, value=text[:60])
+            raise refused(line, REFUSALS["no-heading"], value=text[:60])
         name = match[1].strip() if match is not None else slug(title)
         if not _NAME.fullmatch(name):
             raise refused(line, BAD_NAME, value=name)
@@ -386,7 +378,7 @@ class _StepReader:
         if token.type == "code_block" and _BLOCK.match(token.content):
             raise refused(line, REFUSALS["block-indented"])
         if token.type == "heading_open" and token.tag == "h1":
-            raise refused(line, STEP_IN_STEP, value=self._lines[line - 1].strip()[:60])
+            raise refused(line, REFUSALS["step-in-step"], value=self._lines[line - 1].strip()[:60])
         if token.type == "fence":
             self._check_fence(token, line, kind)
         if token.type != "fence" or not kind:
@@ -410,7 +402,7 @@ class _StepReader:
         """Return the kind of a block and its unread lines."""
         if kind not in KINDS:
             near = difflib.get_close_matches(kind, KINDS, n=1, cutoff=0.0)[0]
-            raise refused(line, NO_BLOCK, kind, near)
+            raise refused(line, REFUSALS["no-block"], kind, near)
         cls = KINDS[kind]
         if cls.once and kind in [block.kind for block in self._blocks]:
             raise refused(line, ONLY_ONCE, kind)

@@ -15,16 +15,13 @@ from typing import NamedTuple
 from app.lessons.quantities import Condition, read_formula
 from app.model import numerals
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 
-UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
-INDENTED = QT_TRANSLATE_NOOP("Refusal", "is indented, but belongs to nothing above it")
-LACKS = QT_TRANSLATE_NOOP("Refusal", "needs {0}")
-ONLY_ONCE = QT_TRANSLATE_NOOP("Refusal", "has {0} twice")
-NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]” if it is right, else “- [ ]”")
-CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
-A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
-LONG_LINE = QT_TRANSLATE_NOOP("Refusal", "has {0} characters; the limit is {1}")
+UNEXPECTED = REFUSALS["unexpected"]
+INDENTED = REFUSALS["indented"]
+LACKS = REFUSALS["lacks"]
+ONLY_ONCE = REFUSALS["only-once"]
+LONG_LINE = REFUSALS["long-line"]
 
 LONGEST_LINE = 4000  # most characters of a line, also with the indented lines that continue it
 
@@ -44,7 +41,7 @@ def on_line(line: int, what: str = "") -> Iterator[None]:
         if error.field.startswith("line ") or (error.file is not None and error.file != ""):
             raise
         if not error.field and error.value is ...:  # a whole sentence, of a scene or its file
-            raise refused(line, CANNOT_BE, str(error).rstrip(".?")) from error
+            raise refused(line, REFUSALS["cannot-be"], str(error).rstrip(".?")) from error
         name = what if error.field in ("formula", "condition") and what else error.field
         where = f"line {line}, {name}" if name else f"line {line}"
         raise Refusal.in_document(
@@ -63,7 +60,7 @@ def continued(above: str, text: str, line: int) -> str:
 def number_in(text: str, line: int, low: float, high: float) -> float:
     value = numerals.number(text)
     if value is None or not low <= value <= high:
-        raise refused(line, A_NUMBER, low, high, value=text)
+        raise refused(line, REFUSALS["a-number"], low, high, value=text)
     return value
 
 
@@ -171,7 +168,7 @@ class Body(NamedTuple):
             elif not items and not _mistyped(text, keys):
                 question.append(text)
             elif choices and text.startswith(("-", "*")):
-                raise refused(number, NO_CHOICE, value=text.strip()[:60])
+                raise refused(number, REFUSALS["no-choice"], value=text.strip()[:60])
             elif text.strip():
                 bound = INDENTED if indented else UNEXPECTED
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])

@@ -19,7 +19,7 @@ from typing import NamedTuple
 from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product, Quotient, parse
 from app.model.limits import LARGEST
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 DIGITS = 3  # significant digits required of an inexact number
 EXACT = Fraction(1, 10**9)
@@ -28,26 +28,14 @@ _ZERO = 1e-12  # a computed value below this is 0
 _LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST, _LONGEST_SHOWN = 60, 17
 
-EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
-UNFINISHED = QT_TRANSLATE_NOOP("Refusal", "must be a number; something is missing after {0}")
-NO_LETTER = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} is neither a number nor a unit")
-OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
-NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "must be a number: a function has no value there")
+EMPTY = REFUSALS["marking-empty"]
+NO_LETTER = REFUSALS["no-letter"]
 TOO_LARGE = REFUSALS["too-large"]
-OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
-NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
 AMBIGUOUS = REFUSALS["ambiguous"]
-TWO_ANGLES = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} mixes degrees and radians")
-NOT_SO_FAR = QT_TRANSLATE_NOOP("Refusal", "must have {0} significant digits in front of “...”")
-TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
+TWO_ANGLES = REFUSALS["two-angles"]
+TOO_LONG = REFUSALS["marking-too-long"]
 
-SIGN = QT_TRANSLATE_NOOP("Refusal", "The size is right, but the sign is wrong.")
-SIGN_AND_SIZE = QT_TRANSLATE_NOOP("Refusal", "The sign is wrong, and so is the size.")
-TENS = QT_TRANSLATE_NOOP("Refusal", "The digits are right, but the power of ten is wrong.")
-TURNED = QT_TRANSLATE_NOOP("Refusal", "This is 1 divided by the right number.")
-LARGE = QT_TRANSLATE_NOOP("Refusal", "It is too large, by a factor of about {0}.")
-SMALL = QT_TRANSLATE_NOOP("Refusal", "It is too small, by a factor of about {0}.")
-NEARLY = QT_TRANSLATE_NOOP("Refusal", "It is close, but not exact enough.")
+SMALL = REFUSALS["small"]
 
 _DECIMAL = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
 _LITERAL = re.compile(rf"([-+]?)({_DECIMAL})(?:(?:e|[*x×]10\^)([-+]?[0-9]+))?")
@@ -185,7 +173,7 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     value = Fraction(match[1] + match[2]) * Fraction(10) ** power
     digits = len(match[2].replace(".", "").lstrip("0"))
     if is_endless and digits < DIGITS:
-        raise Refusal("answer", text, NOT_SO_FAR, DIGITS)
+        raise Refusal("answer", text, REFUSALS["not-so-far"], DIGITS)
     typed = TypedNumber(value, digits, Fraction(10) ** (power - len(places)))
     return _bounded(text, typed).times(factor)
 
@@ -273,7 +261,11 @@ def _without_unit(text: str, plain: str, unit: str) -> tuple[str, Fraction, bool
         typed_kind, typed_size = _UNITS[name]
         same = typed_kind == kind or (not unit and typed_kind == _UNIT)
         if rest and not same:
-            raise Refusal("answer", text, *((OTHER_UNIT, unit) if unit else (NO_UNIT, name)))
+            raise Refusal(
+                "answer",
+                text,
+                *((REFUSALS["other-unit"], unit) if unit else (REFUSALS["no-unit"], name)),
+            )
         return rest, typed_size / size if same else Fraction(1), kind == _ANGLE
     return plain, Fraction(1), kind == _ANGLE
 
@@ -301,7 +293,9 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
         for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
             if word not in (*FUNCTIONS, "pi", "pow"):
                 raise Refusal("answer", text, NO_LETTER, word) from error
-        rest = (REFUSALS["no-number"], plain[at:]) if plain[at:] else (UNFINISHED, plain)
+        rest = (
+            (REFUSALS["no-number"], plain[at:]) if plain[at:] else (REFUSALS["unfinished"], plain)
+        )
         raise Refusal("answer", text, *rest) from error
     for letter in formula.letters:
         if letter != "pi":
@@ -311,13 +305,13 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
     except KeyError as error:
         raise Refusal("answer", text, NO_LETTER, str(error.args[0])) from error
     except ZeroDivisionError as error:
-        raise Refusal("answer", text, OVER_ZERO) from error
+        raise Refusal("answer", text, REFUSALS["over-zero"]) from error
     except OverflowError as error:
         raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT) from error
     except (ValueError, TypeError) as error:
         if isinstance(error, Refusal) and error.field == "answer":
             raise
-        raise Refusal("answer", text, NOT_DEFINED) from error
+        raise Refusal("answer", text, REFUSALS["not-defined"]) from error
     value = _bounded(text, TypedNumber(value, DIGITS, Fraction(0))).value
     return value, "." in plain, is_angle(formula)
 
@@ -444,18 +438,18 @@ def remark(typed: TypedNumber, value: float) -> Refusal | None:
         return None
     ratio = typed.value / Fraction(value)
     if equals(typed.times(Fraction(-1)), value):
-        return Refusal.saying(SIGN)
+        return Refusal.saying(REFUSALS["sign"])
     if ratio < 0:
-        return Refusal.saying(SIGN_AND_SIZE)
+        return Refusal.saying(REFUSALS["sign-and-size"])
     power = round(math.log10(ratio))
     if power and equals(typed.times(1 / Fraction(10) ** power), value):
-        return Refusal.saying(TENS)
+        return Refusal.saying(REFUSALS["tens"])
     degrees = Fraction(math.degrees(1.0))
     if any(equals(typed.times(factor), value) for factor in (degrees, 1 / degrees)):
         return Refusal.saying(REFUSALS["radians"])
     if abs(typed.value * Fraction(value) - 1) <= Fraction(2, 10**DIGITS):
-        return Refusal.saying(TURNED)
+        return Refusal.saying(REFUSALS["turned"])
     away = float(max(ratio, 1 / ratio))
     if away < 1.05:
-        return Refusal.saying(NEARLY)
-    return Refusal.saying(LARGE if ratio > 1 else SMALL, f"{away:.2g}")
+        return Refusal.saying(REFUSALS["nearly"])
+    return Refusal.saying(REFUSALS["large"] if ratio > 1 else SMALL, f"{away:.2g}")

@@ -49,16 +49,16 @@ from app.model.parameters import (
 )  # fmt: skip
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-NO_NAME = QT_TRANSLATE_NOOP("Refusal", "uses an unknown name, {0}; the nearest is {1}")
-NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
-DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large; the limit is {0}")
-NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
+NO_NAME = REFUSALS["no-name"]
+NO_CELL = REFUSALS["no-cell"]
+DIVIDES_BY_ZERO = REFUSALS["divides-by-zero"]
+TOO_LARGE = REFUSALS["quantities-too-large"]
+NOT_DEFINED = REFUSALS["quantities-not-defined"]
 WITHOUT_VALUE = DIVIDES_BY_ZERO, TOO_LARGE, NOT_DEFINED, REFUSALS["quantities-no-number"]
 """Why a formula may have no value in some states."""
 

@@ -25,7 +25,7 @@ from typing import Any, NamedTuple
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, open_regular
 
 RIGHT, WRONG, SHOWN = "right", "wrong", "shown"  # the verdicts
@@ -39,10 +39,9 @@ LARGEST = 2 * 2**20  # size in bytes from which the file becomes the old one; ab
 LONGEST_TYPED, LONGEST_NAME = 2000, 1000
 LATEST = 2**34  # in seconds since 1970; a later time is a mistake
 
-A_WHOLE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number from {0} to {1}")
-A_TEXT = QT_TRANSLATE_NOOP("Refusal", "must be one line of at most {0} characters")
-AN_ATTEMPT = QT_TRANSLATE_NOOP("Refusal", "must be an answer with its lesson, exercise and time")
-DAMAGED = QT_TRANSLATE_NOOP("Refusal", "has unreadable lines ({0}), which are left out")
+A_TEXT = REFUSALS["a-text"]
+AN_ATTEMPT = REFUSALS["an-attempt"]
+DAMAGED = REFUSALS["record-damaged"]
 
 
 class Attempt(NamedTuple):
@@ -90,7 +89,7 @@ def _checked(name: str, value: object) -> object:
     most = _LARGEST_OF.get(name)
     if most is not None:
         if type(value) is not int or not 0 <= value <= most:
-            raise Refusal.in_document(A_WHOLE_NUMBER, 0, most, field=name, value=value)
+            raise Refusal.in_document(REFUSALS["a-whole-number"], 0, most, field=name, value=value)
         return value
     value = one_line(name, value, LONGEST_TYPED if name == "typed" else LONGEST_NAME)
     if name == "verdict" and value not in (RIGHT, WRONG, SHOWN):

@@ -18,7 +18,7 @@ from app.lessons.course import Course
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, corrected, one_line
 from app.lessons.text import plain_of
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, log_warning
 
 FORMAT, VERSION = "frustum-lab-results", 1
@@ -27,8 +27,7 @@ MOST = 5000  # most answers of a file; the newest are exported
 LONGEST_STUDENT = 100
 _DIGITS = 16
 
-NO_RESULTS = QT_TRANSLATE_NOOP("Refusal", "is not a file of results of Frustum Lab")
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
+NO_RESULTS = REFUSALS["no-results"]
 
 
 class StudentResults(NamedTuple):
@@ -96,7 +95,7 @@ def read(path: AnyPath) -> StudentResults:
         if version > VERSION:
             raise Refusal.in_document(REFUSALS["results-newer"], version, VERSION)
         if len(answers) > MOST:
-            raise Refusal.in_document(TOO_MANY, MOST)
+            raise Refusal.in_document(REFUSALS["results-too-many"], MOST)
         lessons = tree.get("lessons")
         digests = lessons if isinstance(lessons, dict) else {}
         student = one_line("student", tree.get("student", ""), LONGEST_STUDENT)

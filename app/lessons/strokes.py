@@ -7,14 +7,14 @@ from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode
 
 LARGEST = 8 * 2**20  # most bytes of a file
 COLOURS = ("ink", "u", "v", "n")
 """Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
 _READABLE = (*COLOURS, "accent", "near")  # colours of strokes in files
-NO_STROKES = QT_TRANSLATE_NOOP("Refusal", "has no strokes as Frustum Lab writes them")
+NO_STROKES = REFUSALS["no-strokes"]
 
 Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]
 """By the names of the steps, and of the pictures that their answers show."""

@@ -24,12 +24,11 @@ from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode
 
-NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
-A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
+NOT_IN_WORDS = REFUSALS["not-in-words"]
 NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
 
@@ -248,7 +247,7 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
 def _one_line(title: str) -> str:
     words = " ".join(title.split())
     if not words or not words.isprintable():
-        raise Refusal.in_document(A_TITLE, field="title", value=title[:60])
+        raise Refusal.in_document(REFUSALS["a-title"], field="title", value=title[:60])
     return words
 
 

@@ -29,7 +29,7 @@ from app.measure.results import (
     plain,
 )
 from app.model import parameters
-from app.model.refusal import QT_TRANSLATE_NOOP, SENTENCES
+from app.model.refusal import MEASURE, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
@@ -37,12 +37,7 @@ TITLES = SENTENCES["Measure/titles"]
 _ACROSS = SENTENCES["Measure/across"]
 _BYTES = SENTENCES["Measure/bytes"]
 _FEW_BYTES = 100.0  # up to here the axis is linear
-FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
 _UP = SENTENCES["Measure/up"]
-ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
-CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
-CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")
-SEEN = QT_TRANSLATE_NOOP("Measure", "{0}; eye {1}, target {2}, {3}")
 _COLOURS = ("u", "n", "v", "accent", "near", "far", "ink", "frustum")
 DASHES: tuple[tuple[float, ...], ...] = (  # which tell curves apart without their colours
     (), (6.0, 2.0), (2.0, 2.0), (9.0, 2.0, 2.0, 2.0), (4.0, 4.0), (9.0, 2.0, 2.0, 2.0, 2.0, 2.0),
@@ -58,7 +53,7 @@ def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
     """Return the title of a trade or sweep, marked if it was cancelled."""
     name = part.name if isinstance(part, Trade) else part.parameter
     text = translate(TITLES[name])
-    return text if part.complete else translate(CANCELLED_TITLE).format(text)
+    return text if part.complete else translate(MEASURE["cancelled-title"]).format(text)
 
 
 def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
@@ -101,7 +96,7 @@ def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
     for name, value in lens.items():
         unit = "°" if name.endswith("_deg") else ""
         kind.append(f"{translate(parameters.TITLES.get(name, name)).lower()} {short(value)}{unit}")
-    return translate(SEEN).format(
+    return translate(MEASURE["seen"]).format(
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
     )  # fmt: skip
@@ -197,7 +192,9 @@ def _of_trade(
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
-        named_now = translate(CURRENT).format(_common(placed[:1], translate))  # not its neighbours
+        named_now = translate(MEASURE["current"]).format(
+            _common(placed[:1], translate)
+        )  # not its neighbours
         spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
@@ -251,7 +248,7 @@ def _of_sweep(
     if sweep.parameter == "fov" and max(values, default=0.0) > _WIDE_DEG:
         sides = [
             (float, [v for v in values if v <= 90.0], _ACROSS["fov"]),
-            (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], FROM_180),
+            (lambda v: 180.0 - v, [v for v in values if 90.0 <= v < 180.0], MEASURE["from-180"]),
         ]
     charts = []
     for of_value, inside, label in sides:
@@ -286,7 +283,7 @@ def _of_sweep(
         charts.append(
             Diagram(
                 text, tuple(curves), *across, *up, translate(label),
-                translate(_UP["depth"] if gaps else ERROR_PX),
+                translate(_UP["depth"] if gaps else MEASURE["error-px"]),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip

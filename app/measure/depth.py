@@ -17,15 +17,15 @@ from app.measure.sweeps import SWEEPS, Answer
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.limits import within
 from app.model.projection import Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.model.refusal import MEASURE, Cancelled, Refusal
 from app.precision.levels import Prediction
 
 PAIRS = 10_000  # number of pairs of neighbours at even distances from near to far (N. Reed, 2015).
 FARTHEST = 1e4  # the pairs' largest distance for an infinite far, in units of near
 _EDGES = 4  # edges of a surface's code and the next two: wide and narrow codes may alternate
 
-NOTHING_APART = QT_TRANSLATE_NOOP("Measure", "tells nothing behind it apart")
-BEYOND = QT_TRANSLATE_NOOP("Measure", "the target lies outside of near and far")
+NOTHING_APART = MEASURE["nothing-apart"]
+BEYOND = MEASURE["beyond"]
 
 
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:

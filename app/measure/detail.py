@@ -23,7 +23,7 @@ from app.measure.smoothing import pane, picture_size
 from app.model.clipping import clip_segments
 from app.model.limits import vector
 from app.model.projection import Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled
+from app.model.refusal import MEASURE, Cancelled
 from app.scenes.fewer_triangles import LEAST_TRIANGLES, SHARES, can_be_reduced, reduced
 from app.scenes.poly_mesh import PolyMesh
 from app.scenes.scene import Scene
@@ -36,7 +36,6 @@ _BESIDE_PX = 1e-3
 _RINGS = 160  # of the sphere
 
 TOO_FEW = "a sphere: the scene has too few triangles"
-NOT_SEEN = QT_TRANSLATE_NOOP("Measure", "no outline of the scene is in the picture")
 
 
 def measure(
@@ -78,7 +77,7 @@ def measure(
                 "reduce_ms": 1e3 * made,
                 "first_frame_ms": 1e3 * (time.perf_counter() - began),
             }
-            note = NOT_SEEN if error is None else "" if own else TOO_FEW
+            note = MEASURE["not-seen"] if error is None else "" if own else TOO_FEW
             use = {"detail": f"{share:g}"} if own else {}
             buffers = 12.0 * (fewer.surface.n_points + fewer.surface.n_cells)
             choice = ChartPoint(name, None, None, error, None, values, note, use, buffers)

@@ -23,7 +23,7 @@ from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import MEASURE
 from app.scenes.phenomena.interpolation import TEXELS, edge_error
 
 SPLITS = (1, 2, 4, 8, 16, 32, 64)
@@ -36,9 +36,6 @@ _LINE_BYTES = 64  # of a processor's cache
 
 _ROUNDINGS = 32.0 * 2.0**-53
 """Bound of what float64 and the reference lose, in parts of the edge, times its ratio of depths."""
-
-NOTHING = QT_TRANSLATE_NOOP("Measure", "no edge of the scene's box is in the picture")
-PARALLEL = QT_TRANSLATE_NOOP("Measure", "the whole edge is equally far away, so there is no error")
 
 
 class ClipEdge(NamedTuple):
@@ -164,7 +161,9 @@ def measure(
     """Measure trade 2 on an edge of the scene's bounding box, whose corners are (8, 3)."""
     edge = steepest_edge(projection, corners_world)
     if edge is None:
-        return without_numbers("interpolation", "ns", "texels", NOTHING, "perspective-correct")
+        return without_numbers(
+            "interpolation", "ns", "texels", MEASURE["nothing"], "perspective-correct"
+        )
     s = aligned(max(2, math.ceil(SAMPLES_A_PIXEL * edge.length_px)))
     s[:] = np.linspace(0.0, 1.0, len(s))
     right = truth(edge, s)
@@ -173,7 +172,7 @@ def measure(
         name = f"affine, {splits} pieces" if splits > 1 else "affine"
         runs[name] = affine(edge, s, splits)
     lost = _ROUNDINGS * edge.ratio
-    note = PARALLEL if edge.ratio == 1.0 else ""
+    note = MEASURE["parallel"] if edge.ratio == 1.0 else ""
     choices = []
     for (name, run), splits in zip(runs.items(), (0, *SPLITS), strict=True):
         error = TEXELS * float(np.abs(run() - right).max())

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
-from app.model.refusal import MEASURE, QT_TRANSLATE_NOOP, SENTENCES
+from app.model.refusal import MEASURE, SENTENCES
 
 GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
     "arithmetic": 0.01,
@@ -47,20 +47,11 @@ SHOWN = {
 it is missing, the scene of the trade's own name does."""
 ANY_SCENE = "letter-f"  # the scene of a trade that every scene shows
 _BARGAINS = {
-    ("time", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times faster, {3}."),
-    ("time", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times slower, {3}."),
-    ("bytes", True): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times smaller, {3}."),
-    ("bytes", False): QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: {2} times larger, {3}."),
+    ("time", True): MEASURE["bargains-time-true"],
+    ("time", False): MEASURE["bargains-time-false"],
+    ("bytes", True): MEASURE["bargains-bytes-true"],
+    ("bytes", False): MEASURE["bargains-bytes-false"],
 }
-_AS_DEAR = QT_TRANSLATE_NOOP("Measure", "{0} instead of {1}: the same cost, {3}.")
-_PREDICTED = QT_TRANSLATE_NOOP("Measure", "at most {0} off")
-_MEASURED = QT_TRANSLATE_NOOP("Measure", "up to {0} off")
-_SEPARATES = QT_TRANSLATE_NOOP("Measure", "separates surfaces {0} apart")
-_EQUAL_TIME = QT_TRANSLATE_NOOP("Measure", "Equal in time to {0}: {1}.")
-_EQUAL_BYTES = QT_TRANSLATE_NOOP("Measure", "Equal in bytes to {0}: {1}.")
-_COSTS_ELSEWHERE = QT_TRANSLATE_NOOP("Measure", "Its price is in {0}: {1}, against {2} for {3}.")
-_DOUBTFUL = QT_TRANSLATE_NOOP("Measure", "Not certain: {0}.")
-NOTHING = QT_TRANSLATE_NOOP("Measure", "Nothing could be measured: {0}.")
 
 
 def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
@@ -76,9 +67,9 @@ def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
                 + (f" ({_plain(each.bytes)} B)" if each.bytes != cheapest_one.bytes else "")
                 for each in equal
             )
-            equal_in = _EQUAL_BYTES if trade.cost_unit == "B" else _EQUAL_TIME
+            equal_in = MEASURE["equal-bytes"] if trade.cost_unit == "B" else MEASURE["equal-time"]
             parts.append((equal_in, (cheapest_one.name, others)))
-        parts += [(_DOUBTFUL, (doubt,)) for doubt in trade.doubts]
+        parts += [(MEASURE["doubtful"], (doubt,)) for doubt in trade.doubts]
     return " ".join(
         translate(template).format(*(named(value, translate) for value in values))
         for template, values in parts
@@ -97,7 +88,7 @@ def _costs_elsewhere(trade: Trade, best: ChartPoint) -> list[tuple[str, tuple[st
             values = (best.values[column], other.values[column])
             if values[0] > values[1]:
                 texts = (COLUMNS.get(column, column), *map(_plain, values), other.name)
-                prices.append((_COSTS_ELSEWHERE, texts))
+                prices.append((MEASURE["costs-elsewhere"], texts))
     return prices
 
 
@@ -105,7 +96,7 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
     frontier = trade.frontier
     if not frontier:
         notes = [choice.note for choice in trade.choices if choice.note]
-        return NOTHING, (notes[0] if notes else "-",)
+        return MEASURE["meaning-nothing"], (notes[0] if notes else "-",)
     first, last = frontier[0], frontier[-1]
     if trade.name == "depth":
         parts = [choice.name.partition(", ") for choice in (first, last)]
@@ -159,10 +150,10 @@ def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = 
     paid = "bytes" if trade.cost_unit == "B" else "time"
     template = _BARGAINS[paid, ratio > 1.0]
     if max(ratio, 1.0 / ratio) <= (1.0 if paid == "bytes" else 1.0 + STEADY):
-        template = _AS_DEAR
+        template = MEASURE["as-dear"]
     error = choice.error if choice.predicted is None else max(choice.predicted, choice.error)
-    off = _MEASURED if choice.predicted is None else _PREDICTED
-    off = translate(_SEPARATES if trade.name == "depth" else off)
+    off = MEASURE["measured"] if choice.predicted is None else MEASURE["predicted"]
+    off = translate(MEASURE["separates"] if trade.name == "depth" else off)
     off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
     names = (named(each, translate) for each in (choice.name, usual))
     return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)

@@ -39,23 +39,23 @@ from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
-from app.model.refusal import MEASURE, QT_TRANSLATE_NOOP, REFUSALS, SENTENCES, Refusal
+from app.model.refusal import MEASURE, REFUSALS, SENTENCES, Refusal
 
 FORMAT = "frustum-lab-measurements"
 VERSION = 2
 
-NOT_RESULTS = QT_TRANSLATE_NOOP("Refusal", "{0}: is not a file of measurements.")
-DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
+NOT_RESULTS = REFUSALS["not-results"]
+DAMAGED = REFUSALS["results-damaged"]
 MEASURED_ONLY = MEASURE["measured-only"]
-IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
-BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
-UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
+IN_SOFTWARE = MEASURE["in-software"]
+BUSY = MEASURE["busy"]
+UNSTEADY = MEASURE["unsteady"]
 _BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05  # least times that differ by a smaller part are equal: rounds repeat them no better
 COLUMNS = SENTENCES["Measure/columns"]
 SWEEP_NOTES = {  # what a sweep changes besides its parameter, because near must be less than far
-    NEAR.formula: QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
-    FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
+    NEAR.formula: MEASURE["sweep-notes-near-formula"],
+    FAR.formula: MEASURE["sweep-notes-far-formula"],
 }
 OVER_DISTANCE = "gap"  # sweep of the smallest gap over the distance of a surface, for all formats
 SWEPT = (*(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT)), OVER_DISTANCE)
@@ -77,7 +77,7 @@ EVERY_BUFFER: tuple[str, ...] = (
 )  # fmt: skip
 """The formats of the sweep over the distance, with their mapping if it is none of OpenGL."""
 GAP = MEASURE["gap"]
-GAP_THERE = QT_TRANSLATE_NOOP("Measure", "the smallest gap behind a surface at this distance")
+GAP_THERE = MEASURE["gap-there"]
 WORDS = (  # the translatable parts of the names of choices and columns
     *SENTENCES["Measure/words"].values(),
     BUSY,
@@ -404,7 +404,7 @@ def _note(choice: ChartPoint) -> str:
     return ", ".join(filter(None, (choice.note, choice.doubt)))
 
 
-CANCELLED = QT_TRANSLATE_NOOP("Measure", "cancelled")  # the note of a choice that was not timed
+CANCELLED = MEASURE["cancelled"]  # the note of a choice that was not timed
 
 
 def named(name: str, translate: Callable[[str], str] = str) -> str:

@@ -54,12 +54,10 @@ NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in w
 FLATTENED = QT_TRANSLATE_NOOP(
     "Stage", "a scale of 0 flattens the object: it has no inverse and no normals"
 )
-NO_KIND = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}; the nearest is {1}")
-SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} finite numbers after {1}")
-NO_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must have no number after {0}")
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have at most {0} tiles, but has {1}")
-A_CHAIN = QT_TRANSLATE_NOOP("Refusal", "must be tiles such as translate 3,0,0 or rotate z 90")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "must have a product with numbers up to {0} only")
+NO_KIND = REFUSALS["no-kind"]
+SO_MANY = REFUSALS["so-many"]
+A_CHAIN = REFUSALS["a-chain"]
+TOO_LARGE = REFUSALS["chain-too-large"]
 
 MOST_TILES = 8
 LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
@@ -212,7 +210,11 @@ class Tile:
             raise Refusal("chain", text, NO_KIND, ", ".join(KINDS), near)
         values, count = numbers_in(" ".join(words[len(kind.split()) :])), len(KINDS[kind].neutral)
         if values is None or len(values) != count:
-            raise Refusal("chain", text, *((SO_MANY, count, kind) if count else (NO_NUMBERS, kind)))
+            raise Refusal(
+                "chain",
+                text,
+                *((SO_MANY, count, kind) if count else (REFUSALS["no-numbers"], kind)),
+            )
         return cls(kind, tuple(values), is_off)
 
     @property
@@ -289,7 +291,9 @@ class Chain:
         if not all(isinstance(tile, Tile) for tile in tiles):
             raise Refusal("chain", tiles, A_CHAIN)
         if len(tiles) > MOST_TILES:
-            raise Refusal("chain", tiles[MOST_TILES].text, TOO_MANY, MOST_TILES, len(tiles))
+            raise Refusal(
+                "chain", tiles[MOST_TILES].text, REFUSALS["chain-too-many"], MOST_TILES, len(tiles)
+            )
         keep_checked(self, tiles=tiles)
         if len(self.on) > 1:
             for row in self.exact[:3]:

@@ -26,18 +26,18 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 
 LONGEST = 400  # characters
 DEEPEST = 30  # nested brackets, signs and functions
 LARGEST_DEGREE = 100  # factors of the largest product, with all powers multiplied out
 
-TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
-TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} nested brackets (character {1})")
-TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power with a degree above {0} (character {1})")
-UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no formula may contain (character {1})")
+TOO_LONG = REFUSALS["formula-too-long"]
+TOO_DEEP = REFUSALS["formula-too-deep"]
+TOO_LARGE = REFUSALS["formula-too-large"]
+UNKNOWN = REFUSALS["formula-unknown"]
 EXPECTED = REFUSALS["expected"]
-UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "needs a closing bracket instead of {0} (character {1})")
+UNCLOSED = REFUSALS["formula-unclosed"]
 WHOLE_POWER = REFUSALS["whole-power"]
 LEFT_OVER = REFUSALS["left-over"]
 

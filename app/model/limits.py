@@ -56,42 +56,38 @@ Decimal coordinates are rounded by up to half an ulp; closer to parallel, the fr
 these errors.
 """
 
-FINITE_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a finite number")
-ABOVE = QT_TRANSLATE_NOOP("Refusal", "must be greater than {0}")
-AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be at least {0}")
-AT_MOST = QT_TRANSLATE_NOOP("Refusal", "must be at most {0}")
-BETWEEN = QT_TRANSLATE_NOOP("Refusal", "must lie between {0} and {1}, both excluded")
-NEAR_BEFORE_FAR = QT_TRANSLATE_NOOP("Refusal", "must be less than far, which is {0}")
-LEFT_BEFORE_RIGHT = QT_TRANSLATE_NOOP("Refusal", "must be less than right, which is {0}")
-BOTTOM_BEFORE_TOP = QT_TRANSLATE_NOOP("Refusal", "must be less than top, which is {0}")
-THREE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be three finite numbers x, y, z")
-NOT_THE_EYE = QT_TRANSLATE_NOOP("Refusal", "must differ from the eye, or the camera looks nowhere")
+FINITE_NUMBER = REFUSALS["finite-number"]
+ABOVE = REFUSALS["above"]
+AT_LEAST = REFUSALS["at-least"]
+AT_MOST = REFUSALS["at-most"]
+BETWEEN = REFUSALS["between"]
+NEAR_BEFORE_FAR = REFUSALS["near-before-far"]
+LEFT_BEFORE_RIGHT = REFUSALS["left-before-right"]
+BOTTOM_BEFORE_TOP = REFUSALS["bottom-before-top"]
+THREE_NUMBERS = REFUSALS["three-numbers"]
+NOT_THE_EYE = REFUSALS["not-the-eye"]
 NOT_THE_TARGET = REFUSALS["not-the-target"]
-NOT_ZERO = QT_TRANSLATE_NOOP("Refusal", "must not be the zero vector")
-NOT_PARALLEL = QT_TRANSLATE_NOOP("Refusal", "must not be parallel to the view direction")
-TWO_SIDES = QT_TRANSLATE_NOOP("Refusal", "must be two numbers of pixels, width and height")
+NOT_ZERO = REFUSALS["not-zero"]
+NOT_PARALLEL = REFUSALS["not-parallel"]
+TWO_SIDES = REFUSALS["two-sides"]
 REAL_NUMBERS = REFUSALS["real-numbers"]
-ROWS_OF = QT_TRANSLATE_NOOP("Refusal", "must end in {0}, the numbers of a point")
-EQUAL_ROWS = QT_TRANSLATE_NOOP("Refusal", "must have equally many numbers in every row")
-NOTHING_MASKED = QT_TRANSLATE_NOOP("Refusal", "must have no masked number")
-FINITE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must have finite real numbers only")
-NUMBERS_UP_TO = QT_TRANSLATE_NOOP("Refusal", "must have numbers up to {0} in size only")
-WHOLE_PIXELS = QT_TRANSLATE_NOOP("Refusal", "must be a whole number of pixels from 1 to {0}")
-ONE_OF = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}")
-FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which is {0}")
-RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("Refusal", "must be greater than left, which is {0}")
-TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("Refusal", "must be greater than bottom, which is {0}")
-DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell the two apart")
+ROWS_OF = REFUSALS["rows-of"]
+EQUAL_ROWS = REFUSALS["equal-rows"]
+NOTHING_MASKED = REFUSALS["nothing-masked"]
+FINITE_NUMBERS = REFUSALS["finite-numbers"]
+NUMBERS_UP_TO = REFUSALS["numbers-up-to"]
+WHOLE_PIXELS = REFUSALS["whole-pixels"]
+ONE_OF = REFUSALS["one-of"]
+DISTINCT = REFUSALS["distinct"]
 WIDER = REFUSALS["wider"]
-NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, so it is a direction and not a point")
-INVERTIBLE = QT_TRANSLATE_NOOP("Refusal", "must have an inverse, but its rank is {0}")
-FOUR_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be four rows of four finite numbers")
-ZERO_OR_AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be 0 or at least {0} in size")
+NO_POINT = REFUSALS["no-point"]
+INVERTIBLE = REFUSALS["invertible"]
+FOUR_BY_FOUR = REFUSALS["four-by-four"]
 SMALL_INVERSE = REFUSALS["small-inverse"]
 OTHER_SIDE = {
-    NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
-    LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),
-    BOTTOM_BEFORE_TOP: ("top", TOP_ABOVE_BOTTOM),
+    NEAR_BEFORE_FAR: ("far", REFUSALS["far-beyond-near"]),
+    LEFT_BEFORE_RIGHT: ("right", REFUSALS["right-of-left"]),
+    BOTTOM_BEFORE_TOP: ("top", REFUSALS["top-above-bottom"]),
 }
 """For the bound of one field, the opposite field and its bound.
 
@@ -198,7 +194,7 @@ def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
 def _cell(field: str, value: Any, smallest: float) -> float:
     number = finite(field, value)
     if number != 0.0 and abs(number) < smallest:
-        raise Refusal(field, number, ZERO_OR_AT_LEAST, smallest)
+        raise Refusal(field, number, REFUSALS["zero-or-at-least"], smallest)
     return number + 0.0  # store 0 for minus zero
 
 

@@ -11,17 +11,13 @@ import math
 import re
 from collections.abc import Sequence
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, shown_name
+from app.model.refusal import REFUSALS, Refusal, shown_name
 
 SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4
 
 LONGEST = 20_000  # most characters of a text that may be a matrix
 
-LONG = QT_TRANSLATE_NOOP("Refusal", "must be the text of one matrix, up to {0} characters long")
-COUNT_OF = QT_TRANSLATE_NOOP("Refusal", "must be {0} numbers, but has {1}")
-COUNT = QT_TRANSLATE_NOOP("Refusal", "must be 9, 12 or 16 numbers, but has {0}")
-NOT_READ = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of numbers, but has {0}")
-NOT_FINITE = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of finite numbers, but has {0}")
+NOT_FINITE = REFUSALS["matrix-text-not-finite"]
 
 
 def read_matrix(
@@ -35,7 +31,7 @@ def read_matrix(
     """
     try:
         if len(text) > LONGEST:
-            raise _refused(LONG, LONGEST)
+            raise _refused(REFUSALS["long"], LONGEST)
         lines = _lines(_without_dashes(text))
         if sum(map(len, lines)) not in sizes or _has_named_columns(text, lines):
             lines = _without_index(lines)
@@ -48,7 +44,11 @@ def read_matrix(
                     raise _refused(REFUSALS["commas"], other, count)
                 lines, count = others, other
         if count not in sizes:
-            raise _refused(COUNT, count) if len(sizes) > 1 else _refused(COUNT_OF, *sizes, count)
+            raise (
+                _refused(REFUSALS["count"], count)
+                if len(sizes) > 1
+                else _refused(REFUSALS["count-of"], *sizes, count)
+            )
     except Refusal as error:
         raise Refusal.in_document(error.bound, *error.limits, field=field, value=text) from None
     width = 3 if count == 9 or (count == 12 and {len(line) for line in lines} == {3}) else 4
@@ -262,4 +262,4 @@ class _MatrixTextReader:
 
 
 def _not_read(word: str) -> Refusal:
-    return _refused(NOT_READ, shown_name(word[:40]))
+    return _refused(REFUSALS["not-read"], shown_name(word[:40]))

@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
 from app.model.limits import ONE_OF, Vector, finite, finite_vector, within
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
 Part: TypeAlias = Literal["lens", "camera", "image_size", "depth", "placement"]
@@ -31,8 +31,7 @@ Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
 Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
 CLOSE = 1e-7  # relative to a number, or its slider's length: a nearer number is the chosen one
-WHOLE = QT_TRANSLATE_NOOP("Refusal", "must be a whole number")
-YES_OR_NO = QT_TRANSLATE_NOOP("Refusal", "must be true or false")
+YES_OR_NO = REFUSALS["yes-or-no"]
 PARTS: dict[str, Part] = {
     "lens": "lens", "camera": "camera", "image": "image_size", "": "depth", "object": "placement",
 }  # fmt: skip
@@ -170,7 +169,7 @@ class Parameter:
             return finite_vector(self.path, value)
         number = within(self.path, finite(self.path, value), self.low, self.high)
         if self.whole and not number.is_integer():
-            raise Refusal(self.path, number, WHOLE)
+            raise Refusal(self.path, number, REFUSALS["whole"])
         return number
 
     def can_be(self, value: Value | None) -> bool:

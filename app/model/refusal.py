@@ -1,7 +1,8 @@
 """Refusals: one sentence with field, value and bound that says why something is refused.
 
-The core knows no Qt. Its sentences are on the page ``content/sentences.md``, or marked with
-`QT_TRANSLATE_NOOP`, which lupdate finds. The widgets translate a template and then fill it in.
+The core knows no Qt. Its sentences are on the page ``content/sentences.md``, and its words are
+marked with `QT_TRANSLATE_NOOP`, which lupdate finds. The widgets translate a template and then fill
+it in.
 """
 
 from __future__ import annotations
@@ -12,18 +13,14 @@ import math
 import numbers
 from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
-from typing import Any, Literal, NewType, cast, overload
+from typing import Any, NewType, cast
 
 from app.strangers import printable
 
 Bound = NewType("Bound", str)
-"""The template of a refusal: of `REFUSALS`, or marked, so that each can be translated."""
+"""The template of a refusal; only `REFUSALS` has them, so each can be translated."""
 
 
-@overload
-def QT_TRANSLATE_NOOP(_context: Literal["Refusal"], text: str) -> Bound: ...
-@overload
-def QT_TRANSLATE_NOOP(_context: str, text: str) -> str: ...
 def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
     """Mark a text for translation; the widgets translate it when they show it."""
     return text
@@ -46,7 +43,7 @@ SENTENCES = _sentences()
 """The texts of the page, by section and name."""
 REFUSALS = cast(Mapping[str, Bound], SENTENCES["Refusal"])
 DESCRIPTION, MEASURE, HEALTH = (SENTENCES[name] for name in ("Description", "Measure", "Health"))
-THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
+THE_DOCUMENT = REFUSALS["the-document"]
 SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100
 _LONGEST_WRITTEN = 60

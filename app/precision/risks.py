@@ -10,7 +10,7 @@ from typing import NamedTuple
 from app.model.depth import DepthBuffer
 from app.model.limits import INVERTIBLE
 from app.model.projection import PLANES, Projection, Vector
-from app.model.refusal import HEALTH, QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import HEALTH, Refusal
 from app.precision.levels import Precision, Prediction, precision_for_reading
 
 NO_GAP = HEALTH["no-gap"]
@@ -19,10 +19,10 @@ FEW_DIGITS = HEALTH["few-digits"]
 NO_PICTURE = HEALTH["no-picture"]
 NO_FLOAT32 = HEALTH["no-float32"]
 ROUGH_DRAWING = HEALTH["rough-drawing"]
-NO_INVERSE = QT_TRANSLATE_NOOP("Health", "The free matrix has no inverse: no frustum is drawn")
+NO_INVERSE = HEALTH["no-inverse"]
 LARGE_INVERSE = HEALTH["large-inverse"]
 REACHES_INFINITY = HEALTH["reaches-infinity"]
-VTK_CLAMPS = QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°")
+VTK_CLAMPS = HEALTH["vtk-clamps"]
 VTK_DROPS = HEALTH["vtk-drops"]
 
 _GAP = 1e-3  # of the scene's size: surfaces closer together than this are drawn

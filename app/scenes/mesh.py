@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, NoReturn, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Cancelled, Refusal
+from app.model.refusal import REFUSALS, Bound, Cancelled, Refusal
 from app.strangers import encoding_of, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -29,9 +29,9 @@ MOST_CORNERS = 100_000  # most corners of a face: its division into triangles ta
 PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
 # Whole sentences, so that they can be translated. Words of a file format stay as they are.
-NO_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: there is no such file; check its name and folder.")
+NO_FILE = REFUSALS["mesh-no-file"]
 UNREADABLE = REFUSALS["unreadable"]
-EMPTY = QT_TRANSLATE_NOOP("Refusal", "{0}: the file is empty; save or download it again.")
+EMPTY = REFUSALS["mesh-empty"]
 NO_FACES = REFUSALS["no-faces"]
 FACE_SIZE = REFUSALS["face-size"]
 NO_SUCH_VERTEX = REFUSALS["no-such-vertex"]

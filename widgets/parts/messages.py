@@ -30,7 +30,7 @@ from app.model.limits import (
 )
 from app.model.parameter import Parameter
 from app.model.parameters import TITLES
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import in_row, push_button, tool_button
 
@@ -82,9 +82,9 @@ FACTORS = {  # names of the stages' factors, except for the lectures' own letter
 }
 
 # Refusals of controls only: the text is not a number.
-A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")
-A_NUMBER_LIKE = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as {0}")
-A_NUMBER_OR_INFINITY = QT_TRANSLATE_NOOP("Refusal", "must be a number, or inf for ∞")
+A_NUMBER = REFUSALS["messages-a-number"]
+A_NUMBER_LIKE = REFUSALS["a-number-like"]
+A_NUMBER_OR_INFINITY = REFUSALS["a-number-or-infinity"]
 
 FEW = 4  # significant digits of a displayed number
 

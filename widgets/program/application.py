@@ -46,7 +46,7 @@ from app import __version__, python_packages, strangers
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lecture.letters import Letters
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.saving import png_of
 from widgets.program import opengl
 from widgets.program.display import display
@@ -62,10 +62,6 @@ log = logging.getLogger(__name__)
 TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0  # longest wait for the window of a screenshot to appear
 MESSAGE_MS = 15_000  # duration of the status line's message that Qt has no OpenGL
-
-IN_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: {1}")
-NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "{0}: the window could not be shown whole.")
-NO_WINDOW = QT_TRANSLATE_NOOP("Refusal", "{0}: the window did not appear on the screen.")
 
 
 @dataclass(frozen=True)
@@ -213,7 +209,7 @@ def run_window(
         except Refusal as error:
             if path is None or error.file is not None:
                 raise
-            raise Refusal.saying(IN_FILE, path, error) from error
+            raise Refusal.saying(REFUSALS["in-file"], path, error) from error
         if options.size:
             window.resize(*options.size)
         elif settings.geometry is None and not options.screenshot:
@@ -312,9 +308,9 @@ def _take_screenshot(
         application.processEvents(QEventLoop.ProcessEventsFlag.WaitForMoreEvents, 100)
         if watch.caught:
             window.close()
-            raise Refusal.saying(NOT_WHOLE, path)
+            raise Refusal.saying(REFUSALS["application-not-whole"], path)
         if time.monotonic() > limit:
-            raise Refusal.saying(NO_WINDOW, path)
+            raise Refusal.saying(REFUSALS["no-window"], path)
     application.processEvents()
     window.messages.hide()  # the window may offer to recover work
     window.status.clearMessage()

@@ -19,7 +19,7 @@ from app.lessons.course import panes_of
 from app.lessons.lines import refused
 from app.lessons.practice import PlacedExercise
 from app.lessons.text import escaped
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import REFUSALS
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.typeset import paint_brackets
@@ -46,7 +46,7 @@ CELL_PT = 56.0, 24.0  # width and height of a cell of a matrix that the student 
 LINE_PT = 120.0  # length of the line for a number
 BRACKET_PT = 4.0
 
-TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is too long for one page")
+TOO_LONG = REFUSALS["exam-too-long"]
 
 
 class Numbered(NamedTuple):

@@ -29,7 +29,7 @@ from app.drawings.drawing import Drawing
 from app.drawings.figure import Figure
 from app.drawings.style import LIGHT
 from app.lessons.course import panes_of, scene_of
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.lesson_text import SPACIOUS, set_text
 from widgets.parts.plain import TextDocument
 from widgets.parts.typeset import words_font
@@ -46,7 +46,6 @@ BLANK = 0.3  # largest share of a page that may stay blank below its last line
 RULE_PT = 24.0  # distance between lines to write on
 DPI = 1200  # Qt places lines and letters on whole pixels of the page
 
-NOT_IN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is not in the picture that is printed")
 
 PaintPage: TypeAlias = Callable[[QPainter], object]
 
@@ -222,7 +221,7 @@ def figure(
         for spot in spots:
             # A place on the edge is in it, but not a place that is not a number.
             if not place.adjusted(-EDGE_PT, -EDGE_PT, EDGE_PT, EDGE_PT).contains(spot):
-                raise Refusal("place", mark.place if mark else (), NOT_IN_PICTURE)
+                raise Refusal("place", mark.place if mark else (), REFUSALS["not-in-picture"])
             for brush, thick in ((Qt.GlobalColor.white, 3.0), (QColor(LIGHT.ink), 1.2)):
                 painter.setPen(QPen(brush, thick))
                 painter.drawEllipse(spot, *2 * [wide * (mark.radius if mark else 0.0)])

@@ -17,7 +17,7 @@ from app.document.codec import picture_json
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.drawings.figure import Figure
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal
+from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.panes.canvas import release_context
 from widgets.parts.messages import MessageBar, sentence, translated
@@ -32,7 +32,6 @@ _Drawn = TypeVar("_Drawn")
 
 MOST_IN_PREVIEW = 200_000
 """Triangles and points of a scene that is drawn anew for each change of the dialog."""
-NO_PREVIEW = QT_TRANSLATE_NOOP("Refusal", "There is no preview of {0} triangles and points.")
 
 
 def image_of(pixels: Pixels) -> QImage:
@@ -155,7 +154,7 @@ def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:
 
     drawn = figure.scene.triangles + figure.scene.dot_count
     if drawn > MOST_IN_PREVIEW:
-        raise Refusal.saying(NO_PREVIEW, drawn)
+        raise Refusal.saying(REFUSALS["no-preview"], drawn)
     figure = replace(figure, transparent=False)
     release_context()
     if figure.hidden != "none":

@@ -19,7 +19,7 @@ from app import __version__
 from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
 from app.lessons.player import Progress
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
 from app.strangers import open_regular
 
@@ -72,9 +72,7 @@ which may be a matrix."""
 
 TRIAL_BYTES = 2**18
 """Size of a file that finds out why the settings cannot be written; they are seldom as large."""
-LOCKED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: another program may be writing it")
-SET_ASIDE = QT_TRANSLATE_NOOP("Refusal", "was damaged, and is kept as {0}")
-NOT_SET_ASIDE = QT_TRANSLATE_NOOP("Refusal", "is damaged, and cannot be renamed: {0}")
+SET_ASIDE = REFUSALS["set-aside"]
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
@@ -296,7 +294,7 @@ def _why_not(path: Path) -> Refusal:
             write_bytes_atomically(path, bytes(TRIAL_BYTES), is_trial=True)
     except Refusal as error:
         return error
-    return Refusal.in_document(LOCKED, file=str(path))
+    return Refusal.in_document(REFUSALS["locked"], file=str(path))
 
 
 def _looked_at(path: Path | None) -> tuple[bool, Refusal | None]:
@@ -309,7 +307,7 @@ def _looked_at(path: Path | None) -> tuple[bool, Refusal | None]:
             is_sound = _is_ini(file.read())
         if is_sound:
             return True, None
-        with blamed_on(path, NOT_SET_ASIDE):
+        with blamed_on(path, REFUSALS["not-set-aside"]):
             os.replace(path, aside)
         usable, problem = True, Refusal.in_document(SET_ASIDE, aside, file=str(path))
     except Refusal as error:

@@ -14,11 +14,8 @@ from app.lessons.blocks.question import CHECKS, RIGHT, MarkedQuestion, Question,
 from app.lessons.lines import LACKS, Body, refused
 from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
-EITHER = QT_TRANSLATE_NOOP("Refusal", "gives the answer in a second way: keep one of {0}")
-NOT_WHOLE = QT_TRANSLATE_NOOP("Refusal", "counts something, but its value is {0}")
-A_COUNT = QT_TRANSLATE_NOOP("Refusal", "must be a whole number: the question asks for a count")
 _ANSWERS = "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
 WAYS = ("value", "count", "matrix", "click", "choice")  # the keys by which an answer may be given
 
@@ -39,7 +36,9 @@ class Answer(MarkedQuestion):
             raise refused(body.line, LACKS, _ANSWERS)
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
-            raise refused(other.line, EITHER, "value, count, matrix, click and choices")
+            raise refused(
+                other.line, REFUSALS["answer-either"], "value, count, matrix, click and choices"
+            )
         if given[0].key == "choice":
             return Choices.of(body, text, items)
         if given[0].key == "click":
@@ -69,7 +68,7 @@ class Answer(MarkedQuestion):
             return values
         (value,) = values
         if not (math.isfinite(value) and math.isclose(value, round(value), rel_tol=1e-9)):
-            raise refused(line, NOT_WHOLE, f"{value:.6g}")
+            raise refused(line, REFUSALS["not-whole"], f"{value:.6g}")
         return (float(round(value)),)
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
@@ -79,7 +78,7 @@ class Answer(MarkedQuestion):
         value = self.answer(here)
         number = marking.read(typed, self.unit, value)
         if self.counts and number.value.denominator > 1:
-            raise Refusal("answer", typed, A_COUNT)
+            raise Refusal("answer", typed, REFUSALS["a-count"])
         is_value = _is_count if self.counts else marking.equals
         if is_value(number, value):
             return Verdict(True, says=self.why)

@@ -21,10 +21,9 @@ from app.document.view import View
 from app.lessons.lines import LACKS, ONLY_ONCE, Body, Items, LineItem, Lines, refused
 from app.lessons.quantities import Quantities
 from app.lessons.text import escaped
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
-AN_ASSIGNMENT = QT_TRANSLATE_NOOP("Refusal", "must be NAME=VALUE, or document: FILE.json")
-BESIDE = QT_TRANSLATE_NOOP("Refusal", "must be a file beside the lesson, or in a folder there")
+BESIDE = REFUSALS["beside"]
 
 
 class State(NamedTuple):
@@ -64,7 +63,7 @@ def read_state(lines: Lines, line: int) -> State:
         elif "=" in text:
             values.append((number, _mesh_beside(text, number)))
         else:
-            raise refused(number, AN_ASSIGNMENT, value=text[:60])
+            raise refused(number, REFUSALS["an-assignment"], value=text[:60])
     if not values and not document:
         raise refused(line, LACKS, "NAME=VALUE")
     return State(line, tuple(values), document, document_line)

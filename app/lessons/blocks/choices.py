@@ -15,10 +15,7 @@ from app.lessons.blocks.question import CHECKS, LETTERS, RIGHT, Question, Reply
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
-
-OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
-A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
+from app.model.refusal import REFUSALS, Refusal
 
 _IDEA = re.compile(r"(?<=\s)\{([a-z][\w-]*)\}(?=\s*$|\s+:=\s)")
 _WRITTEN = re.compile(r"[-−]?\d+(?:[.,]\d+)?(?:/\d+)?")
@@ -51,7 +48,7 @@ class Choice(Reply):
                 half = number.unit * Fraction("0.5001")
                 if abs(number.value - Fraction(value)) <= half + marking.EXACT * abs(number.value):
                     return
-        raise refused(self.line, OTHER_NUMBER, f"{value:.6g}", value=self.text)
+        raise refused(self.line, REFUSALS["choices-other-number"], f"{value:.6g}", value=self.text)
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -104,7 +101,7 @@ class Choices(Question):
     def verdict(self, here: Here, sample: str, line: int) -> str:
         number = whole(sample, len(self.replies))
         if not number:
-            raise refused(line, A_NUMBER_OF, len(self.replies), value=sample)
+            raise refused(line, REFUSALS["a-number-of"], len(self.replies), value=sample)
         return self.mark(here, str(number)).word
 
     def posed(self) -> str:

@@ -15,7 +15,7 @@ from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, 
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 WITHIN_PX = 12.0  # largest distance of a click that counts, unless the question says another one
 PICTURE_PX, PER_NDC_PX, DISTANCE_PX = 400.0, 100.0, 200.0
@@ -27,9 +27,6 @@ COORDINATES = {  # what the coordinates of a place are called in a worked soluti
     "ndc": ("x'", "y'", "z'"),
     "world": ("x", "y", "z"),
 }
-NOT_SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} coordinates, separated by “,”")
-OUTSIDE = QT_TRANSLATE_NOOP("Refusal", "has the place ({0}), which is not in the picture")
-A_CLICK = QT_TRANSLATE_NOOP("Refusal", "must be {0} coordinates, separated by spaces")
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,7 +68,7 @@ class Click(MarkedQuestion):
         inside = {"image": [0.0 <= x <= side for x, side in zip(values, sides, strict=False)],
                   "ndc": [abs(x) <= 1.0 for x in values]}  # fmt: skip
         if not all(inside.get(self.pane, ())):
-            raise refused(line, OUTSIDE, ", ".join(f"{x:.4g}" for x in values))
+            raise refused(line, REFUSALS["outside"], ", ".join(f"{x:.4g}" for x in values))
         return values
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
@@ -91,7 +88,7 @@ class Click(MarkedQuestion):
         """Return the verdict on a place that is given by its coordinates."""
         parts = typed.split()
         if len(parts) != len(self.right):
-            raise Refusal("place", typed, A_CLICK, len(self.right))
+            raise Refusal("place", typed, REFUSALS["a-click"], len(self.right))
         place = tuple(float(marking.read(part).value) for part in parts)
         return self.verdict_at(here, lambda other: self._away(here, place, other))
 
@@ -131,6 +128,6 @@ class Click(MarkedQuestion):
 def _place(item: LineItem, count: int) -> tuple[Formula, ...]:
     parts = split(item.text)
     if len(parts) != count:
-        raise refused(item.line, NOT_SO_MANY, count, value=item.text[:60])
+        raise refused(item.line, REFUSALS["not-so-many"], count, value=item.text[:60])
     with on_line(item.line, item.key):
         return tuple(read_formula(part.strip()) for part in parts)

@@ -24,7 +24,7 @@ from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, w
 from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
 from app.model.formula import parse
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
 LEAST_VARIANTS = 20  # fewer variants are learnt by heart
@@ -32,13 +32,9 @@ LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks the whole question
 
-TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has {0} values; the limit is {1}")
-TOO_MANY_NAMES = QT_TRANSLATE_NOOP("Refusal", "varies more than {0} numbers")
-TWICE = QT_TRANSLATE_NOOP("Refusal", "varies {0} twice")
-TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has too few variants, about {0}; it needs at least {1}")
-A_SEED = QT_TRANSLATE_NOOP("Refusal", "must begin with a seed, a whole number from 1 to {0}")
-UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
-NO_VALUE_WITH = QT_TRANSLATE_NOOP("Refusal", "{0}, with {1}; “where: CONDITION” excludes numbers")
+TOO_MANY = REFUSALS["exercise-too-many"]
+UNSUITED = REFUSALS["unsuited"]
+NO_VALUE_WITH = REFUSALS["no-value-with"]
 
 _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
@@ -187,7 +183,7 @@ class Exercise(Asked):
                 variant.question.check_right(variant.here)
         self._check_values_but(here, [set(values) for values in zip(*variants, strict=True)])
         if min(count, len(variants)) < LEAST_VARIANTS:
-            raise refused(self.line, TOO_FEW, len(variants), LEAST_VARIANTS)
+            raise refused(self.line, REFUSALS["too-few"], len(variants), LEAST_VARIANTS)
         shown: set[str] | None = None
         for seed in range(1, _WHOLE + 1):
             variant = self.variant(here, seed)
@@ -203,7 +199,7 @@ class Exercise(Asked):
         first, _, rest = sample.partition(" ")
         seed = whole(first, LARGEST_SEED)
         if not seed:
-            raise refused(line, A_SEED, LARGEST_SEED, value=sample)
+            raise refused(line, REFUSALS["a-seed"], LARGEST_SEED, value=sample)
         variant = self.variant(here, seed)
         return variant.question.verdict(variant.here, rest.strip(), line)
 
@@ -257,9 +253,9 @@ def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
 def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied:
     """Read the values of a ``vary`` line."""
     if len(before) == MOST_NAMES:
-        raise refused(line, TOO_MANY_NAMES, MOST_NAMES)
+        raise refused(line, REFUSALS["too-many-names"], MOST_NAMES)
     if any(each.name == name for each in before):
-        raise refused(line, TWICE, name)
+        raise refused(line, REFUSALS["exercise-twice"], name)
     begin, is_range, rest = " ".join(text.split()).partition("..")
     if not is_range:
         parts = text.split(",")

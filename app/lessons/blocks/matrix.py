@@ -18,23 +18,14 @@ from app.lessons.marking import TypedNumber
 from app.lessons.quantities import read_formula
 from app.lessons.text import escaped
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 Part = TypeVar("Part")
 
 MOST = 4  # most rows, and most columns
 
-A_CELL = QT_TRANSLATE_NOOP("Refusal", "must be a row and a column, separated by “,”")
-OTHER_SHAPE = QT_TRANSLATE_NOOP("Refusal", "has {0} × {1} cells; the answer has {2} × {3}")
 
-ROWS = QT_TRANSLATE_NOOP("Refusal", "The numbers are right, but rows {0} and {1} are exchanged.")
-ALL_SIGNS = QT_TRANSLATE_NOOP("Refusal", "All signs are turned round.")
-SOME_SIGNS = QT_TRANSLATE_NOOP("Refusal", "The marked numbers have the wrong sign.")
-ONE_CELL = QT_TRANSLATE_NOOP("Refusal", "Only the number in row {0}, column {1} is wrong.")
-ONE_ROW = QT_TRANSLATE_NOOP("Refusal", "Only row {0} is wrong.")
-ONE_COLUMN = QT_TRANSLATE_NOOP("Refusal", "Only column {0} is wrong.")
-NONE = QT_TRANSLATE_NOOP("Refusal", "None of the numbers is right.")
-COUNTED = QT_TRANSLATE_NOOP("Refusal", "{0} of {1} numbers are right; the others are marked.")
+NONE = REFUSALS["none"]
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -59,7 +50,7 @@ class MatrixQuestion(MarkedQuestion):
         for item in items.every("wrong"):
             *shape, wrong = _cells(item)
             if shape != [rows, columns]:
-                raise refused(item.line, OTHER_SHAPE, *shape, rows, columns)
+                raise refused(item.line, REFUSALS["other-shape"], *shape, rows, columns)
             replies.append(Reply.of(item, formulas=wrong))
         return cls(
             **cls.fields(body, text, items), replies=tuple(replies), right=formulas,
@@ -101,21 +92,21 @@ class MatrixQuestion(MarkedQuestion):
                 return remark
         turned = [*map(marking.equals, [each.times(Fraction(-1)) for each in numbers], right)]
         if all(turned):
-            return Refusal.saying(ALL_SIGNS)
+            return Refusal.saying(REFUSALS["all-signs"])
         wrong = [place for place, is_right in enumerate(cells) if not is_right]
         if all(turned[place] for place in wrong):
-            return Refusal.saying(SOME_SIGNS)
+            return Refusal.saying(REFUSALS["some-signs"])
         if not any(cells):
             return Refusal.saying(NONE)
         rows = {place // self.columns + 1 for place in wrong}
         columns = {place % self.columns + 1 for place in wrong}
         if len(wrong) == 1 and self.rows > 1 and self.columns > 1:
-            return Refusal.saying(ONE_CELL, *rows, *columns)
+            return Refusal.saying(REFUSALS["one-cell"], *rows, *columns)
         if len(rows) == 1 and self.rows > 1:
-            return Refusal.saying(ONE_ROW, *rows)
+            return Refusal.saying(REFUSALS["one-row"], *rows)
         if len(columns) == 1 and self.columns > 1:
-            return Refusal.saying(ONE_COLUMN, *columns)
-        return Refusal.saying(COUNTED, sum(cells), len(cells))
+            return Refusal.saying(REFUSALS["one-column"], *columns)
+        return Refusal.saying(REFUSALS["counted"], sum(cells), len(cells))
 
     def _rearranged(self) -> Iterator[tuple[Refusal, list[int]]]:
         """Yield the ways to mix up a matrix: for each cell, whose value it then has."""
@@ -123,7 +114,10 @@ class MatrixQuestion(MarkedQuestion):
         if self.rows == self.columns:
             yield Refusal.saying(REFUSALS["transposed"]), _flat(zip(*places, strict=True))
         for one, other in combinations(range(self.rows), 2):
-            yield Refusal.saying(ROWS, one + 1, other + 1), _flat(_swapped(places, one, other))
+            yield (
+                Refusal.saying(REFUSALS["rows"], one + 1, other + 1),
+                _flat(_swapped(places, one, other)),
+            )
         for one, other in combinations(range(self.columns), 2):
             swapped = (_swapped(row, one, other) for row in places)
             yield Refusal.saying(REFUSALS["columns"], one + 1, other + 1), _flat(swapped)
@@ -185,7 +179,7 @@ def _first(items: Items) -> tuple[int, ...]:
         return ()
     parts = item.text.split(",")
     if len(parts) != 2:
-        raise refused(item.line, A_CELL, value=item.text[:60])
+        raise refused(item.line, REFUSALS["a-cell"], value=item.text[:60])
     return tuple(int(number_in(part.strip(), item.line, 1, MOST)) for part in parts)
 
 

@@ -72,11 +72,6 @@ def _change(own: Document, name: str, value: float) -> str:
     return f"{_PATHS[name]}={value!r}" if name in _PATHS else ""
 
 
-NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
-ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
-SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
-NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
-
 Value: TypeAlias = tuple[float, ...]  # an answer's numbers: one, a matrix by rows, or coordinates
 
 LETTERS = "ABCDEFGHIJ"  # the letters by which a class names the choices
@@ -197,7 +192,7 @@ class Question(Asked):
             try:
                 return tuple(known.value(formula) for formula in formulas)
             except NotThere as error:
-                raise refused(line, NO_VALUE, str(error)) from error
+                raise refused(line, REFUSALS["no-value"], str(error)) from error
 
     def are_alike(self, here: Here, one: Value, other: Value) -> bool:
         """Whether two values cannot be told apart: the same typed numbers would count as both."""
@@ -209,7 +204,7 @@ class Question(Asked):
         for line, condition in self.checks:
             with trial.kept(), on_line(line, "check"):
                 if not condition.holds(known):
-                    raise refused(line, NOT_SO, value=condition.text)
+                    raise refused(line, REFUSALS["not-so"], value=condition.text)
         for reply in self.replies:
             reply.check(here, trial)
         value, wrong = None, list[tuple[int, Value]]()
@@ -286,10 +281,10 @@ class Question(Asked):
         """Yield the refusals of wrong values that equal the right one, or an earlier wrong one."""
         for place, (line, each) in enumerate(wrong):
             if value is not None and self.are_alike(here, each, value):
-                yield refused(line, ALSO_RIGHT, _figures(value))
+                yield refused(line, REFUSALS["also-right"], _figures(value))
             for before, other in wrong[:place]:
                 if self.are_alike(here, each, other):
-                    yield refused(line, SAME_WRONG, before, _figures(other))
+                    yield refused(line, REFUSALS["same-wrong"], before, _figures(other))
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -21,7 +21,7 @@ from app.lessons.blocks.block import (
     read_state,
 )
 from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import REFUSALS
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -73,11 +73,6 @@ class Note(Block):
         yield self.text_line, self.text
 
 
-A_SAMPLE = QT_TRANSLATE_NOOP("Refusal", "must be a sample like “NAME: SAMPLE -> VERDICT”")
-OTHER_VERDICT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”")
-OF_VARIANT = QT_TRANSLATE_NOOP("Refusal", "gets “{0}” instead of “{1}”; this variant has {2}")
-
-
 @dataclass(frozen=True, kw_only=True)
 class Samples(Block):
     """Sample answers of a step."""
@@ -102,13 +97,15 @@ class Samples(Block):
                 got = asked.verdict(here, each.text, each.line)
                 if got != each.verdict:
                     drawn = asked.drawn(here, each.text)
-                    why = (OF_VARIANT, got, each.verdict, drawn)
-                    raise refused(each.line, *(why if drawn else (OTHER_VERDICT, *why[1:3])))
+                    why = (REFUSALS["of-variant"], got, each.verdict, drawn)
+                    raise refused(
+                        each.line, *(why if drawn else (REFUSALS["other-verdict"], *why[1:3]))
+                    )
 
 
 def _sample(text: str, line: int) -> Sample:
     name, colon, rest = text.partition(":")
     sample, arrow, verdict = rest.rpartition("->")
     if not colon or not arrow or not verdict.strip():
-        raise refused(line, A_SAMPLE, value=text.strip()[:60])
+        raise refused(line, REFUSALS["a-sample"], value=text.strip()[:60])
     return Sample(name.strip(), sample.strip(), verdict.strip(), line)

@@ -14,12 +14,8 @@ from app.lessons.lines import LACKS, Body, on_line, refused
 from app.lessons.quantities import Condition
 from app.model.limits import ONE_OF
 from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
-ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but holds in the right state")
-NOT_DONE = QT_TRANSLATE_NOOP("Refusal", "does not fulfil the task")
-NOTHING_TO_DO = QT_TRANSLATE_NOOP("Refusal", "is done before the student does anything")
-NOT_TRIED = QT_TRANSLATE_NOOP("Refusal", "is the verdict of no sample in a “test”")
 DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
@@ -107,7 +103,9 @@ class Task(Asked):
     def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
         for wrong in self.replies:
             if Verdict(False, wrong.idea).word not in verdicts:
-                trial.add_fault(refused(wrong.line, NOT_TRIED, value=wrong.condition.text))
+                trial.add_fault(
+                    refused(wrong.line, REFUSALS["not-tried"], value=wrong.condition.text)
+                )
 
     def verdict_in(
         self, here: Here, now: Document, view: View | None = None
@@ -120,19 +118,19 @@ class Task(Asked):
         if self.right is not None and self.replies:
             wrong = self.mistaken_in(here, here.shown_by(self.right))
             if wrong is not None:
-                raise refused(wrong.line, ALSO_RIGHT, value=wrong.condition.text)
+                raise refused(wrong.line, REFUSALS["task-also-right"], value=wrong.condition.text)
 
     def check_right(self, here: Here) -> None:
         """Refuse a right state that does not fulfil the task."""
         if self.right is not None and not self.is_done(here, here.shown_by(self.right)):
-            raise refused(self.right.line, NOT_DONE)
+            raise refused(self.right.line, REFUSALS["not-done"])
 
     def check(self, here: Here, trial: Trial) -> None:
         trial.checks += 1
         for wrong in self.replies:
             wrong.check(here, trial)
         if self.is_done(here, here.document):
-            raise refused(self.line, NOTHING_TO_DO)
+            raise refused(self.line, REFUSALS["nothing-to-do"])
         self.check_right(here)
         self.check_values(here)
 

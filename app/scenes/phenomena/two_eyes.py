@@ -21,7 +21,7 @@ import numpy as np
 from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
 from app.scenes.phenomena.marks import (
     Aperture,
@@ -40,7 +40,6 @@ from app.scenes.phenomena.words import PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined, letter_f
 
 WORDS = PhenomenonWords("two-eyes")
-NOT_BEFORE_NEAR = QT_TRANSLATE_NOOP("Refusal", "must not be before the near plane ({0})")
 
 _NAMES, _COLOURS, _IMAGES = ("left-eye", "right-eye"), ("u", "n"), ("P_l", "P_r")
 
@@ -72,7 +71,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     if screen == before["screen"]:
         return projection
     if screen < near:
-        raise Refusal("settings.screen", screen, NOT_BEFORE_NEAR, near)
+        raise Refusal("settings.screen", screen, REFUSALS["not-before-near"], near)
     target = vector(camera.eye - screen * camera.frame[2])
     return replace(projection, camera=Camera(camera.eye, target, camera.up))
 
