@@ -14,23 +14,26 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 """
 
 import os
+import re
 import warnings
 from collections.abc import Sequence
 from dataclasses import replace
 from numbers import Real
 from typing import Any, Literal, TypeAlias
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from app import __version__
 from app.document.document import Document, is_mesh
-from app.document.lengths import PX_PER, Size, parse_length, parse_points, parse_size
+from app.document.lengths import DPI, PX_PER, Size, parse_length, parse_points, parse_size
 from app.document.settings import open_with, set_values
 from app.document.sweeping import FPS, FRAMES
 from app.document.view import MOST_PROBES, PANES
 from app.drawings import figure as drawn
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
+from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
 from app.model.projection import (
     Array,
@@ -52,7 +55,8 @@ from app.model.projection import (
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
-from app.scenes.scene import BUILT_IN
+from app.scenes.mesh import Colours
+from app.scenes.scene import BUILT_IN, Scene, cloud_alone
 from app.scenes.scene import load as load_scene
 
 __all__ = [
@@ -91,6 +95,16 @@ A_LENGTH = QT_TRANSLATE_NOOP(
 A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
+CLOUD = QT_TRANSLATE_NOOP("Refusal", "cloud: must have 1 to {1} points, and {0} were given.")
+A_DOT = QT_TRANSLATE_NOOP("Refusal", "must be from {0} to {1} points")
+SOME_COLOURS = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up"
+    " to 255, or parts of 1",
+)
+MOST_DOTS = 1_000_000  # most points of a cloud
+DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
+_HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
 MARKED = QT_TRANSLATE_NOOP("Refusal", "points: at most {0} can be marked, and {1} were given.")
 
 
@@ -274,6 +288,9 @@ def figure(
     of: Source,
     points: ArrayLike | None = None,
     *,
+    cloud: ArrayLike | None = None,
+    colours: str | ArrayLike | None = None,
+    dot_size: str | float | None = None,
     panes: Pane | Row | Column | Sequence[Pane] = "world,ndc,image",
     size: str | Sequence[float] | None = None,
     width: str | float | None = None,
@@ -293,6 +310,14 @@ def figure(
     points : (n, 3) or (n, 4) array_like, optional
         At most six points in world units, or directions (w = 0), which are marked in all panes.
         They replace those of the document.
+    cloud : (n, 3) array_like, optional
+        1 to 1 000 000 points that are drawn as dots beside the scene's objects, in their
+        coordinates; alone, if `of` is a projection. What faces hide is not seen, and near and far
+        cut it. Up to 5 000 dots are circles, and more are pixels. A PNG does not contain them.
+    colours : str or (3,) or (n, 3) array_like, optional
+        Of the cloud: ``"#rrggbb"``, or red, green and blue, whole up to 255 or parts of 1.
+    dot_size : str or float, optional
+        Diameter of a dot in points, ``2`` or ``"2pt"``; smaller by default the more dots there are.
     panes : str or sequence of str
         In a row, ``"world,image"`` or ``["world", "image"]``, or in a column, ``"world/image"``.
     size : str or (width, height), optional
@@ -332,11 +357,56 @@ def figure(
         raise Refusal("panes", panes, SOME_PANES, ", ".join(PANES))
     column = isinstance(panes, str) and "/" in panes
     named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
+    if cloud is None:
+        scene = load_scene(document.scene, mesh=document.mesh)
+    else:
+        scene = _clouded(document, cloud, colours, dot_size, alone=isinstance(of, Projection))
     return ScriptFigure(
-        document, load_scene(document.scene, mesh=document.mesh), named, _size(size),
+        document, scene, named, _size(size),
         column=column, text_pt=_points(text_size), palette=palette, hidden=hidden, crop=crop,
         transparent=transparent, width=_width(width), fit=fit,
     )  # fmt: skip
+
+
+def _clouded(
+    document: Document,
+    cloud: ArrayLike,
+    colours: object,
+    dot_size: str | float | None,
+    *,
+    alone: bool,
+) -> Scene:
+    """Return the scene with a cloud, or the cloud alone."""
+    points = checked_points(cloud, (3,)).reshape(-1, 3)
+    if not 1 <= len(points) <= MOST_DOTS:
+        raise Refusal.saying(CLOUD, len(points), MOST_DOTS)
+    size_pt, (least, most) = _points(dot_size, "dot_size"), DOT_PT
+    if size_pt is not None and not least <= size_pt <= most:
+        raise Refusal("dot_size", dot_size, A_DOT, least, most)
+    widths = None if size_pt is None else size_pt * DPI / 72.0 / LIGHT.line_width
+    rgb = None if colours is None else _rgb(colours, len(points))
+    if alone:
+        return cloud_alone(points, rgb, widths)
+    scene = load_scene(document.scene, mesh=document.mesh)
+    return scene.with_cloud(points, rgb, widths)
+
+
+def _rgb(colours: object, count: int) -> Colours:
+    """Return the colours of so many points, (n, 3) uint8."""
+    if isinstance(colours, str):
+        text = colours.removeprefix("#")
+        given = np.frombuffer(bytes.fromhex(text), dtype=np.uint8) if _HEX(colours) else None
+    else:
+        try:
+            given = np.asarray(colours)
+        except ValueError:  # rows of other lengths
+            given = None
+    if given is not None and given.dtype.kind in "uif" and given.shape in ((3,), (count, 3)):
+        whole = 255.0 * given if given.dtype.kind == "f" else given
+        if whole.min() >= 0 and whole.max() <= 255:
+            return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
+    shown = colours if isinstance(colours, str) else getattr(given, "shape", colours)
+    raise Refusal("colours", shown, SOME_COLOURS, count)
 
 
 def _projection(of: Source) -> Projection:
@@ -376,13 +446,13 @@ def _width(width: str | float | None) -> float | None:
         raise Refusal.saying(A_LENGTH, repr(width), ", ".join(PX_PER)) from None
 
 
-def _points(size: str | float | None) -> float | None:
+def _points(size: str | float | None, name: str = "text_size") -> float | None:
     try:
         if size is None or isinstance(size, str):
             return None if size is None else parse_points(size)
         return _real(size)
     except (ValueError, TypeError):
-        raise Refusal("text_size", size, A_TEXT_SIZE) from None
+        raise Refusal(name, size, A_TEXT_SIZE) from None
 
 
 def _real(value: float) -> float:

@@ -81,7 +81,7 @@ _REMEDIES = (
         r"Permission|Read-only|Errno (13|21|30)\b",
         "put Frustum Lab into a folder that you may write to",
     ),
-    ("", "check the network and run again: {again}"),
+    ("", "run again: {again}; {program} doctor says more"),
 )
 """What helps, by a pattern of what pip or the system says; the first that fits."""
 _INSTALLING = "Installing collected packages: "
@@ -92,12 +92,12 @@ _AS_IT_IS = "as it is"
 def _failure(what: str, why: str, folder: Path, said: str = "") -> SetupError:
     """Return a sentence of what failed, why, and what helps."""
     remedy = next(text for pattern, text in _REMEDIES if re.search(pattern, f"{said}\n{why}"))
-    if remedy is _REMEDIES[0][1]:
+    if remedy == _REMEDIES[0][1]:
         why = "no package server could be reached"  # whatever pip's own conclusion
     bits = 64 if sys.maxsize > 2**32 else 32
     python = f"Python {platform.python_version()}, {bits} bits, {platform.machine()},"
-    again = _command_again()
-    helps = remedy.format(again=again, folder=folder, space=SPACE_GB, python=python)
+    names = {"again": _command_again(), "program": PROGRAM, "space": SPACE_GB}
+    helps = remedy.format(folder=folder, python=python, **names)
     return SetupError(f"{what} ({why}); {helps}")
 
 

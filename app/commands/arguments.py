@@ -5,6 +5,7 @@ VTK is imported only when a scene is loaded.
 
 from __future__ import annotations
 
+import argparse
 import atexit
 import contextlib
 import functools
@@ -18,9 +19,10 @@ from app import bootstrap, python_packages, system_packages
 from app.commands.options import check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
-from app.document.files import UNREADABLE, blamed_on
+from app.document.files import UNREADABLE, blamed_on, read_letters
 from app.document.settings import open_with, set_values
 from app.document.view import View
+from app.lecture.letters import LETTERS, Letters
 from app.lessons.lesson import is_lesson
 from app.model.limits import NOT_THE_TARGET
 from app.model.projection import NOT_THE_EYE
@@ -42,6 +44,16 @@ def lesson_file(name: str) -> str:
     from app.lessons.course import file_of
 
     return str(file_of(name))
+
+
+def set_letters(options: argparse.Namespace) -> Letters | None:
+    """Return what ``--letters`` asks for, of a lecture or a file, and make it a ``--set``."""
+    letters: Letters | None = options.letters
+    if letters is not None and letters not in LETTERS:
+        letters = read_letters(full_path(letters))
+    if letters is not None:
+        options.set = [*vars(options).get("set", ()), f"view.letters={letters}"]
+    return letters
 
 
 def course_of(lesson: str) -> Course:

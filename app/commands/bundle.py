@@ -20,7 +20,7 @@ from app.python_packages import pins, requirements
 
 NEWEST_GLIBC = 40
 """Wheels for Linux name the oldest glibc that they work with, 2.5 to this one."""
-NEWEST_MACOS = 15
+OLDEST_MACOS = 14  # the oldest for which Qt and NumPy have their newest wheels
 CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.md")
 """What belongs to the code beside its packages."""
 
@@ -86,6 +86,6 @@ def target_words(platform: str, python: str) -> list[str]:
         tags = [f"manylinux_2_{minor}_{machine}" for minor in range(5, NEWEST_GLIBC)]
         tags.append(f"manylinux2014_{machine}")
     else:
-        tags = [f"macosx_{NEWEST_MACOS}_0_{machine}" if system == "macos" else "win_amd64"]
+        tags = [f"macosx_{OLDEST_MACOS}_0_{machine}" if system == "macos" else "win_amd64"]
     words = ["--only-binary", ":all:", "--python-version", python]
     return words + [word for tag in tags for word in ("--platform", tag)]

@@ -11,7 +11,14 @@ from collections.abc import Sequence
 from importlib import import_module
 from pathlib import Path
 
-from app.commands.arguments import check_out, document_before, importing, load_scene, with_values
+from app.commands.arguments import (
+    check_out,
+    document_before,
+    importing,
+    load_scene,
+    set_letters,
+    with_values,
+)
 from app.commands.options import SUMMARIES, Parser, check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
@@ -62,6 +69,8 @@ def _window(arguments: Sequence[str]) -> int:
     if lesson and options.set:
         given = options.set[0]
         raise CliError(f"--set {given}: {file} is a lesson, whose steps set what is shown.")
+    is_bare = not words and not options.set
+    letters = set_letters(options)
     saved = document_before(file, options.set)
     document = with_values(saved, options.set)
     from_file = is_mesh(document.scene) or document.mesh
@@ -77,9 +86,8 @@ def _window(arguments: Sequence[str]) -> int:
             raise CliError(f"The settings cannot be deleted: {error}.") from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if options.screenshot is None else Path(options.screenshot)
-    is_bare = not words and not options.set
     window_options = application.Options(
-        options.theme, options.size, screenshot, options.canvas, start_card=is_bare
+        options.theme, options.size, screenshot, options.canvas, is_bare, letters
     )
     try:
         if lesson:

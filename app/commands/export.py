@@ -18,6 +18,7 @@ from app.commands.arguments import (
     document_of,
     importing,
     load_scene,
+    set_letters,
 )
 from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, print_error
@@ -135,6 +136,7 @@ def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
 
 def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
     """Take all panes where none is asked for, and of a lesson's step those that a class sees."""
+    set_letters(options)
     if options.panes is not None:
         return
     panes: Sequence[str] = PANES

@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from app.commands.aligned import lengths, lens_line, plain, widths
-from app.commands.arguments import document_of
+from app.commands.arguments import document_of, set_letters
 from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import CAMERA_P
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
+from app.lecture.copying import latex_called
 from app.lecture.letters import Letters
 from app.lecture.notation import WrittenMatrix, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
@@ -38,6 +39,7 @@ def run(arguments: Sequence[str]) -> int:
     alone = [option for option in ("planes", "convention", "chain") if getattr(options, option)]
     if len(alone) + (options.format == "latex" and not options.chain) > 1 and alone:
         raise CliError(f"--{alone[0]}: stands alone, and needs --format text or json.")
+    set_letters(options)
     document = document_of(words[0] if words else None, options.set)
     projection = document.projection
     if options.convention:
@@ -47,7 +49,7 @@ def run(arguments: Sequence[str]) -> int:
     elif options.planes:
         write_out([_planes(projection, options.format)])
     elif options.format == "latex":
-        write_out([_latex(projection, options, options.letters or document.view.letters)])
+        write_out([_latex(projection, options, document.view.letters)])
     else:
         parts = _of_p(options.set) if options.format == "text" else ""
         write_out([(_text if options.format == "text" else _json)(projection), parts])
@@ -169,12 +171,15 @@ def _planes(projection: Projection, form: str) -> str:
 def _latex(projection: Projection, options: argparse.Namespace, letters: Letters) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
     numbers = options.numbers or not options.symbols
-    for matrix in matrices(projection, letters):
+    whole = matrices(projection, letters)
+    (clip,) = (each for each in whole if each.name == "clip_from_view")
+    called = latex_called(clip.called.partition(" = ")[0] or clip.name)
+    for matrix in whole:
         notes = [matrix.note] if matrix.note else []
         notes += map(str, properties(projection, matrix.name))
-        if options.symbols and matrix.name == "clip_from_world":
-            notes.append("p_ij are the cells of clip_from_view")
         note = "".join(f"% {note}\n" for note in notes)
         digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
-        blocks.append(note + displayed(matrix, letters, options.symbols, numbers, digits, width))
+        own = called if matrix.name == "clip_from_world" else ""
+        tex = displayed(matrix, letters, options.symbols, numbers, digits, width, own)
+        blocks.append(note + tex)
     return "\n".join(blocks)

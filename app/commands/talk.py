@@ -4,11 +4,12 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from app import bootstrap
-from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.composed import SLIDE_PX, Composed, measure, taken
 from app.commands.options import Parser, one_of
 from app.commands.terminal import CliError, write_out
 from app.document.files import write_bytes_atomically
+from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, file_of
 from app.lessons.lesson import Lesson, read
@@ -33,20 +34,20 @@ def run(arguments: Sequence[str]) -> int:
     one_of("--for", readers, READERS)
     if options.readers and options.handout is None:
         raise CliError("--for: needs --handout OUT.pdf.")
-    status = 0
+    status, letters = 0, set_letters(options)
     if options.check:
-        wrong, sums = _faults_and_warnings(file_of(name))
+        wrong, sums = _faults_and_warnings(file_of(name), letters)
         write_out(f"{printable(line)}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if options.handout is not None and not status:
-        _print(read(file_of(name)), options.handout, answers=readers == READERS[0])
+        _print(read(file_of(name), letters=letters), options.handout, answers=readers == READERS[0])
     return status
 
 
-def _faults_and_warnings(path: Path) -> tuple[list[str], list[str]]:
+def _faults_and_warnings(path: Path, letters: Letters | None) -> tuple[list[str], list[str]]:
     report, composed, left = CheckReport(), Composed(), ""
     try:
-        course = report.take(read(path))
+        course = report.take(read(path, letters=letters))
     except Refusal as error:
         report.wrong.append(error)
     else:

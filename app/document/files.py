@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
+from app.lecture.letters import LONGEST_FILE, Letters, lettering
 from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
 from app.strangers import decode, log_warning, open_regular
 
@@ -94,6 +95,21 @@ def content_of(path: Path, largest: int) -> bytes:
     if len(content) > largest:
         raise Refusal.in_document(TOO_LARGE, largest // 2**20)
     return content
+
+
+def read_letters(path: Path) -> Letters:
+    """Read a file of one's own letters; a `Refusal` names it and the line."""
+    with blamed_on(path, UNREADABLE):
+        letters, note = decode(content_of(path, 4 * LONGEST_FILE))
+        log_warning(path, note)
+        try:
+            lettering(letters)
+        except Refusal as error:
+            field = error.field.removeprefix("letters, ")
+            raise Refusal.in_document(
+                error.bound, *error.limits, field=field, value=error.value
+            ) from error
+        return letters
 
 
 def read(

@@ -11,7 +11,7 @@ from typing import Any
 
 from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
-from app.lecture.letters import LETTERS, Letters
+from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
 from app.model.infinity import homogeneous
 from app.model.limits import (
@@ -70,7 +70,7 @@ class View:
     stage: float = float(NDC)  # position on the stage strip; a whole number at each of `STAGES`
     frame_step: str = STEPS[0]  # the step up to which the camera's frame is built
     panel: str | None = None  # the drawer's open panel; empty for none, None for the scene's
-    letters: Letters = LETTERS[0]  # the lecture whose letters the formulas use
+    letters: Letters = LETTERS[0]  # of the formulas: a lecture's, or the text of a file
     layers: frozenset[str] = frozenset()  # the hidden `LAYERS`
     fixed: str | None = None  # the world's viewpoint; empty for a free one, None for the scene's
     names: tuple[str, ...] | None = None
@@ -95,7 +95,7 @@ class View:
         _check_name("large", self.large, PANES, ONE_OR_NONE)
         _check_name("frame_step", self.frame_step, STEPS, ONE_OF)
         _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
-        _check_name("letters", self.letters, LETTERS, ONE_OF)
+        lettering(self.letters)  # or a `Refusal`
         _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
         if not _is_number(self.stage) or not 0.0 <= self.stage <= IMAGE:
             raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)

@@ -236,7 +236,7 @@ class SceneActors:
     ) -> None:
         self._scene, self._has_grid, self._is_pale, self.is_moved = scene, True, False, False
         self.surface = None if scene.surface is None else _faces_actor(scene, scene.surface)
-        self.dots = None if scene.dots is None else _dots_actor(scene.dots, style)
+        self.dots = None if scene.dots is None else _dots_actor(scene, style)
         self.lines = None if scene.lines is None else unlit_actor(scene.lines)
         self.ground = None if scene.lines is None else unlit_actor(scene.lines)
         self.spaces = Space(), Space(), Space(), Space()
@@ -339,10 +339,11 @@ def _faces_actor(scene: Scene, surface: Any) -> vtkActor:
     return actor
 
 
-def _dots_actor(dots: PolyMesh, style: Style) -> vtkActor:
+def _dots_actor(scene: Scene, style: Style) -> vtkActor:
     """Round dots, smaller the more there are, so that a cloud shows its shape."""
-    actor = _coloured_dots(dots)
-    size = min(max(_DOTS_PER / math.sqrt(dots.n_points), 0.5), 3.0) * style.line_width
+    actor = _coloured_dots(scene.dots)
+    usual = min(max(_DOTS_PER / math.sqrt(scene.dot_count), 0.5), 3.0)
+    size = (scene.dot_widths or usual) * style.line_width
     actor.GetProperty().SetPointSize(size)
     if size > _ROUND_PX:
         # VTK's spheres come forward by a radius that is right under its own cameras only.

@@ -31,6 +31,7 @@ from app.model.projection import Array
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
+MOST_DOTS = 5_000  # most dots of a cloud that are circles; pixels show a larger one
 MOST_CELLS = 50_000  # most cells of a figure: viewers become slow above this
 TOO_MANY = QT_TRANSLATE_NOOP(
     "Refusal",
@@ -83,10 +84,14 @@ class TextShape(NamedTuple):
 
 
 class PixelShape(NamedTuple):
-    """Pixels, where only shaders know what is drawn: (h, w, 4), and left, top, width, height."""
+    """Pixels, where only shaders know what is drawn: (h, w, 4), and left, top, width, height.
+
+    Those of a cloud lie over the faces and lines.
+    """
 
     pixels: Pixels
     place: tuple[float, float, float, float]
+    is_cloud: bool = False
 
 
 Shape: TypeAlias = Area | LineShape | Disc | TextShape | PixelShape
@@ -125,7 +130,7 @@ def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape
             )
             if first < last:
                 place = x + first / per_px, y, (last - first) / per_px, high
-                yield PixelShape(shape.pixels[:, first:last], place)
+                yield shape._replace(pixels=shape.pixels[:, first:last], place=place)
         else:
             middle = shape.place[0] if isinstance(shape, TextShape) else shape.centre[0]
             if left <= middle <= right:
@@ -207,7 +212,9 @@ def shapes_of(
     shapes: list[Shape] = [area for pane in panes for area in pane.background()]
     drawn = [shape for pane in panes for shape in pane.shapes(window)]
     # Pixels next: the frame of an image lies over their edges.
-    return shapes + sorted(drawn, key=lambda shape: not isinstance(shape, PixelShape))
+    return shapes + sorted(
+        drawn, key=lambda shape: not isinstance(shape, PixelShape) or shape.is_cloud
+    )
 
 
 def refuse_too_many(window: Any) -> None:
@@ -219,7 +226,8 @@ def refuse_too_many(window: Any) -> None:
 
 
 def _refuse_too_many(actors: Iterable[Any]) -> None:
-    count = sum(actor.GetMapper().GetInput().GetNumberOfCells() for actor in actors)
+    inputs = (actor.GetMapper().GetInput() for actor in actors if not _is_cloud(actor))
+    count = sum(each.GetNumberOfCells() for each in inputs)
     if count > MOST_CELLS:
         raise Refusal.in_document(TOO_MANY, count, MOST_CELLS, field="scene")
 
@@ -265,10 +273,14 @@ class _VectorPane:
             actors = [actor for actor in actors if _is_in_front(actor)]
         _refuse_too_many(actors)
         cells: tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]] = [], [], []
+        clouds = list(filter(_is_cloud, actors))
         for place, actor in enumerate(actors):
-            self._read(actor, place, cells)
+            if actor not in clouds:
+                self._read(actor, place, cells)
         faces, lines, points = cells
         yield from self._arranged(faces, lines, points)
+        if clouds:
+            yield from self._cloud(window, clouds)
         for prop in props:
             if isinstance(prop, LabelActor):
                 label = prop.label()
@@ -282,18 +294,40 @@ class _VectorPane:
         others = [p for p in props if isinstance(p, vtkActor2D) or _is_in_front(p)]
         for prop in others:
             prop.SetVisibility(False)
-        window.Render()
-        pixels = pixels_of(window)
+        part = self._blocks(window)
         for prop in others:
             prop.SetVisibility(True)
         top = self._height - self._low - self._high
+        place = [side / self._finer for side in (self._left, top, self._wide, self._high)]
+        pixels = np.rint(part.mean(axis=(1, 3))).astype(np.uint8)[..., :3]
+        return PixelShape(pixels, (place[0], place[1], place[2], place[3]))
+
+    def _blocks(self, window: Any) -> Array:
+        """Draw the window; return its pixels as (rows, finer, columns, finer, 4)."""
+        window.Render()
+        pixels, top = pixels_of(window), self._height - self._low - self._high
         part = pixels[top : top + self._high, self._left : self._left + self._wide]
         wide, high = (max(1, side // self._finer) for side in (self._wide, self._high))
         blocks = part[: high * self._finer, : wide * self._finer].astype(np.float64)
-        blocks = blocks.reshape(high, self._finer, wide, self._finer, -1).mean(axis=(1, 3))
-        part = np.rint(blocks).astype(np.uint8)[..., :3]
-        place = [side / self._finer for side in (self._left, top, self._wide, self._high)]
-        return PixelShape(part, (place[0], place[1], place[2], place[3]))
+        return blocks.reshape(high, self._finer, wide, self._finer, -1)
+
+    def _cloud(self, window: Any, clouds: Sequence[Any]) -> Iterator[PixelShape]:
+        """The pixels that are others without the clouds: what is seen of these."""
+        drawn = self._blocks(window)[..., :3]
+        for cloud in clouds:
+            cloud.SetVisibility(False)
+        seen = (drawn != self._blocks(window)[..., :3]).any(axis=-1, keepdims=True)
+        for cloud in clouds:
+            cloud.SetVisibility(True)
+        share = seen.mean(axis=(1, 3))
+        colours = (drawn * seen).mean(axis=(1, 3)) / np.maximum(share, 1e-9)
+        pixels = np.rint(np.concatenate([colours, 255.0 * share], axis=2)).astype(np.uint8)
+        rows, columns = (np.flatnonzero(share.any(axis=(axis, 2))) for axis in (1, 0))
+        if len(rows):
+            (top, low), (left, right) = ((each[0], each[-1] + 1) for each in (rows, columns))
+            x, y = self._left / self._finer, (self._height - self._low - self._high) / self._finer
+            place = x + left, y + top, float(right - left), float(low - top)
+            yield PixelShape(pixels[top:low, left:right], place, is_cloud=True)
 
     def _placed(self, points: Iterable[Sequence[float]]) -> Points:
         """Pixels of the window, from the bottom, as pixels of the figure, from the top."""
@@ -460,6 +494,10 @@ class _VectorPane:
 
 def _is_shaded(actor: Any) -> bool:
     return actor.GetTexture() is not None or (isinstance(actor, FlatActor) and actor.is_shaded)
+
+
+def _is_cloud(actor: Any) -> bool:
+    return bool(actor.GetMapper().GetInput().GetNumberOfVerts() > MOST_DOTS)
 
 
 def _is_in_front(prop: Any) -> bool:

@@ -54,6 +54,7 @@ def latex_called(called: str) -> str:
     """Write a lecture's name of a matrix in LaTeX: ``P_{\\mathrm{obl}} = P_{\\mathrm{ort}} H``."""
     if "_from_" in called:
         return latex_name(called)
+    called = re.sub(r"(?<!\S)[A-Za-z]{2,}(?![^\s_])", r"\\mathrm{\g<0>}", called)
     return re.sub(r"_(\S+)", r"_{\\mathrm{\1}}", called).replace("\u2192", r"\to ")
 
 

@@ -1,21 +1,48 @@
-"""What the lectures call quantities, points, axes and matrices.
+"""What the lectures call quantities, points, axes and matrices, and a file of one's own letters.
 
-Our own letters are the keys; `app.model.parameters` has that of each parameter.
+Our own letters are the keys; `app.model.parameters` has that of each parameter. A file changes some
+letters of a lecture::
+
+    base = "004"        # the lecture; own without it
+    [parameters]
+    near = "N"
+    [vectors]
+    eye = "C"
+    [matrices]
+    view_from_world = "V"
 """
 
 import re
-from functools import cache
-from typing import Literal, TypeAlias
+from collections.abc import Mapping, Sequence
+from functools import cache, lru_cache
+from typing import NamedTuple, TypeAlias
 
 from app.lecture.highlight import OBJECT_AXES
 from app.model import formula_text
 from app.model.chain import FROM_OBJECT, MOST_TILES
 from app.model.formula import ARROW, parse
+from app.model.limits import ONE_OF
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, nearest
 
-Letters: TypeAlias = Literal["own", "000", "001", "002", "003", "004"]
+Letters: TypeAlias = str
+"""One of `LETTERS`, or the text of a file of one's own letters."""
 
 LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 """The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
+LONGEST_FILE = 10_000  # most characters of a file of letters
+SOME_LETTERS = QT_TRANSLATE_NOOP(
+    "Refusal", "must be one of {0}, or a file of letters of at most {1} characters"
+)
+A_LINE = QT_TRANSLATE_NOOP(
+    "Refusal", 'must be [SECTION], or NAME = "LETTER", or begin with # as a comment'
+)
+NOT_KNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
+A_LETTER = QT_TRANSLATE_NOOP(
+    "Refusal",
+    "must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as"
+    " x_min, and of at most {1} characters",
+)
+ONCE = QT_TRANSLATE_NOOP("Refusal", "is the letter of {0} already; two things cannot share one")
 
 _OURS = {
     "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
@@ -89,6 +116,131 @@ MATRIX_NAMES: dict[str, dict[str, str]] = {
 }
 """The lectures' names of matrices and factors; lecture 002 names projections by kind."""
 
+PARAMETERS: dict[str, tuple[str, ...]] = {
+    "left": ("l",), "right": ("r",), "bottom": ("b",), "top": ("t",),
+    "near": ("n", "near_distance"), "far": ("f", "far_distance"), "fov": ("fov", "theta_v"),
+    "fov_x": ("fov_x", "theta_h"), "aspect": ("aspect", "a"), "focal": ("e",),
+    "alpha": ("alpha",), "beta": ("beta",), "width": ("W",), "height": ("H",),
+}  # fmt: skip
+"""What a file calls the parameters, and our own letters for them."""
+_TILES = {
+    "translate": "move", "rotate": "turn", "scale": "size", "about": "about", "shear": "shear",
+}  # fmt: skip
+_KNOWN: dict[str, Sequence[str]] = {
+    "": ("base",),
+    "parameters": (*PARAMETERS, *_TILES),
+    "vectors": ("eye", "target", "up", "u", "v", "n"),
+    "matrices": (
+        FROM_OBJECT, "view_from_world", "canonical_perspective_from_view",
+        "canonical_parallel_from_canonical_perspective", "depth_range_from_canonical_parallel",
+        "clip_from_depth_range", "clip_from_view", "clip_from_world", "image_from_ndc",
+        "world_from_view", "view_from_world/rotation", "view_from_world/translation",
+    ),
+}  # fmt: skip
+"""The names that each section of a file may have; before the first section, the lecture."""
+GREEK = "\u03b1β\u03b3δεθλμπρ\u03c3φω"  # noqa: RUF001 -- those of panes and figures
+_LONGEST = 12
+_A_LETTER = re.compile(r"(?:[A-Za-z]+|[" + GREEK + r"])[0-9]*(?:_[A-Za-z0-9]+)?")
+_LINE = re.compile(
+    r"""(?:\[\s*(?P<section>\w+)\s*\]|(["']?)(?P<name>[\w/]+)\2\s*=\s*(["'])(?P<letter>[^"']*)\4)?"""
+    r"\s*(?:#.*)?"
+)
+
+
+class Lettering(NamedTuple):
+    """The letters of a lecture, or of a file that is based on it."""
+
+    base: Letters  # the lecture, whose quantities, signs and chain of matrices these are
+    symbols: Mapping[str, str]
+    matrices: Mapping[str, str]
+
+
+@lru_cache(maxsize=16)
+def lettering(letters: Letters) -> Lettering:
+    """Return the letters of a lecture or a file; a `Refusal` names the line and the bound."""
+    if letters in LETTERS:
+        return Lettering(letters, _SYMBOLS[letters], MATRIX_NAMES.get(letters, {}))
+    is_text = isinstance(letters, str) and not {"=", "\n"}.isdisjoint(letters)
+    if not is_text or len(letters) > LONGEST_FILE:
+        raise Refusal("letters", letters, SOME_LETTERS, ", ".join(LETTERS), LONGEST_FILE)
+    given = _sections(letters)
+    base = given[""].get("base", "own")
+    symbols, matrices = dict(_SYMBOLS[base]), given["matrices"]
+    for name, letter in given["parameters"].items():
+        symbols |= _of_parameter(name, letter, base)
+    for name, letter in given["vectors"].items():
+        symbols |= _of_vector(name, letter)
+    return Lettering(base, symbols, {**MATRIX_NAMES.get(base, {}), **matrices})
+
+
+def _sections(text: str) -> dict[str, dict[str, str]]:
+    """Read a file of letters by its sections."""
+    given: dict[str, dict[str, str]] = {section: {} for section in _KNOWN}
+    section, places = "", dict[tuple[str, str], str]()
+    for number, line in enumerate(text.splitlines(), 1):
+        place, match = f"letters, line {number}", _LINE.fullmatch(line.strip())
+        if match is None:
+            raise Refusal(place, line.strip(), A_LINE)
+        section, name = match["section"] or section, match["name"]
+        if section not in _KNOWN:
+            raise Refusal(place, section, NOT_KNOWN, nearest(section, _KNOWN))
+        if name is None:
+            continue
+        if name not in _KNOWN[section]:
+            raise Refusal(place, name, NOT_KNOWN, nearest(name, _KNOWN[section]))
+        letter, places[section, name] = match["letter"], f"{place}: {name}"
+        if not section and letter not in LETTERS:
+            raise Refusal(f"{place}: {name}", letter, ONE_OF, ", ".join(LETTERS))
+        if section and (len(letter) > _LONGEST or not _A_LETTER.fullmatch(letter)):
+            raise Refusal(f"{place}: {name}", letter, A_LETTER, GREEK, _LONGEST)
+        given[section][name] = letter
+    base = given[""].get("base", "own")
+    symbols = _SYMBOLS[base]
+    of_lecture = {
+        "parameters": {name: symbols.get(ours[0], ours[0]) for name, ours in PARAMETERS.items()
+                       if base == "003" or name != "focal"},
+        "vectors": {name: its for name, its in _frame(symbols).items() if name != "e"},
+        "matrices": MATRIX_NAMES.get(base, {}),
+    }  # fmt: skip
+    for (section, name), place in places.items():
+        held = of_lecture.get(section, {}) | given[section]
+        for other in held:
+            if other != name and held[other] == held[name]:
+                raise Refusal(place, held[name], ONCE, other)
+    return given
+
+
+def base_of(letters: Letters) -> Letters:
+    """Return the lecture of letters, which a file may have changed."""
+    return lettering(letters).base
+
+
+def _of_parameter(name: str, letter: str, base: Letters) -> dict[str, str]:
+    if name in _TILES:  # t_x, and t_2x of the second one
+        tile = re.compile(rf"{_TILES[name]}\d*_")
+        return {
+            ours: _component(letter, its.partition("_")[2])
+            for ours, its in _OURS.items() if tile.match(ours)
+        }  # fmt: skip
+    minus = "\u2212" if base == "002" else ""  # its planes are at negative z
+    return {ours: f"{minus * ours.endswith('_distance')}{letter}" for ours in PARAMETERS[name]}
+
+
+def _of_vector(name: str, letter: str) -> dict[str, str]:
+    arrow = letter if "_" in letter else f"{letter}{ARROW}"
+    if name in ("target", "up"):
+        return {name: arrow, f"{name}_point": letter}
+    parts = {f"{name}_{x}": _component(letter, x) for x in "xyz"}
+    return parts | (
+        {"eye": arrow, "eye_point": letter} if name == "eye" else {f"axis_{name}": arrow}
+    )
+
+
+def _component(letter: str, axis: str) -> str:
+    """Return the letter of a vector's component: ``C_x``, and ``P_0x`` of ``P_0``."""
+    return f"{letter}{'' if '_' in letter else '_'}{axis}"
+
+
 _FRAME = {
     "e": "eye", "n": "axis_n", "u": "axis_u", "v": "axis_v", "up": "up", "target": "target",
 }  # fmt: skip
@@ -100,13 +252,16 @@ def frame_letters(letters: Letters) -> dict[str, str]:
     The keys are our own letters ``e``, ``n``, ``u``, ``v``, ``up``, ``target``, and ``M`` for the
     view matrix and ``T`` for its translation.
     """
-    symbols = _SYMBOLS[letters]
-    points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
-    symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
-    letter_of = {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
-    names = MATRIX_NAMES.get(letters, {})
+    _, symbols, names = lettering(letters)
+    letter_of = _frame(symbols)
     letter_of["T"] = names.get("view_from_world/translation", "T")
     return {**letter_of, "M": names.get("view_from_world", "M")}
+
+
+def _frame(symbols: Mapping[str, str]) -> dict[str, str]:
+    points = {name: symbols.get(f"{name}_point", symbols.get(name)) for name in ("eye", "target")}
+    symbols = {**symbols, **{name: symbol for name, symbol in points.items() if symbol}}
+    return {ours: symbols.get(name, ours).replace(ARROW, "") for ours, name in _FRAME.items()}
 
 
 def axis_letters(letters: Letters) -> dict[str, str]:
@@ -116,13 +271,14 @@ def axis_letters(letters: Letters) -> dict[str, str]:
     directions without a letter, which keep their names.
     """
     letter_of = frame_letters(letters)
-    letter_of |= {name: _SYMBOLS[letters].get(f"{name}_point", name) for name in ("eye", "target")}
+    symbols = lettering(letters).symbols
+    letter_of |= {name: symbols.get(f"{name}_point", name) for name in ("eye", "target")}
     letter_of = {
         name: letter_of[name]
         for name in ("u", "v", "n", "up", "eye", "target")
         if letter_of[name] != name or len(name) == 1
     }
-    axes = {name: _SYMBOLS[letters].get(name, "") for name in OBJECT_AXES}
+    axes = {name: symbols.get(name, "") for name in OBJECT_AXES}
     return letter_of | {name: letter for name, letter in axes.items() if letter}
 
 
@@ -132,8 +288,10 @@ def in_letters(text: str, letters: Letters) -> str:
     ``{l}, {r}`` becomes ``x_min, x_max`` for lecture 000, and ``{axis_n}`` ``w`` for lecture 001.
     """
 
+    symbols = lettering(letters).symbols
+
     def letter(match: re.Match[str]) -> str:
-        return _SYMBOLS[letters].get(match[1], match[1]).replace(ARROW, "")
+        return symbols.get(match[1], match[1]).replace(ARROW, "")
 
     return re.sub(r"\{([a-z]\w*)\}", letter, text)
 
@@ -144,16 +302,16 @@ def written(text: str, letters: Letters) -> str:
 
     ``_`` stands before a subscript, and `ARROW` after a vector's letter.
     """
-    return formula_text.written(parse(text), _SYMBOLS[letters])
+    return formula_text.written(parse(text), lettering(letters).symbols)
 
 
 @cache
 def stacked(text: str, letters: Letters) -> str:
     """Write a formula with fractions as in `app.model.formula_text.stacked_fraction`."""
-    return formula_text.stacked(parse(text), _SYMBOLS[letters])
+    return formula_text.stacked(parse(text), lettering(letters).symbols)
 
 
 @cache
 def latex_formula(text: str, letters: Letters) -> str:
     """Write a formula in LaTeX's math mode: ``\\frac{2 n}{r - l}``."""
-    return formula_text.latex(parse(text), _SYMBOLS[letters])
+    return formula_text.latex(parse(text), lettering(letters).symbols)

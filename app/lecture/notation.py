@@ -21,7 +21,15 @@ from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
-from app.lecture.letters import FROM_SHEARED, MATRIX_NAMES, SHEARED, Letters, written
+from app.lecture.letters import (
+    FROM_SHEARED,
+    MATRIX_NAMES,
+    SHEARED,
+    Letters,
+    base_of,
+    lettering,
+    written,
+)
 from app.model.chain import FROM_OBJECT, Chain, lettered_kinds
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable
@@ -58,7 +66,7 @@ _QUANTITIES: dict[str, dict[str, Ratio]] = {  # the lectures' replacements of ou
 
 def clip_signs(projection: Projection, letters: Letters) -> tuple[int, ...]:
     """Return the factors that turn our x, y, z and w of clip space into those of a lecture."""
-    sign = _signs(_written(projection), letters)
+    sign = _signs(_written(projection), base_of(letters))
     return tuple(sign("clip_from_view", row, row if row < 3 else 2) for row in range(4))
 
 
@@ -71,16 +79,16 @@ def steps_of_a_point(
     and far, and the ``depth`` from z; ``_`` stands before a subscript. `directions` is for points
     with w = 0, from which the eye is not subtracted.
     """
-    lens = _written(projection)
+    lens, base = _written(projection), base_of(letters)
     names, signs = _names(lens, letters), clip_signs(projection, letters)
-    table = _formulas(lens, letters)
+    table = _formulas(lens, base)
     moved = " ".join(letter for letter, _ in itertools.groupby(map(_called, lens.kinds))) or "I"
     eye = written("eye", letters).replace(ARROW, "")
     factors = () if lens.has_own_view else ("rotation", "translation")
     view = names.get("view_from_world") or _chain(names, [f"view_from_world/{f}" for f in factors])
     if not view:
         view = "M" if lens.has_own_view else f"R (p \u2212 {'w ' if directions else ''}{eye})"
-    steps = [step.name for step in reversed(_steps(lens.table, letters))]
+    steps = [step.name for step in reversed(_steps(lens.table, base))]
     chain = _chain(names, [name for name in steps if table[name] != _IDENTITY])
     clip = names.get("clip_from_view") or chain or "P"
     minus = "\u2212" if signs[3] > 0 else ""
@@ -88,7 +96,7 @@ def steps_of_a_point(
     w_row = " ".join(cell.text for cell in lens.table.clip_from_view[3])
     near, far = (written(name, letters) for name in "nf")
     between = f"{near} \u2264 \u2212z_view \u2264 {far}"
-    if letters == "002":  # its planes are at negative z
+    if base == "002":  # its planes are at negative z
         between = f"{far} \u2264 z_view \u2264 {near}"
     return {
         "world": f"{names.get(FROM_OBJECT) or moved} p",
@@ -125,8 +133,8 @@ def matrices(
     the products with the view matrix follow, too, up to `clip_from_world`, and `world_from_view`,
     whose columns are the camera's axes and the eye.
     """
-    lens = _written(projection)
-    steps = _steps(lens.table, letters)
+    lens, base = _written(projection), base_of(letters)
+    steps, names = _steps(lens.table, base), _names(lens, letters)
     first, view, *between, last = projection.stages
     if steps is not lens.table.steps:  # a lecture's steps, without our factors
         staged = [projection.staged(step) for step in steps]
@@ -143,23 +151,23 @@ def matrices(
             name = f"{target}_from_world"
             shown.append((Stage(name, so_far, (), ""), (stage.name, source)))
             source = name
-    names = tuple(stage.name for stage in reversed(between))
+    parts = tuple(stage.name for stage in reversed(between))
     to_clip, from_world = projection.direct_stages
-    shown.append((to_clip, names))
-    shown.append((from_world, (*(names or (to_clip.name,)), view.name)))
+    shown.append((to_clip, parts))
+    shown.append((from_world, (*(parts or (to_clip.name,)), view.name)))
     shown.append((last, ()))
     tables = _Tables(
-        _formulas(lens, letters),
+        _formulas(lens, base),
         # Numbers are the same in all letters; lecture 002's have signs of their own.
         _fields(
             lens,
-            "002" if letters == "002" else "own",
+            "002" if base == "002" else "own",
             state_of(projection),
             projection.placement.kinds,
         ),
     )
-    whole = [_matrix(stage, parts, projection, tables, letters, rows) for stage, parts in shown]
-    return _chained(whole, _names(lens, letters)) if letters != "own" else tuple(whole)
+    whole = [_matrix(stage, parts, projection, tables, base, rows) for stage, parts in shown]
+    return _chained(whole, names) if names or base != "own" else tuple(whole)
 
 
 def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
@@ -174,13 +182,14 @@ def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
 
 def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
     """Return a lecture's names of the matrices of a lens."""
-    names = MATRIX_NAMES.get(letters, {})
+    base, _, names = lettering(letters)
     kind = "persp" if lens.is_central else "ort"
-    w = written(_formulas(lens, letters).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
+    w = written(_formulas(lens, base).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
     texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
-    if letters == "002" and not lens.table.steps:
+    is_named = names.get("clip_from_view") == MATRIX_NAMES.get(base, {}).get("clip_from_view")
+    if base == "002" and is_named and not lens.table.steps:
         texts["clip_from_view"] = "P"
-    elif letters == "002" and _steps(lens.table, letters):
+    elif base == "002" and is_named and _steps(lens.table, base):
         texts["clip_from_view"] = "" if lens.is_central else "P_obl"
     return texts
 
@@ -386,12 +395,12 @@ def _signs(lens: _WrittenForm, letters: Letters) -> Callable[[str, int, int], in
 
 def cell_sign(projection: Projection, letters: Letters, name: str, row: int, column: int) -> int:
     """Return -1 where a lecture changes the sign of a stage's cell, else 1."""
-    return _signs(_written(projection), letters)(name, row, column)
+    return _signs(_written(projection), base_of(letters))(name, row, column)
 
 
 def has_own_signs(projection: Projection, letters: Letters) -> bool:
     """Whether a lecture changes signs of this projection's matrices."""
-    sign = _signs(_written(projection), letters)
+    sign = _signs(_written(projection), base_of(letters))
     names = ("clip_from_view", "depth_range_from_canonical_parallel")
     return any(sign(name, i, i) < 0 for name in names for i in range(4))
 

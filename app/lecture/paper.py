@@ -3,6 +3,7 @@
 The widths of TeX's letters are estimated, rather too large: nobody needs TeX to write an equation.
 """
 
+import itertools
 import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -13,13 +14,11 @@ from app.lecture.letters import Letters
 from app.lecture.notation import WrittenMatrix
 
 TEXT_WIDTH_PT = 345.0  # of a line in LaTeX's classes, in 10 points
-_SIZES = {
-    "": (1.0, 1.0), r"\small": (0.93, 0.95), r"\footnotesize": (0.86, 0.92),
-    r"\scriptsize": (0.81, 0.9), r"\tiny": (0.7, 0.87),
-}  # fmt: skip
+_SIZES = {"": (1.0, 1.0), r"\small": (0.93, 0.95), r"\footnotesize": (0.86, 0.92)}
 """What a line keeps of its width, and what one with fractions or names does. TeX's smaller letters
 are wider in proportion, the gaps between columns stay, and no index is smaller than 5 points."""
-_SMALLEST = r"\tiny"
+_SMALLEST = r"\footnotesize"
+_NAMES = "pckqdrwyzABCDEFGHKLNQ"  # letters for cells that are named and given below
 _EQUAL_PT, _INDENT_PT, _FURTHER_PT = 13.4, 10.0, 20.0
 _COLUMN_PT, _BRACKETS_PT, _FRACTION_PT = 10.0, 18.0, 2.4
 _READABLE = 1.16  # of a text's width: a wider product of formulas is left to its factors
@@ -39,6 +38,7 @@ class _ProductPart(NamedTuple):
 
     tex: str
     width: float
+    cells: Sequence[Sequence[str]] = ()
 
 
 def displayed(
@@ -48,30 +48,34 @@ def displayed(
     numbers: bool = True,
     digits: int = EVERY_DIGIT,
     text_pt: float = TEXT_WIDTH_PT,
+    clip: str = "",
 ) -> str:
     """Write a matrix as an equation (amsmath): its product, its factors, and the matrix.
 
     The factors and the matrix have formulas (`symbols`), `numbers` of so many `digits`, or both
-    after each other. Letters are smaller where a line would be wider than the text; a comment says
-    where the smallest ones are perhaps too wide.
+    after each other. Letters are smaller where a line would be wider than the text. The widest
+    cells of a matrix that is still too wide have names, and are given below it; a comment says
+    where one of them is perhaps too wide. `clip` is the name in LaTeX of the matrix whose cells
+    are p_ij.
     """
     name, *chain = (latex_called(matrix.called) or latex_name(matrix.name)).split(" = ")
-    if not matrix.called:
+    if not chain and " " not in matrix.called:
         chain = [*map(latex_called, matrix.chain)]
     sides = [[_ProductPart(each, _width(each)) for each in chain]] if chain else []
     for wanted, formulas in ((symbols, True), (numbers, False)):
         for product in (matrix.factors, (matrix,)) if wanted else ():
-            side = [_pmatrix(each, letters, formulas, digits) for each in product]
+            side = [_pmatrix(_cells_of(each, letters, formulas, digits)) for each in product]
             is_product = formulas and bool(sides) and product is not matrix.factors
             is_left = is_product and side[0].width > _READABLE * text_pt
             if side and side not in sides and not is_left:
                 sides.append(side)
     widest = max(part.width for side in sides for part in side)
     is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= text_pt
+    is_beside |= _width(name) <= 2.0 * _INDENT_PT
     begin = _width(name) if is_beside else _INDENT_PT
 
-    def room(side: Sequence[_ProductPart], size: str) -> float:
-        has_indices = any(r"\frac" in part.tex or r"\text" in part.tex for part in side)
+    def room(parts: Sequence[_ProductPart], size: str) -> float:
+        has_indices = any(r"\frac" in part.tex or r"\text" in part.tex for part in parts)
         return text_pt / _SIZES[size][has_indices] - begin
 
     def fits(size: str) -> bool:
@@ -81,15 +85,46 @@ def displayed(
             for number, part in enumerate(side)
         )
 
-    size = next(filter(fits, _SIZES), _SMALLEST)
+    size, below = next(filter(fits, _SIZES), _SMALLEST), list[_ProductPart]()
+    if clip and any("p_{" in part.tex for side in sides for part in side):
+        below.append(_ProductPart(f"(p_{{ij}}) &= {clip}", 0.0))
+    for side in sides:
+        for number, part in enumerate(side):
+            most = room(side, size) - (_FURTHER_PT if number else _EQUAL_PT)
+            if part.cells and part.width > most:
+                used = "".join(each.tex for each in itertools.chain(*sides, below))
+                is_clip = matrix.name == "clip_from_view"
+                letter = next(each for each in _NAMES[not is_clip :] if f"{each}_{{" not in used)
+                side[number], named = _with_names(part, letter, most)
+                below += named
     lines = [line for side in sides for line in _lines(side, room(side, size))]
+    given = [each.tex if is_beside else f"&{each.tex.replace('&', '', 1)}" for each in below]
     first = f"{name} " if is_beside else f"&{name} \\\\\n"
     indent = "&" if is_beside else r"&\quad "
-    body = first + " \\\\\n".join(indent + line for line in lines)
+    body = first + " \\\\\n".join([*(indent + line for line in lines), *given])
     equation = f"\\[\n\\begin{{aligned}}\n{body}\n\\end{{aligned}}\n\\]"
-    if not fits(size):
+    if any(each.width > room([each], size) for each in below):
         equation = f"% perhaps wider than {text_pt:.0f} pt\n{equation}"
     return f"{{{size}\n{equation}}}\n" if size else f"{equation}\n"
+
+
+def _with_names(
+    part: _ProductPart, letter: str, most: float
+) -> tuple[_ProductPart, list[_ProductPart]]:
+    """Name the widest cells of a matrix until it is narrow enough; return it and what they are."""
+    cells, given = [list(row) for row in part.cells], dict[tuple[int, int], _ProductPart]()
+    while part.width > most:
+        widths = {(i, j): _width(cells[i][j]) for i in range(4) for j in range(4)}
+        (i, j) = max(widths.keys() - given.keys(), key=lambda place: (widths[place], place))
+        name, tex = f"{letter}_{{{i + 1}{j + 1}}}", cells[i][j]
+        given[i, j] = _ProductPart(
+            f"{name} &= \\textstyle {tex}", _width(name) + _EQUAL_PT + _width(tex)
+        )
+        cells[i][j] = name
+        part = _pmatrix(cells)
+        if len(given) == 16:
+            break
+    return part, [given[place] for place in sorted(given)]
 
 
 def _lines(side: Sequence[_ProductPart], room: float) -> Iterator[str]:
@@ -104,18 +139,22 @@ def _lines(side: Sequence[_ProductPart], room: float) -> Iterator[str]:
     yield line.rstrip()
 
 
-def _pmatrix(matrix: WrittenMatrix, letters: Letters, formulas: bool, digits: int) -> _ProductPart:
+def _cells_of(
+    matrix: WrittenMatrix, letters: Letters, formulas: bool, digits: int
+) -> list[list[str]]:
     if formulas:
-        cells = [[_small(latex_cell(cell, letters)) for cell in row] for row in matrix.formulas]
-    else:
-        cells = [[latex_number(value, digits) for value in row] for row in matrix.values]
+        return [[_small(latex_cell(cell, letters)) for cell in row] for row in matrix.formulas]
+    return [[latex_number(value, digits) for value in row] for row in matrix.values]
+
+
+def _pmatrix(cells: Sequence[Sequence[str]]) -> _ProductPart:
     rows = [" & ".join(row) for row in cells]
     # Fractions that are above one another would touch.
     ends = [r" \\[2pt]" if "frac" in row else r" \\" for row in rows[:-1]] + [""]
     body = "\n".join(row + end for row, end in zip(rows, ends, strict=True))
     width = sum(max(map(_width, column)) + _COLUMN_PT for column in zip(*cells, strict=True))
     tex = f"\\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
-    return _ProductPart(tex, width + _BRACKETS_PT - _COLUMN_PT)
+    return _ProductPart(tex, width + _BRACKETS_PT - _COLUMN_PT, cells)
 
 
 def _small(tex: str) -> str:

@@ -16,7 +16,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from app.document.codec import Path as AnyPath
-from app.document.files import UNREADABLE, blamed_on, content_of
+from app.document.files import UNREADABLE, blamed_on, content_of, read_letters
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Block, StepContent, TextBlock
@@ -58,6 +58,9 @@ NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
 NEWER = QT_TRANSLATE_NOOP(
     "Refusal",
     "was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}",
+)
+LETTERS_OF = QT_TRANSLATE_NOOP(
+    "Refusal", "must be one of {0}, or a file of letters beside the lesson, such as letters.toml"
 )
 NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
 NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
@@ -142,14 +145,15 @@ def is_lesson(path: str) -> bool:
     return path.lower().endswith(ENDINGS)
 
 
-def read(path: AnyPath, complain: AddFault | None = None) -> Lesson:
+def read(path: AnyPath, complain: AddFault | None = None, letters: Letters | None = None) -> Lesson:
     """Read a lesson from its file; a `Refusal` names the line that is wrong.
 
-    `complain` receives the refusal of every faulty block and step; the lesson then lacks these.
+    `letters` replace those that the lesson asks for. `complain` receives the refusal of every
+    faulty block and step; the lesson then lacks these.
     """
     with blamed_on(path, UNREADABLE):
         text, note = decode(content_of(path, LARGEST))
-        lesson = parse_lesson(text, Path(path), complain)
+        lesson = parse_lesson(text, Path(path), complain, letters)
         if note and complain is not None:
             complain(Refusal.in_document(NOT_UTF8, file=os.fspath(path)))
         else:
@@ -177,10 +181,20 @@ def head_of(path: Path) -> Head:
         return Head(path, top["title"], about, is_talk)
 
 
-def parse_lesson(text: str, path: Path, complain: AddFault | None = None) -> Lesson:
+def parse_lesson(
+    text: str, path: Path, complain: AddFault | None = None, letters: Letters | None = None
+) -> Lesson:
     """Read a lesson from its text, as `read` does; the file need not exist yet."""
     lines = _lines(text)
     top, first = _top(lines)
+    asked = letters or top["letters"]
+    if asked is not None and letters is None and asked not in LETTERS:  # a file beside the lesson
+        try:
+            asked = read_letters(Path(os.path.dirname(os.path.realpath(path))) / asked)
+        except Refusal as error:
+            line = next(at for at, each in enumerate(lines, 1) if each.startswith("letters"))
+            raise refused(line, UNREADABLE, str(error).rstrip(".")) from error
+    top["letters"] = asked
     return Lesson(path, steps=_steps(lines, first, path, complain), **top)
 
 
@@ -193,6 +207,7 @@ def _lines(text: str) -> list[str]:
     return lines
 
 
+_BESIDE = re.compile(r"[\w][\w .-]*\.toml")
 _TOPIC = re.compile(r"L([1-9]|1\d|2[0-7])")
 _TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "version")
 
@@ -240,8 +255,8 @@ def _check_top(key: str, value: str, line: int) -> None:
             raise refused(line, NEWER, f"{wanted:g}", VERSION)
     elif key == "minutes":
         number_in(value, line, 0, 1000)
-    elif key == "letters" and value not in LETTERS:
-        raise refused(line, ONE_OF, ", ".join(LETTERS), value=value)
+    elif key == "letters" and value not in LETTERS and not _BESIDE.fullmatch(value):
+        raise refused(line, LETTERS_OF, ", ".join(LETTERS), value=value)
     elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
         raise refused(line, TOPICS, value=value)
 

@@ -20,7 +20,7 @@ from app.document.document import Document, is_mesh
 from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
-from app.lecture.letters import Letters
+from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
@@ -49,7 +49,10 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
     wanted = _as_state(document)
     view = replace(AS_EVER, letters=letters or AS_EVER.letters)
     start = Document(document.scene, scene_of(document).start, view=view, mesh=document.mesh)
-    lists = [texts for texts in _lists(start, wanted) if _gives(start, texts, wanted)]
+    lists = [
+        texts for texts in _lists(start, wanted)
+        if _gives(start, texts, wanted) and "\n" not in "".join(texts.values())
+    ]  # fmt: skip
     if not lists:
         raise Refusal.in_document(NOT_IN_WORDS, field="state")
     texts = min((_needed(start, each, wanted) for each in lists), key=len)
@@ -194,8 +197,10 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
     """Begin a talk with a state, in a new file or over an old one; see `add_step`."""
     _check_own(path)
     with blamed_on(path, UNREADABLE):
-        letters = document.view.letters
-        top = ["---", f"title: {_one_line(title)}", f"letters: {letters}", "---"]
+        given = document.view.letters
+        letters = given if given in LETTERS else None  # those of a file go with the document
+        line = [f"letters: {letters}"] if letters else []
+        top = ["---", f"title: {_one_line(title)}", *line, "---"]
         lesson = Lesson(Path(path), title, (), letters=letters)
         step = _step(lesson, title, slug(title), document, panes)
         note = ["", "```note", f"minutes: {NEW_TALK_MINUTES}", "```"]

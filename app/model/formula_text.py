@@ -69,7 +69,10 @@ _IN_LATEX = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "abs": "opera
 _LATEX_WORD = re.compile(r"\\(mathrm\{|[a-z]+(\{abs\})?\\left\()")
 _LATEX_NUMBER = re.compile(r"(\\left)?\(-?[0-9]|\\frac")
 """After a number it needs a sign of multiplication: 2(-3) and 2 1/3 are something else."""
-_GREEK = {"\u03b1": r"\alpha", "β": r"\beta", "θ": r"\theta", "φ": r"\varphi"}
+_GREEK = dict(zip("\u03b1β\u03b3δεθλμπρ\u03c3φω", (  # noqa: RUF001
+    r"\alpha", r"\beta", r"\gamma", r"\delta", r"\epsilon", r"\theta", r"\lambda", r"\mu", r"\pi",
+    r"\rho", r"\sigma", r"\varphi", r"\omega",
+), strict=True))  # fmt: skip
 _GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # in lessons' formulas
 
 

@@ -72,18 +72,18 @@ def finished(path: Path, mesh: Mesh, progress: Progress | None) -> Finished:
     """
     report(progress, 0.5)
     faces = len(mesh.offsets) - 1
-    _check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
+    check(path, mesh.points, has_area=faces > 0 and not (mesh.lines.size or mesh.dots.size))
     report(progress, 0.6)
     rgb = _face_colours(mesh, progress) if faces else np.empty((0, 3), dtype=np.uint8)
     has_edges = 0 < max(faces, len(mesh.corners) // 8) <= FACES_WITH_EDGES
     edges = _feature_edges(mesh) if has_edges else np.empty((0, 2, 3))
     lines, dots = mesh.points[mesh.lines], mesh.points[mesh.dots]
-    dot_rgb = _dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
+    dot_rgb = dot_colours(dots) if mesh.dot_rgb is None else mesh.dot_rgb
     divided_faces = _divided(mesh, rgb, progress)
     return Finished(mesh.points, *divided_faces, edges, lines, dots, dot_rgb, mesh.notes)
 
 
-def _check(path: Path, points: Floats, *, has_area: bool) -> None:
+def check(path: Path | str, points: Floats, *, has_area: bool = False) -> None:
     lower, upper = points.min(axis=0), points.max(axis=0)
     size = math.dist(lower, upper)
     if size == 0.0:
@@ -121,7 +121,7 @@ def _face_colours(mesh: Mesh, progress: Progress | None) -> Colours:
     return (paint * light).astype(np.uint8)
 
 
-def _dot_colours(dots: Floats) -> Colours:
+def dot_colours(dots: Floats) -> Colours:
     """Return colours (d, 3) of dots; many are shaded like a ball, or they would be one blot."""
     if len(dots) <= FLAT_DOTS:
         return flat(DRAWN_RGB, len(dots))

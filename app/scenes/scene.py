@@ -29,7 +29,7 @@ from app.model.limits import vector
 from app.model.projection import Array, Chain, Projection, Space, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
-from app.scenes.finishing import Finished
+from app.scenes.finishing import Finished, check, dot_colours
 from app.scenes.first_camera import centre_of, frame_camera, rounded
 from app.scenes.mesh import Colours, Progress, open_mesh, report
 from app.scenes.mesh_files import ENDINGS as ENDINGS
@@ -122,6 +122,7 @@ class Scene(Appearance):
     - `lines`: ground-grid lines, then edges of the objects and the lines of a file, with
       ``cell_data["rgb"]`` like the surface.
     - `dots`: points (n dots) of a file that are drawn by themselves, with ``point_data["rgb"]``.
+    - `dot_widths`: diameter of a dot in widths of a line; None for one that suits their number.
     - `lower`, `upper`: world bounds of the objects, without the grid.
     - `start`: the camera and lens with which the scene opens.
     - `own_mesh`: whether a mesh from a file replaces the phenomenon's subject.
@@ -138,6 +139,7 @@ class Scene(Appearance):
     phenomenon: Phenomenon | None = None
     own_mesh: bool = False
     dots: PolyMesh | None = None
+    dot_widths: float | None = None
     notes: tuple[Refusal, ...] = ()
     names: tuple[str, ...] = NAMES
 
@@ -165,6 +167,25 @@ class Scene(Appearance):
             return None
         chosen = self.phenomenon.checked(settings)
         return self.phenomenon.illustration(projection, chosen, self.subject)
+
+    def with_cloud(self, points: Array, rgb: Colours | None, widths: float | None) -> Scene:
+        """Return the scene with more dots, (n, 3) in its objects' coordinates.
+
+        `rgb` (n, 3) are their colours, and `widths` is their diameter as `dot_widths`.
+        """
+        lower = np.minimum(self.lower, points.min(axis=0))
+        upper = np.maximum(self.upper, points.max(axis=0))
+        check("cloud", np.stack([lower, upper]))
+        dots = points - self.origin
+        colours = dot_colours(points) if rgb is None else rgb
+        if self.dots is not None:
+            dots = np.concatenate([self.dots.points, dots])
+            colours = np.concatenate([self.dots.point_data["rgb"], colours])
+        held = {name: self.__dict__[name] for name in ("surface", "lines")}
+        return replace(
+            self, **held, dots=dot_set(dots, colours), dot_widths=widths,
+            lower=vector(lower), upper=vector(upper),
+        )  # fmt: skip
 
     @cached_property
     def subject(self) -> Subject:
@@ -466,7 +487,13 @@ def _scene_of_phenomenon(
 
 
 def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
-    mesh = _read_mesh(path, progress)
+    scene = _finished_scene(name, _read_mesh(path, progress))
+    report(progress, 1.0)
+    return scene
+
+
+def _finished_scene(name: str, mesh: Finished) -> Scene:
+    check(name, np.array(mesh.bounds))
     lower, upper = mesh.bounds
     size = math.dist(lower, upper)
     # A round number near the middle, and 0 for a mesh that lies around the origin.
@@ -476,7 +503,7 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
     surface = None
     if len(mesh.corners):
         surface = poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb)
-    scene = Scene(
+    return Scene(
         name=name,
         origin=origin,
         surface=surface,
@@ -487,8 +514,17 @@ def _scene_of_mesh(name: str, path: Path, progress: Progress | None) -> Scene:
         start=frame_camera(lower, upper),
         notes=_notes(name, mesh),
     )
-    report(progress, 1.0)
-    return scene
+
+
+def cloud_alone(points: Array, rgb: Colours | None, widths: float | None) -> Scene:
+    """Return a scene of dots (n, 3) in world coordinates over a ground, and nothing else."""
+    ends = np.stack([points.min(axis=0), points.max(axis=0)])
+    if (ends[0] == ends[1]).all():  # one point has no size
+        ends += ((-0.5,), (0.5,))
+    none, ints = np.empty((0, 2, 3)), np.empty(0, dtype=np.int64)
+    rgb_of_none = np.empty((0, 3), dtype=np.uint8)
+    mesh = Finished(ends, ints, ints, rgb_of_none, none, none, none[:, 0], rgb_of_none, [])
+    return _finished_scene("cloud", mesh).with_cloud(points, rgb, widths)
 
 
 def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:

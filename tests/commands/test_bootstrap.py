@@ -132,7 +132,7 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands", "document", "model"):
+    for folder in ("commands/content", "document", "model"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     (checkout.root / "widgets").mkdir()
     (checkout.root / "widgets" / "__init__.py").touch()
@@ -143,6 +143,7 @@ def fresh(tmp_path: Path) -> Checkout:
             "commands/options.py",
             "commands/terminal.py",
             "commands/doctor.py",
+            "commands/content/options.md",
         ),
         *("document/__init__.py", "document/lengths.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
@@ -947,6 +948,7 @@ def test_the_environment_of_a_folder_that_is_read_only_is_the_users(
         ("ERROR: [WinError 5] Access is denied", "close all windows"),
         ("ERROR: [Errno 13] Permission denied: '/opt'", "a folder that you may write to"),
         ("WARNING: Retrying (Retry(total=4)) after connection broken", "check the network"),
+        ("ERROR: What nobody has seen yet", r"\(What nobody has seen yet\); .* doctor says more"),
     ],
 )
 def test_what_helps_depends_on_the_cause(

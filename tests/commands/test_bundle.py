@@ -95,7 +95,7 @@ def test_without_pyinstaller_one_sentence_says_how_to_get_it(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(importlib.util, "find_spec", lambda _name: None)
-    with pytest.raises(CliError, match=r"needs PyInstaller.*-m pip install 'pyinstaller>=\d.*<\d"):
+    with pytest.raises(CliError, match=r"needs PyInstaller.*pip install ['\"]pyinstaller>=\d.*<\d"):
         bundle.run([str(tmp_path / "out")])
     assert list(tmp_path.iterdir()) == []
 

@@ -34,7 +34,9 @@ def place(wheel: Path) -> Path:
     folder = wheel.parent / "notebooks"
     folder.mkdir()
     for name in ("app", "widgets"):
-        (folder / f"{name}.py").write_text(f"raise SystemExit('{name}.py is imported')\n")
+        (folder / f"{name}.py").write_text(
+            f"raise SystemExit('{name}.py is imported')\n", encoding="utf-8"
+        )
     return folder
 
 

@@ -1132,7 +1132,8 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"frame_step": 3}, f".frame_step = 3: must be one of {', '.join(STEPS)}."),
     ({"panel": "precision"}, f".panel = 'precision': {NO_PANEL}"),
     ({"panel": None}, f".panel = null: {NO_PANEL}"),
-    ({"letters": "uvn"}, f".letters = 'uvn': must be one of {', '.join(LETTERS)}."),
+    ({"letters": "uvn"}, f".letters = 'uvn': must be one of {', '.join(LETTERS)}, or a file of"
+     " letters of at most 10000 characters."),
     ({"layers": "grid"}, f".layers = 'grid': {NO_LAYERS}"),
     ({"layers": ["sky"]}, f".layers = ['sky']: {NO_LAYERS}"),
     ({"layers": [["grid"]]}, f".layers = [['grid']]: {NO_LAYERS}"),

@@ -14,7 +14,7 @@ import pytest
 from app.lecture.equation import MOST_FACTORS, Equation, equation_of, latex_cell
 from app.lecture.letters import LETTERS, Letters, latex_formula
 from app.lecture.notation import matrices, steps_of_a_point
-from app.lecture.paper import displayed
+from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.model.chain import Chain, FiveTiles, lettered_kinds
 from app.model.projection import Projection
 from app.model.refusal import Refusal
@@ -76,11 +76,21 @@ def test_matrices_in_latex(lens: str, depth: str, letters: Letters, rows: bool, 
     values = tex_values(projection, letters, rows)
     for is_in_letters in (True, False):
         named, checked = dict[str, Any](), 0
-        for matrix in matrices(projection, letters, rows=rows, running=True):
-            tex = displayed(matrix, letters, symbols=is_in_letters, numbers=not is_in_letters)
-            body = re.sub(r"(?m)^%.*|\\\w+\{aligned\}|\\tiny|\\\w*size|\\small", "", tex)
+        for matrix, width_pt in product(
+            matrices(projection, letters, rows=rows, running=True), (TEXT_WIDTH_PT, 239.0)
+        ):
+            tex = displayed(
+                matrix, letters, symbols=is_in_letters, numbers=not is_in_letters, text_pt=width_pt
+            )
+            assert r"\tiny" not in tex
+            body = re.sub(r"(?m)^%.*|\\\w+\{aligned\}|\\\w*size|\\small", "", tex)
             (body,) = re.findall(r"\\\[(.*)\\\]", body, re.DOTALL)
-            parts = sides(body, values, named)
+            cells = re.findall(r"&?(\w_\{\d\d\}) &?= \\textstyle (.*?)(?: \\\\)?\n", body)
+            given = {name: value(cell, values) for name, cell in cells}
+            for name in given.keys() & values.keys():  # p_ij is no other cell
+                assert given[name] == pytest.approx(values[name], rel=1e-12, abs=1e-13)
+            body = re.sub(r"(?: \\\\)?\n&?\w_\{\d\d\} &?= \\textstyle .*", "", body)
+            parts = sides(body, {**values, **given}, named)
             assert_equal(parts)
             checked += len(parts) > 2
         assert checked >= (2 if letters in ("000", "002", "003") or lens == "matrix" else 4)

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QFileDialog
 
 from app.document.view import View
 from app.drawings import DrawingWords
@@ -56,6 +59,30 @@ def test_panes_and_panels_are_written_in_the_letters_that_are_chosen(window: Mai
     choose(window, "own")
     settle()
     assert window.look.words["n"] == "n" and window.look.words["up"] == "up"
+
+
+@pytest.mark.undrawn
+def test_letters_of_a_file_are_chosen_kept_and_refused(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    own, bad = tmp_path / "letters.toml", tmp_path / "bad.toml"
+    own.write_text('[vectors]\nn = "k"\neye = "C"\n[matrices]\nview_from_world = "V"\n')
+    bad.write_text('[vectors]\nn = "$"\n')
+    window.panels.open(window.matrices)
+    for path in (own, bad):
+        monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, path=path: (str(path), ""))
+        window.matrices.file.click()
+        settle()
+        assert window.look.words["n"] == "k" and window.store.seen.view.letters == own.read_text()
+    assert "line 2: n = '$': must be a Latin letter" in window.matrices.explanation.text()
+    assert window.matrices.shown[0].called == "V" and window.matrices.letters.count() == 7
+    choose(window, "003")
+    window.store.set_view(letters='[vectors]\nn = "m"\n')
+    settle()
+    assert window.matrices.letters.count() == 7
+    window.matrices.choose_letters('[vectors]\nn = "m"\n')
+    settle()
+    assert window.look.words["n"] == "m" and window.matrices.letters.currentText() == "of a file"
 
 
 @pytest.mark.undrawn

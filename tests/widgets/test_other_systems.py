@@ -158,6 +158,7 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
             return self.text.replace("Ctrl+", "⌘").replace("Shift+", "⇧").replace("Alt+", "⌥")
 
     texts = "Find it (Ctrl+F)", "press Ctrl+2.", "as Ctrl+Shift+S; Alt+Right", "a + b"
+    monkeypatch.setattr(sys, "platform", "linux")
     assert [*map(plain.with_native_keys, texts)] == [*texts]
     monkeypatch.setattr(sys, "platform", "darwin")
     monkeypatch.setattr(plain, "QKeySequence", Keys)
@@ -168,6 +169,7 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
 
 def test_on_macos_each_function_key_has_a_second_way(monkeypatch: pytest.MonkeyPatch) -> None:
     keys = ["F4", "F5", "Shift+F5", "F6", "F7", "Ctrl+F", "B"]
+    monkeypatch.setattr(sys, "platform", "linux")
     assert [ways_to_press(key) for key in keys] == [[QKeySequence(key)] for key in keys]
     monkeypatch.setattr(sys, "platform", "darwin")
     ways = [[way.toString() for way in ways_to_press(key)] for key in keys]

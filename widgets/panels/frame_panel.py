@@ -23,7 +23,7 @@ from app.lecture.camera_frame import (
     view_matrix,
 )
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.letters import frame_letters
+from app.lecture.letters import base_of, frame_letters
 from app.model.formula import ARROW
 from app.model.formula_text import stacked_fraction
 from app.model.parameters import tidy
@@ -115,7 +115,7 @@ class FramePanel(Panel):
 
     def _of_length_1(self, unit: str, whole: str, vector: str) -> str:
         """Divide a vector by its length; lecture 004 names the undivided vector."""
-        if lettering.now == "004":
+        if base_of(lettering.now) == "004":
             return f"{whole} = {vector},   {unit} = {stacked_fraction(whole, f'|{whole}|')}"
         return f"{unit} = {stacked_fraction(vector, f'|{vector}|')}"
 
@@ -276,7 +276,7 @@ class FramePanel(Panel):
             # Not before: at the start of the program the formulas' fonts would be read for it.
             self.formula.set_formula(self._lettered(self._steps[self.step].formula))
             step, camera = STEPS[self.step], self._projection.camera
-            has_wholes = lettering.now == "004"
+            has_wholes = base_of(lettering.now) == "004"
             self.numbers.set_formula(self._lettered(_numbers(step, camera, read_text, has_wholes)))
             exact = self._lettered(_numbers(step, camera, format_value, has_wholes))
             self.numbers.set_exact(in_line(exact))

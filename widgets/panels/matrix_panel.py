@@ -10,14 +10,15 @@ Nothing is computed while the panel is folded. A drag counts as one change of th
 
 from collections.abc import Sequence
 from functools import partial
-from typing import Any, cast
+from typing import Any
 
 import numpy as np
 from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton
+from PySide6.QtWidgets import QCheckBox, QFileDialog, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
+from app.document.files import read_letters
 from app.lecture.copying import as_latex, as_numpy, as_text
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import LETTERS, Letters
@@ -130,6 +131,11 @@ class MatrixPanel(ReadablePanel):
         for box in (self.cells, self.vectors, self.letters):
             box.currentIndexChanged.connect(self._readable.changed)
         self.letters.currentIndexChanged.connect(lambda _: self.letters_changed.emit(self._letters))
+        self.file = tool_button(
+            "\u2026", self.tr("Take letters of your own from a file, letters.toml"),
+            name=self.tr("Letters of a file"),
+        )  # fmt: skip
+        self.file.clicked.connect(self._ask_for_letters)
         self.running = QCheckBox(self.tr("Running products"))
         set_tip(
             self.running,
@@ -150,13 +156,32 @@ class MatrixPanel(ReadablePanel):
         self.explanation.setAccessibleDescription(self.tr("About the cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
-        bar = in_row(self.cells, self.vectors, self.letters, self.running, FREE, self.copy)
+        bar = in_row(
+            self.cells, self.vectors, self.letters, self.file, self.running, FREE, self.copy
+        )
         parts = (bar, (self._row, 1), self.explanation)
         in_column(*parts, on=self, margins=(2, 0, 2, 2), gap=2)
 
     @property
     def _letters(self) -> Letters:
-        return cast(Letters, self.letters.currentData())
+        return str(self.letters.currentData())
+
+    def choose_letters(self, letters: Letters) -> None:
+        """Take a lecture's letters, or those of a file, which stand last in the list."""
+        if self.letters.findData(letters) < 0:
+            self.letters.removeItem(len(LETTERS))
+            self.letters.addItem(self.tr("of a file"), letters)
+        self.letters.setCurrentIndex(self.letters.findData(letters))
+
+    def _ask_for_letters(self) -> None:
+        title, kinds = self.tr("Letters of a file"), self.tr("Letters (*.toml);;All files (*)")
+        path, _ = QFileDialog.getOpenFileName(self.window(), title, "", kinds)
+        if not path:
+            return
+        try:
+            self.choose_letters(read_letters(path))
+        except Refusal as error:
+            self._explain(refusal(sentence(error)), REFUSAL_SHEET)
 
     @property
     def _writing(self) -> MatrixNotation:

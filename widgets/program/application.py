@@ -45,6 +45,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app import __version__, python_packages, strangers
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
+from app.lecture.letters import Letters
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
 from widgets.parts.saving import png_of
 from widgets.program import opengl
@@ -79,6 +80,7 @@ class Options:
     nor written, and the theme is light, so that the picture is the same everywhere."""
     canvas: str | None = None  # ``"opengl"`` or ``"raster"``: how panes draw; None for the faster
     start_card: bool = True  # whether to offer the start card: no file and no value was given
+    letters: Letters | None = None  # for lessons, instead of their own
 
 
 def make_application() -> QApplication:
@@ -216,6 +218,7 @@ def run_window(
             window.resize(*options.size)
         elif settings.geometry is None and not options.screenshot:
             window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
+        window.lessons.letters = options.letters
         if lesson is not None:
             window.lesson_card.open(lesson)
         window.first_painted.connect(partial(_open_panes, window))

@@ -204,8 +204,7 @@ class Arrangement(QObject):
         self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))
-        letters = self._matrices.letters
-        letters.setCurrentIndex(letters.findData(view.letters))
+        self._matrices.choose_letters(view.letters)
         if (view.probes, view.pinned) != (self._probes.probes, self._probes.pinned):
             chosen = view.probes[-1].number if view.probes else 0
             self._probes.restore(view.probes, chosen, view.pinned)

@@ -21,6 +21,7 @@ from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
+from app.lecture.letters import Letters
 from app.lessons import transition
 from app.lessons.blocks.block import State
 from app.lessons.checking import CheckReport
@@ -83,6 +84,7 @@ class Lessons(QObject):
         self._stand_still, self._to_stage = stand_still, to_stage
         self._look_from, self._panes = look_from, panes
         self.player: Player | None = None  # the open lesson, as it is played
+        self.letters: Letters | None = None  # instead of those that lessons ask for
         self._clock = Clock(self)
         self._clock.ticked.connect(self._move)
         self._start = self._end = store.document
@@ -125,7 +127,7 @@ class Lessons(QObject):
     def open(self, path: str | Path, step: str = "") -> bool:
         """Open a lesson at its first step, or at the named one; emit the reason if that fails."""
         try:
-            course = Course(read(path))
+            course = Course(read(path, letters=self.letters))
         except Refusal as error:
             self._messages.show_message(named(error, Path(path)))
             return False
@@ -350,7 +352,7 @@ class Lessons(QObject):
         if str(path) not in self._watcher.files():  # editors replace the file
             self._watcher.addPath(str(path))
         try:
-            course = Course(read(path))
+            course = Course(read(path, letters=self.letters))
             if course.lesson == before.lesson:
                 self._emit_mistakes()
                 return
