@@ -39,6 +39,15 @@ def key_texts() -> set[str]:
     return {*groups, *(text for lines in groups.values() for line in lines for text in line)}
 
 
+def menu_texts() -> set[str]:
+    """The texts of the menus and the tool bar."""
+    from widgets.window.actions import menus
+
+    entries = [entry for menu in menus().values() for entry in menu.entries.values()]
+    texts = {menu.title for name, menu in menus().items() if name}
+    return texts.union(*((entry.text, entry.tip) for entry in entries)) - {""}
+
+
 def source() -> str:
     """Python that marks them all."""
     lines = (
@@ -48,6 +57,7 @@ def source() -> str:
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
             ("Help", key_texts()),
+            ("Actions", menu_texts()),
         )
         for text in sorted(texts)
     )

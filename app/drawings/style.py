@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
+from typing import Any
 
 from app.model.parameter import read_sections
 
@@ -85,17 +86,18 @@ def _luminance(colour: str) -> float:
     return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
-_PALETTES = read_sections(Path(__file__).with_name("content") / "palettes.md")
-LIGHT, DARK = (Style(**_PALETTES[name].named) for name in ("light", "dark"))
-PRINT = replace(LIGHT, on_paper=True, **_PALETTES["print"].named)
-CONTRAST = replace(PRINT, **_PALETTES["contrast"].named)
+_SECTIONS = read_sections(Path(__file__).with_name("content") / "palettes.md")
+_COLOURS: dict[str, dict[str, Any]] = {name: each.named for name, each in _SECTIONS.items()}
+LIGHT, DARK = Style(**_COLOURS["light"]), Style(**_COLOURS["dark"])
+PRINT = replace(LIGHT, on_paper=True, **_COLOURS["print"])
+CONTRAST = replace(PRINT, **_COLOURS["contrast"])
 PALETTES = {"screen": LIGHT, "print": PRINT, "dark": DARK, "contrast": CONTRAST}
 """The colours of figures; text of `print` is black, and nothing of `contrast` is below 7:1."""
 
 _TONES = {
     getattr(style, concept): tone
     for name, style in (("light", LIGHT), ("dark", DARK))
-    for concept, tone in _PALETTES[f"tones of {name}"].named.items()
+    for concept, tone in _COLOURS[f"tones of {name}"].items()
 }
 
 
