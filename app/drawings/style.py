@@ -94,7 +94,7 @@ CONTRAST = replace(PRINT, **_COLOURS["contrast"])
 PALETTES = {"screen": LIGHT, "print": PRINT, "dark": DARK, "contrast": CONTRAST}
 """The colours of figures; text of `print` is black, and nothing of `contrast` is below 7:1."""
 
-_TONES = {
+_TONES: dict[str, str] = {
     getattr(style, concept): tone
     for name, style in (("light", LIGHT), ("dark", DARK))
     for concept, tone in _COLOURS[f"tones of {name}"].items()
