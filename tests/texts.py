@@ -13,10 +13,13 @@ import json
 from pathlib import Path
 
 from app.lecture.kinds import KINDS
-from app.model.parameter import texts_of
+from app.model.lenses import LENSES, FreeMatrix
+from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
+
+EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
 def content_texts() -> set[str]:
@@ -31,12 +34,14 @@ def parameter_texts() -> set[str]:
     return {text for parameter in PARAMETERS.values() for text in texts_of(parameter)}
 
 
-def key_texts() -> set[str]:
-    """The texts of the help's table of keys."""
-    from widgets.window.help import key_groups
+def help_texts() -> set[str]:
+    """The texts of the Help menu, and of its table of keys."""
+    from widgets.window.help import ABOUT, key_groups
 
     groups = key_groups()
-    return {*groups, *(text for lines in groups.values() for line in lines for text in line)}
+    texts = {*groups, *(text for lines in groups.values() for line in lines for text in line)}
+    _, *about = read_sections(ABOUT).items()
+    return texts.union(*((heading, *section.text) for heading, section in about))
 
 
 def menu_texts() -> set[str]:
@@ -50,13 +55,25 @@ def menu_texts() -> set[str]:
 
 def source() -> str:
     """Python that marks them all."""
+    from widgets.parts.messages import FACTORS, SPACES
+
     lines = (
         f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
         for context, texts in (
             ("phenomena", content_texts()),
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
-            ("Help", key_texts()),
+            ("Help", help_texts()),
+            ("Space", set(SPACES.values())),
+            ("Factor", set(FACTORS.values())),
+            (
+                "Lens",
+                {
+                    text
+                    for lens in (*LENSES.values(), FreeMatrix)
+                    for text in (lens.title, lens.tip)
+                },
+            ),
             ("Actions", menu_texts()),
         )
         for text in sorted(texts)

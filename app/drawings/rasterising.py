@@ -41,6 +41,7 @@ from app.drawings.off_screen import pixels_of
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
+from app.model.parameter import read_content
 from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
@@ -67,7 +68,7 @@ _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 _POSITION, _VARYINGS = "//VTK::PositionVC::Impl", "//VTK::PositionVC::Dec"
 _COLOUR = "//VTK::TCoord::Impl"
 _DEPTH, _CHECKS, _FOG, _LEVEL = (
-    (Path(__file__).with_name("content") / f"{name}.glsl").read_text(encoding="utf-8")
+    read_content(Path(__file__).with_name("content") / f"{name}.glsl")
     for name in ("depth", "checks", "fog", "level")
 )
 

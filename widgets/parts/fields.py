@@ -30,6 +30,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
+from app.model.parameter import read_content
 from widgets.parts.gestures import Gestures
 from widgets.parts.icons import Combo
 from widgets.parts.labels import Balanced, RefusalLabel
@@ -45,7 +46,7 @@ _BY_KEYS = {
     Qt.FocusReason.BacktabFocusReason,
     Qt.FocusReason.ShortcutFocusReason,
 }
-_BUTTONS = (Path(__file__).with_name("content") / "buttons.qss").read_text(encoding="utf-8")
+_BUTTONS = read_content(Path(__file__).with_name("content") / "buttons.qss")
 
 
 class _NameLabel(Balanced):

@@ -10,7 +10,7 @@ from PySide6.QtGui import QColor, QFont, QFontInfo, QPalette
 from PySide6.QtWidgets import QApplication
 
 from app.drawings.style import DARK, LIGHT, Style
-from app.model.parameter import read_sections
+from app.model.parameter import read_content, read_sections
 from app.model.parameters import FAR, NEAR
 from widgets.parts.panel import faded
 
@@ -33,7 +33,7 @@ _OF_SHEET = _colours("Style sheet") | {
     NEAR.name: [LIGHT.near, DARK.near],
     FAR.name: [LIGHT.far, DARK.far],
 }
-_SHEET = Template((_CONTENT / "window.qss").read_text(encoding="utf-8"))
+_SHEET = Template(read_content(_CONTENT / "window.qss"))
 
 
 def _sheet(em: float, **colours: str) -> str:
