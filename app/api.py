@@ -52,7 +52,7 @@ from app.model.projection import (
     Trace,
     checked_points,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.mesh import Colours
@@ -85,23 +85,11 @@ Fit: TypeAlias = Literal["named", "frustum", "scene"]
 Ease: TypeAlias = Literal["linear", "log", "smooth"]
 Loop: TypeAlias = Literal["repeat", "once", "back-and-forth"]
 
-A_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm, or two numbers of pixels.",
-)
-A_LENGTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0}: must be a length in {1}, such as 84mm, or a number of pixels."
-)
 A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
 SOME_PANES = QT_TRANSLATE_NOOP("Refusal", "must be a text or a list of some of {0}")
 CLOUD = QT_TRANSLATE_NOOP("Refusal", "cloud: must have 1 to {1} points, and {0} were given.")
 A_DOT = QT_TRANSLATE_NOOP("Refusal", "must be from {0} to {1} points")
-SOME_COLOURS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up"
-    " to 255, or parts of 1",
-)
 MOST_DOTS = 1_000_000  # most points of a cloud
 DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
 _HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
@@ -406,7 +394,7 @@ def _rgb(colours: object, count: int) -> Colours:
         if whole.min() >= 0 and whole.max() <= 255:
             return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
     shown = colours if isinstance(colours, str) else getattr(given, "shape", colours)
-    raise Refusal("colours", shown, SOME_COLOURS, count)
+    raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 
 def _projection(of: Source) -> Projection:
@@ -434,7 +422,7 @@ def _size(size: str | Sequence[float] | None) -> Size | None:
         width, height = map(_real, size)
         return Size(width, height)
     except (ValueError, TypeError):  # of what is neither, such as 84
-        raise Refusal.saying(A_SIZE, repr(size), ", ".join(PX_PER)) from None
+        raise Refusal.saying(REFUSALS["a-size"], repr(size), ", ".join(PX_PER)) from None
 
 
 def _width(width: str | float | None) -> float | None:
@@ -443,7 +431,7 @@ def _width(width: str | float | None) -> float | None:
             return None if width is None else parse_length(width)
         return _real(width)
     except (ValueError, TypeError):
-        raise Refusal.saying(A_LENGTH, repr(width), ", ".join(PX_PER)) from None
+        raise Refusal.saying(REFUSALS["a-length"], repr(width), ", ".join(PX_PER)) from None
 
 
 def _points(size: str | float | None, name: str = "text_size") -> float | None:

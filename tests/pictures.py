@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import re
+import subprocess
 import sys
 import tempfile
 import textwrap
@@ -23,12 +24,14 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
+from app import api
 from app.bootstrap import ROOT
 from app.commands import cli
 from app.document.document import Document
 from app.document.view import View
 from app.drawings import kept_labels, label
 from app.drawings.figure import Figure
+from app.drawings.pdf import rastered
 from app.drawings.style import LIGHT
 from app.lecture import typesetting
 from app.measure.meaning import bargain, meaning
@@ -36,6 +39,7 @@ from app.measure.single import SHIPPED, read_results
 from app.model.formula import ARROW
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
+from tests import PATIENCE_S
 from tests.support.commands import run
 from widgets.parts.chart_picture import picture
 from widgets.window.start_card import THUMBNAIL_PX, tile_path
@@ -54,8 +58,61 @@ def _figure(panes: str, size: str, *values: str) -> tuple[str, ...]:
     return ("export", "--panes", panes, "--size", size, "--text-size", "3", *sets)
 
 
+_PRESENT = """
+import sys, time
+from PySide6.QtWidgets import QApplication, QWidget
+from app.commands.cli import main
+from widgets.window.main_window import MainWindow
+
+def grab(window):
+    window.present.begin()
+    end = time.monotonic() + 3.0
+    while time.monotonic() < end:
+        QApplication.processEvents()
+    return QWidget.grab(window).scaledToWidth(960)
+
+MainWindow.grab = grab
+sys.exit(main(sys.argv[1:]))
+"""
+_HELIX = np.linspace(0.0, 6.0 * np.pi, 2000)
+
+
+def _of_script(name: str) -> Figure:
+    """The figures that only scripts draw, or whose shapes PNG has not."""
+    if name == "figure-hidden.png":
+        return api.figure(api.load(), panes="world", size=(1280, 800), text_size=6, hidden="dashed")
+    helix = np.column_stack([np.cos(_HELIX), _HELIX / 4.0, np.sin(_HELIX)])
+    colours = np.column_stack([_HELIX / _HELIX[-1], 0.4 + 0.0 * _HELIX, 1.0 - _HELIX / _HELIX[-1]])
+    document = api.load("letter-f", "lens.near=2", "lens.fov_y_deg=40")
+    return api.figure(
+        document, cloud=helix, colours=colours, dot_size=1.5, size=(840, 320), text_size=3,
+        panes="world,image",
+    )  # fmt: skip
+
+
 PICTURES: dict[str, tuple[str, ...]] = {
     "window.png": ("--size", "1366x768", "--screenshot"),
+    "present.png": (
+        "--set", "view.slide=world,image", "--set", "view.controls=lens.near", "--screenshot",
+    ),
+    "film.gif": (
+        *_figure("world,image", "640x260", "lens.fov_y_deg=40"), "--sweep", "lens.near=2:7",
+        "--frames", "16", "--fps", "8", "--loop", "back-and-forth",
+    ),
+    "figure-panes.png": _figure("world,image", "840x320"),
+    "figure-text-size.png": (*_figure("world,image", "840x320"), "--text-size", "6"),
+    "figure-width.png": ("export", "--panes", "world", "--width", "50mm", "--text-size", "4"),
+    "figure-fit.png": (*_figure("world", "640x400"), "--fit", "frustum"),
+    "figure-crop.png": (*_figure("ndc", "640x400"), "--crop"),
+    "figure-print.png": (*_figure("world,image", "840x320"), "--palette", "print"),
+    "figure-hidden.png": ("script",),
+    "figure-equation.png": (
+        "export", "--panes", "equation", "--set", "view.equation=frustum", "--letters", "003",
+    ),
+    "figure-letters.png": (
+        *_figure("world", "640x400", "view.names=eye,n,near,far"), "--letters", "docs/letters.toml",
+    ),
+    "figure-cloud.png": ("script",),
     "lesson.png": (
         "app/lessons/content/l05-similar-triangles.md", "--size", "1366x768", "--screenshot",
     ),
@@ -106,6 +163,14 @@ def draw(name: str, path: Path) -> None:
         drawn = replace(results, trades=trades, sweeps=() if trades else results.sweeps)
         cost = "bytes" if "bytes" in command else "time"
         path.write_bytes(picture(drawn.by_cost(cost), path.name))
+    elif command[0] == "script":
+        figure = _of_script(name)
+        size, shapes = figure.shapes()
+        picture_px = Image.fromarray(rastered(shapes, size, 1.0)[..., :3])
+        picture_px.reduce(2 if size[0] > 1000.0 else 1).save(path)
+    elif name == "present.png":
+        words = [sys.executable, "-c", _PRESENT, *command, path]
+        subprocess.run(words, cwd=ROOT, check=True, timeout=PATIENCE_S)
     elif command[0] == "export":
         assert cli.main([*command, str(path)]) == 0, name
     else:

@@ -16,6 +16,7 @@ from app.lecture.kinds import KINDS
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
+from app.model.refusal import SENTENCES
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
@@ -53,6 +54,23 @@ def menu_texts() -> set[str]:
     return texts.union(*((entry.text, entry.tip) for entry in entries)) - {""}
 
 
+def sentence_texts() -> list[tuple[str, set[str]]]:
+    """The texts of the page of sentences, by their contexts."""
+    contexts = {section.partition("/")[0] for section in SENTENCES}
+    return [
+        (
+            each,
+            {
+                text
+                for name in SENTENCES
+                if name.startswith(each)
+                for text in SENTENCES[name].values()
+            },
+        )
+        for each in sorted(contexts)
+    ]
+
+
 def source() -> str:
     """Python that marks them all."""
     from widgets.parts.messages import FACTORS, SPACES
@@ -66,15 +84,9 @@ def source() -> str:
             ("Help", help_texts()),
             ("Space", set(SPACES.values())),
             ("Factor", set(FACTORS.values())),
-            (
-                "Lens",
-                {
-                    text
-                    for lens in (*LENSES.values(), FreeMatrix)
-                    for text in (lens.title, lens.tip)
-                },
-            ),
+            ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
+            *sentence_texts(),
         )
         for text in sorted(texts)
     )

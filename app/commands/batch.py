@@ -39,7 +39,7 @@ _NOT_OF_A_LINE = (
     "batch", "resume", "format", "sweep", "orbit", "stages", "transition", "frames", "fps", "loop",
     "help",
 )  # fmt: skip
-_YES = {"yes": True, "no": False}
+_YES = {"true": True, "yes": True, "false": False, "no": False}
 
 Draw = Callable[[argparse.Namespace, str, "str | None"], str]
 
@@ -228,7 +228,7 @@ def _asked(
             given[options[column].dest] = False
             words += [f"--{column}"] * _YES[cell]
         else:
-            raise CliError(f"{column} = {cell!r}: must be yes or no.")
+            raise CliError(f"{column} = {cell!r}: must be true or false.")
     asked, _ = parser.read([*words, "--", "out"])
     for name, value in vars(common).items():
         if name == "set":

@@ -30,7 +30,7 @@ from app.model.camera import (
 from app.model.limits import Array, positive
 from app.model.numerals import number
 from app.model.projection import Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.strangers import printable
 
 View: TypeAlias = Callable[[Projection], Projection]
@@ -43,34 +43,8 @@ MOST_VALUES = 1_000_000
 DEEPEST = 20
 LONGEST_NAME = 200
 
-OTHER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or"
-    " OpenCV's K, R, t",
-)
-BINARY = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is binary: write text with colmap model_converter --input_path IN --output_path OUT"
-    " --output_type TXT",
-)
-DISTORTED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is a lens with distortion, and here straight lines stay straight: undistort the pictures,"
-    " and use the camera of the new ones",
-)
 NO_PERSPECTIVE = QT_TRANSLATE_NOOP("Refusal", "is no perspective camera, and is not read")
 NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be {0} finite numbers")
-ROTATION = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a rotation: equally long axes at right angles, not mirrored"
-)
-NO_POSE = QT_TRANSLATE_NOOP(
-    "Refusal", "must have three numbers for each rotation, which has three or nine"
-)
-NO_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width"
-    " and image.height, or add image_width and image_height to the file",
-)
 NO_VIEW = QT_TRANSLATE_NOOP("Refusal", "has no camera: no camera_matrix, K or fx, and no frame")
 NO_XML = QT_TRANSLATE_NOOP("Refusal", "is not XML as OpenCV writes it: {0}")
 NO_CAMERA = QT_TRANSLATE_NOOP("Refusal", "has a CAMERA_ID that is not in cameras.txt")
@@ -124,7 +98,7 @@ def views_of(path: Path, text: str, beside: Callable[[str], str]) -> Views | Non
     tree = tree_of(text, MOST_VALUES)
     first = tree[0] if isinstance(tree, list) and tree else tree
     for key in _OTHER_KEYS.keys() & (first if isinstance(first, dict) else {}):
-        raise Refusal.in_document(OTHER, _OTHER_KEYS[key])
+        raise Refusal.in_document(REFUSALS["other"], _OTHER_KEYS[key])
     if not isinstance(tree, dict):
         return None
     if not isinstance(tree.get("frames"), list):
@@ -139,9 +113,9 @@ def refuse_others(path: Path) -> None:
     """Refuse the cameras of other programs by the name of their program."""
     name = os.path.basename(path).lower()
     if re.fullmatch(r"(cameras|images|points3d|frames|rigs)\.bin", name):
-        raise Refusal.in_document(BINARY)
+        raise Refusal.in_document(REFUSALS["binary"])
     if program := _OTHERS.get(os.path.splitext(name)[1]):
-        raise Refusal.in_document(OTHER, program)
+        raise Refusal.in_document(REFUSALS["other"], program)
 
 
 def _named(views: Iterable[tuple[str, View]], *, is_sure: bool = True) -> Views:
@@ -187,7 +161,7 @@ def _seen(
             raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
         is_distortion = name.startswith("dist") and not name.endswith("model")
         if (is_distortion or name in _DISTORTION) and any(_numbers(group, [name])):
-            raise Refusal.in_document(DISTORTED, field=key, value=value)
+            raise Refusal.in_document(REFUSALS["distorted"], field=key, value=value)
     size = _numbers(group, ("imagesize", "cameraresolution", "resolution"), 2)
     size = size or [side for names in _SIZES for side in _numbers(group, names, 1)]
     sides: Any = tuple(int(side) if side.is_integer() else side for side in size)
@@ -217,7 +191,7 @@ def _seen(
         at = [round(part, 6) for part in made.intrinsics[2:]]
         low, high = _MIDDLE
         if not all(low < part / side < high for part, side in zip(at, image, strict=True)):
-            raise Refusal.in_document(NO_SIZE, *image, field="cx, cy", value=at)
+            raise Refusal.in_document(REFUSALS["no-size"], *image, field="cx, cy", value=at)
     return made
 
 
@@ -237,7 +211,9 @@ def _placed(pose: Array, before: Camera) -> Camera:
     error = np.abs(axes.T @ axes - np.eye(3)).max()
     is_uneven = lengths.max() > lengths.min() * (1.0 + _TURNED)
     if error > _TURNED or is_uneven or np.linalg.det(axes) < 0.0:
-        raise Refusal.in_document(ROTATION, field="the pose", value=pose[:, :3].tolist())
+        raise Refusal.in_document(
+            REFUSALS["rotation"], field="the pose", value=pose[:, :3].tolist()
+        )
     distance = math.dist(eye.tolist(), before.target) or before.distance
     return Camera(eye.tolist(), (eye - distance * axes[:, 2]).tolist(), axes[:, 1].tolist())
 
@@ -320,7 +296,7 @@ def _poses(group: Group) -> list[Array]:
         count = max(1, len(moves) // 3)
         each = len(turns) // count
         if each not in (3, 9) or len(moves) != 3 * count or len(turns) != each * count:
-            raise Refusal.in_document(NO_POSE, field="t", value=moves)
+            raise Refusal.in_document(REFUSALS["no-pose"], field="t", value=moves)
         pairs = [(turns[i * each :][:each], moves[i * 3 :][:3]) for i in range(count)]
     return [
         world_from_opencv(

@@ -44,7 +44,7 @@ from app.document.view import read_view, view_tree
 from app.model.chain import A_CHAIN, Chain, FiveTiles
 from app.model.parameter import YES_OR_NO
 from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal, format_value, shown_name
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal, format_value, shown_name
 from app.precision.quality import Quality
 
 Path: TypeAlias = str | os.PathLike[str]
@@ -76,14 +76,8 @@ LONGEST_SHOWN = 60  # most characters of a key in a refusal
 
 MISSING = QT_TRANSLATE_NOOP("Refusal", "is missing")
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "is empty")
-BROKEN = QT_TRANSLATE_NOOP(
-    "Refusal", "is broken or cut short: the text from line {0}, column {1} on is not JSON"
-)
+BROKEN = REFUSALS["broken"]
 FOREIGN = QT_TRANSLATE_NOOP("Refusal", "is not a Frustum Lab document")
-NEWER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}",
-)
 VERSION_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a whole number, 1 or more")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "is given twice")
 FINITE_OR_INF = QT_TRANSLATE_NOOP("Refusal", "must be a finite number or inf")
@@ -196,7 +190,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
         raise Refusal.in_document(VERSION_NUMBER, field="version", value=version)
     if version > VERSION:
-        raise Refusal.in_document(NEWER, format_value(version), VERSION)
+        raise Refusal.in_document(REFUSALS["newer"], format_value(version), VERSION)
     for step in MIGRATIONS[version - 1 :]:
         tree = step(tree)
     try:

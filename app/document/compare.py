@@ -15,22 +15,13 @@ from typing import Any
 from app.model.chain import FiveTiles
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane
 
-SOME_PICTURES = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a list of 2 to {0} pictures, exactly one of them the document's own"
-)
-SOME_DIVIDERS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for"
-    " side by side",
-)
-ONLY_OF_THE_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE"
-)
+SOME_PICTURES = REFUSALS["some-pictures"]
+SOME_DIVIDERS = REFUSALS["some-dividers"]
 HELD_ELSEWHERE = QT_TRANSLATE_NOOP("Refusal", "must be the document's own, {0}")
 NAME_ENDS = ": "  # separates the name of a picture from its values
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
@@ -69,7 +60,7 @@ class ComparedPicture:
         for change in self.changes:
             path, equals, _ = change.partition("=")
             if not equals or path.strip().partition(".")[0] not in PARTS:
-                raise Refusal("set", change, ONLY_OF_THE_PICTURE)
+                raise Refusal("set", change, REFUSALS["only-of-the-picture"])
 
 
 def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float]) -> None:

@@ -33,7 +33,7 @@ from app.model.projection import (
     Projection,
     kinds,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.shapes import LETTER_F
@@ -43,9 +43,6 @@ MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")
 
 SCENE_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the name of a scene or of a mesh file")
 MESH_NAME = QT_TRANSLATE_NOOP("Refusal", "must be the path of a mesh file ({0}), or empty for none")
-NO_MESH_HERE = QT_TRANSLATE_NOOP(
-    "Refusal", "cannot be shown in the scene {0}, which needs its own objects"
-)
 FIXED = QT_TRANSLATE_NOOP("Refusal", "cannot be moved in the scene {0}, whose objects are fixed")
 
 
@@ -92,7 +89,9 @@ class Document:
                 bound = MESH_NAME, ", ".join(MESH_ENDINGS)
                 raise Refusal.in_document(*bound, field="mesh", value=self.mesh)
             if phenomenon is None or not phenomenon.own_mesh:
-                raise Refusal.in_document(NO_MESH_HERE, self.scene, field="mesh", value=self.mesh)
+                raise Refusal.in_document(
+                    REFUSALS["no-mesh-here"], self.scene, field="mesh", value=self.mesh
+                )
         if self.extra:  # a key unknown to the previous lens may be a field of the current one
             left = unknown(self.extra, self.scene, self.projection.lens.kind, self.view.panes)
             object.__setattr__(self, "extra", left)
@@ -126,11 +125,6 @@ _UNIT = re.compile(r"(?<=[0-9.])\s{0,2}([°×]|1/w|[a-z]{1,5})(?=[\s,)\]]|$)")
 THREE_BY_THREE = QT_TRANSLATE_NOOP("Refusal", "must be three rows of three finite numbers")
 THREE_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be three rows of four finite numbers")
 POINTS = QT_TRANSLATE_NOOP("Refusal", "must be the numbers x, y, z of each point in turn")
-LOOKS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or"
-    " ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)",
-)
 SECTIONS = ("settings", "object", "camera", "lens", "image", "quality", "view")
 
 
@@ -232,11 +226,13 @@ TEXT = FieldKind(str)
 NUMBER = FieldKind(number, (FINITE_NUMBER,))
 NUMBER_OR_WORD = FieldKind(_number_or_word)
 PIXELS = FieldKind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
-SWITCH = FieldKind(lambda text: {"true": True, "false": False}.get(text, text))
+SWITCH = FieldKind(
+    lambda text: {"true": True, "yes": True, "false": False, "no": False}.get(text, text)
+)
 VECTOR = FieldKind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
 MATRIX = FieldKind(_matrix, (FOUR_BY_FOUR,))
 PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (POINTS,))
-PANES = FieldKind(_looks, (LOOKS,))
+PANES = FieldKind(_looks, (REFUSALS["looks"],))
 NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
 
 

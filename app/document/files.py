@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING
 from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.lecture.letters import LONGEST_FILE, Letters, lettering
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 from app.strangers import decode, log_warning, open_regular
 
 if TYPE_CHECKING:
@@ -39,29 +39,10 @@ TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "is larger than {0} MiB")
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "does not exist")
 FOLDER = QT_TRANSLATE_NOOP("Refusal", "is a folder, not a file")
 WRITE_PROTECTED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: it is write-protected")
-NOT_REGULAR = QT_TRANSLATE_NOOP(
-    "Refusal", "cannot be written: it is a pipe or a device, not a regular file"
-)
 UNREADABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be read: {0}")
 UNWRITABLE = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0}")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "is not a name that a file can have")
 CLOUDS = frozenset({".xyz", ".pts", ".pcd", ".las", ".laz", ".e57"})
-CLOUD = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points”"
-    " reads a table of x, y, z",
-)
-BROKEN_PICTURE = QT_TRANSLATE_NOOP(
-    "Refusal", "is not a complete PNG picture: it is damaged or cut short"
-)
-NEITHER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a"
-    " camera file (.json, .yml, .xml, cameras.txt, images.txt)",
-)
-VIEWS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be followed by # and the number, up to {0}, or the name of a view: {1}"
-)
 NO_VIEWS = QT_TRANSLATE_NOOP("Refusal", "is a document, and has no view {0}")
 PLAIN_PICTURE = QT_TRANSLATE_NOOP("Refusal", "is a picture without a Frustum Lab document in it")
 
@@ -155,8 +136,8 @@ def read(
             if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
                 raise
             if ending == ".png":
-                raise Refusal.in_document(BROKEN_PICTURE) from error
-            raise Refusal.in_document(NEITHER, ", ".join(MESH_ENDINGS)) from error
+                raise Refusal.in_document(REFUSALS["broken-picture"]) from error
+            raise Refusal.in_document(REFUSALS["neither"], ", ".join(MESH_ENDINGS)) from error
 
 
 def split_view(path: Path) -> tuple[str, str]:
@@ -208,7 +189,7 @@ def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) 
     if sum(alike) == 1:
         return names[alike.index(True)]
     some = ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")
-    raise Refusal.in_document(VIEWS, len(names), some)
+    raise Refusal.in_document(REFUSALS["views"], len(names), some)
 
 
 def holds_document(path: Path) -> bool:
@@ -225,7 +206,7 @@ def _read_bytes(path: Path) -> bytes:
         raise Refusal.in_document(FOLDER)
     ending = os.path.splitext(path)[1].lower()
     if ending in CLOUDS and os.path.exists(path):
-        raise Refusal.in_document(CLOUD, ending)
+        raise Refusal.in_document(REFUSALS["cloud"], ending)
     with open_regular(path) as file:
         is_picture = file.read(len(_PNG)) == _PNG
     return content_of(path, LARGEST_PICTURE if is_picture else LARGEST_CAMERAS)
@@ -247,7 +228,7 @@ def extract(png: bytes, keyword: str = FORMAT) -> str | None:
         begin = keyword.encode() + b"\0"
         texts = [_text(body, begin) for kind, body in chunks(png) if kind == b"iTXt"]
     except (ValueError, struct.error, zlib.error) as error:
-        raise Refusal.in_document(BROKEN_PICTURE) from error
+        raise Refusal.in_document(REFUSALS["broken-picture"]) from error
     return next((text for text in texts if text is not None), None)
 
 
@@ -332,7 +313,7 @@ def _mode_to_keep(target: str) -> int | None:
     if stat.S_ISDIR(mode):
         raise Refusal.in_document(FOLDER)
     if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
-        raise Refusal.in_document(NOT_REGULAR)
+        raise Refusal.in_document(REFUSALS["not-regular"])
     if not os.access(target, os.W_OK):  # replacing it would bypass its owner's write protection
         raise Refusal.in_document(WRITE_PROTECTED)
     return mode

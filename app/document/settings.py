@@ -30,26 +30,21 @@ from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
 from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value, nearest, shown_name
+from app.model.refusal import (
+    QT_TRANSLATE_NOOP,
+    REFUSALS,
+    Refusal,
+    format_value,
+    nearest,
+    shown_name,
+)
 from app.scenes.phenomena import PHENOMENA
 
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
 OTHER_LENS = QT_TRANSLATE_NOOP("Refusal", "belongs to another lens: set lens.kind as well ({0})")
 OTHER_SCENE = QT_TRANSLATE_NOOP("Refusal", "belongs to another scene: set scene as well ({0})")
-CONTRADICTS = QT_TRANSLATE_NOOP(
-    "Refusal", "cannot be set together with {0}: both decide what the lens sees"
-)
+CONTRADICTS = REFUSALS["contradicts"]
 EITHER = QT_TRANSLATE_NOOP("Refusal", "cannot be set together with {0}, which it replaces")
-NO_SENSOR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is"
-    " lens.focal_length_mm",
-)
-COMPARED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of"
-    " a picture, | between pictures, and NAME: before a picture that has a name",
-)
 NO_EQUALS = QT_TRANSLATE_NOOP("Refusal", "must be written as NAME=VALUE")
 
 Values: TypeAlias = dict[str, Any]
@@ -219,7 +214,7 @@ def _focal_px(values: Values, image: tuple[int, int], now: Intrinsics) -> tuple[
             raise Refusal.in_document(MISSING, field="lens.focal_mm")
         focal_mm = positive("focal_mm", values["focal_mm"])
         if not values.keys() & {*sides}:
-            raise Refusal("focal_mm", focal_mm, NO_SENSOR)
+            raise Refusal("focal_mm", focal_mm, REFUSALS["no-sensor"])
         fx, fy = (
             focal_mm * pixels / positive(side, values[side]) if side in values else None
             for side, pixels in zip(sides, image, strict=True)
@@ -358,7 +353,7 @@ def compared(document: Document, name: str) -> Document:
     ready = {each.name: each for each in phenomenon.words.comparisons} if phenomenon else {}
     if name not in ready:
         names = ", ".join(ready) or "none"
-        raise Refusal.in_document(COMPARED, names, field="view.compare", value=name)
+        raise Refusal.in_document(REFUSALS["compared"], names, field="view.compare", value=name)
     pictures = [ComparedPicture(*each) for each in ready[name].pictures]
     states = [pictured(document, picture) for picture in pictures]
     own = states.index(document) if document in states else len(states) - 1

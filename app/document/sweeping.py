@@ -9,22 +9,14 @@ from typing import NamedTuple
 from app.document.document import Document, fields_of
 from app.model.numerals import numbers
 from app.model.projection import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 EASES = ("linear", "log", "smooth")
 LOOPS = ("repeat", "once", "back-and-forth")
 FRAMES, FPS = 48, 25.0  # frames, and frames a second, unless others are asked for
 MOST_FRAMES, FASTEST = 1000, 50  # players slow a GIF down that asks for more frames a second
 
-A_SWEEP = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "sweep = {0}: must be NAME=FIRST:LAST with finite numbers, such as lens.near=0.5:8 or "
-    "camera.eye=3,2,4:0,2,5.",
-)
 TWICE = QT_TRANSLATE_NOOP("Refusal", "sweep = {0}: {1} is swept already.")
-NO_RATIO = QT_TRANSLATE_NOOP(
-    "Refusal", "ease = log: {0} has no equal ratios from {1} to {2}; choose linear."
-)
 SOME_FRAMES = QT_TRANSLATE_NOOP("Refusal", "frames = {0}: must be a whole number from 2 to {1}.")
 EVEN_FRAMES = QT_TRANSLATE_NOOP("Refusal", "frames = {0}: must be even to go back and forth.")
 A_SPEED = QT_TRANSLATE_NOOP("Refusal", "fps = {0}: must be from 1 to {1}.")
@@ -48,7 +40,7 @@ def parse_sweeps(texts: Sequence[str]) -> list[ValueSweep]:
         except ValueError:
             first = last = None
         if not first or not last or len(first) != len(last):
-            raise Refusal.saying(A_SWEEP, repr(text))
+            raise Refusal.saying(REFUSALS["a-sweep"], repr(text))
         if path.strip() in sweeps:
             raise Refusal.saying(TWICE, repr(text), path.strip())
         sweeps[path.strip()] = ValueSweep(path.strip(), first, last)
@@ -74,7 +66,9 @@ def swept(
             value = first * (1.0 - part) + last * part
             if ease == "log" and 0.0 < part < 1.0 and first != last:
                 if first * last <= 0.0:
-                    raise Refusal.saying(NO_RATIO, sweep.path, f"{first:g}", f"{last:g}")
+                    raise Refusal.saying(
+                        REFUSALS["no-ratio"], sweep.path, f"{first:g}", f"{last:g}"
+                    )
                 value = first * (last / first) ** part
             value = float(round(value)) if sweep.path in whole else value
             texts.append(repr(value).removesuffix(".0"))

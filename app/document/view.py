@@ -24,7 +24,7 @@ from app.model.limits import (
     within,
 )
 from app.model.projection import Camera
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
@@ -50,15 +50,7 @@ SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names 
 SOME_CONTROLS = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names of values")
 AN_EQUATION = QT_TRANSLATE_NOOP("Refusal", "must be a text")
 SOME_PROBES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} probes")
-A_PROBE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be three numbers for a point, four with w, two for the ray of a pixel, or null for no"
-    " probe",
-)
 PROBE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be a list of the numbers of probes")
-SOME_NAMES = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a list of at most {0} different names, or only *"
-)
 
 
 @dataclass(frozen=True)
@@ -110,7 +102,7 @@ class View:
             where = f"probes[{probe.number - 1}]"
             given = [x for x in (probe.point, probe.pixel, probe.direction) if x is not None]
             if len(given) != 1:
-                raise Refusal(where, None, A_PROBE)
+                raise Refusal(where, None, REFUSALS["a-probe"])
             if probe.pixel is not None:
                 for part in probe.pixel:
                     within(where, real(where, part), 0.0, LARGEST_IMAGE_PX)
@@ -159,7 +151,7 @@ def _check_names(names: tuple[str, ...] | None) -> None:
         return
     texts = [name for name in names if isinstance(name, str) and name.strip() not in ("", "*")]
     if len(texts) != len(names) or len(set(texts)) != len(texts) or len(texts) > MOST_NAMES:
-        raise Refusal("names", list(names), SOME_NAMES, MOST_NAMES)
+        raise Refusal("names", list(names), REFUSALS["some-names"], MOST_NAMES)
 
 
 AS_EVER = View()  # the default view
@@ -217,7 +209,7 @@ def _probe(number: int, part: Any) -> Probe:
     where = f"probes[{number - 1}]"
     count = len(part) if isinstance(part, list) else 0
     if count not in (2, 3, 4) or not all(map(_is_number, part)):
-        raise Refusal(where, part, A_PROBE)
+        raise Refusal(where, part, REFUSALS["a-probe"])
     if count == 2:
         return Probe(number, pixel=(real(where, part[0]), real(where, part[1])))
     if count == 3:
@@ -242,7 +234,7 @@ def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
 _ONE_OR_NONE = {"panel": PANELS, "fixed": FIXED}
 _LISTS: dict[str, tuple[Any, ...]] = {
     "layers": (frozenset, Hashable, SOME_OF, ", ".join(LAYERS)),
-    "names": (tuple, Hashable, SOME_NAMES, MOST_NAMES),
+    "names": (tuple, Hashable, REFUSALS["some-names"], MOST_NAMES),
     "pinned": (frozenset, Hashable, PROBE_NUMBERS),
     "slide": (tuple, str, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)),
     "controls": (tuple, str, SOME_CONTROLS, MOST_ON_SLIDE),

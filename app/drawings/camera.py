@@ -212,7 +212,7 @@ class CameraDrawing(Layer):
     def settle(self) -> None:
         """Move eye, target and axes before what would hide them."""
         state = self._state
-        pane, standing, near = state.own.pane, state.standing, state.nearest
+        pane, standing, near = state.own.pane, state.standing, state.own.depths[0]
         eye, target = standing.eye, standing.target
         for space, point, on_top in (
             (self._eye_space, eye, 1.01),

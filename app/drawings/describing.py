@@ -14,7 +14,7 @@ from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
 from app.model.limits import PLANES
 from app.model.projection import Projection, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import DESCRIPTION, QT_TRANSLATE_NOOP, SENTENCES
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
 from app.precision.risks import NO_PICTURE, risks
 from app.scenes.phenomena.words import digits_apart, figure
@@ -22,55 +22,18 @@ from app.scenes.scene import Scene
 
 Translate = Callable[[str, str], str]  # from a text and its context to the text in another language
 
-CONTENT = QT_TRANSLATE_NOOP(
-    "Description", "The file is drawn with triangles: {0}, lines: {1}, points: {2}."
-)
 CAMERA = QT_TRANSLATE_NOOP("Description", "The eye is at ({0}) and looks at ({1}).")
 LENS = QT_TRANSLATE_NOOP("Description", "Lens: {0}, near {1}, far {2}.")
 ANGLE = QT_TRANSLATE_NOOP("Description", "The vertical field of view is {0}°.")
 NO_PLANES = QT_TRANSLATE_NOOP("Description", "Lens: {0}.")
-WORLDS = {
-    "": QT_TRANSLATE_NOOP("Description", "World: the scene from a free viewpoint."),
-    "side": QT_TRANSLATE_NOOP(
-        "Description", "World: the scene from the camera's side, in parallel projection."
-    ),
-    "top": QT_TRANSLATE_NOOP(
-        "Description", "World: the scene from above the camera, in parallel projection."
-    ),
-    "axis": QT_TRANSLATE_NOOP(
-        "Description", "World: the scene along the camera's axis, in parallel projection."
-    ),
-    "eye": QT_TRANSLATE_NOOP("Description", "World: the scene as the camera sees it."),
-}
+WORLDS = SENTENCES["Description/worlds"]
 AT_A_STAGE = QT_TRANSLATE_NOOP("Description", "Cube: the scene in {0} coordinates.")
-BETWEEN_STAGES = QT_TRANSLATE_NOOP(
-    "Description", "Cube: the scene on its way from {0} to {1} coordinates."
-)
-STAGES = (
-    QT_TRANSLATE_NOOP("Description", "world"),
-    QT_TRANSLATE_NOOP("Description", "view"),
-    QT_TRANSLATE_NOOP("Description", "canonical perspective"),
-    QT_TRANSLATE_NOOP("Description", "canonical parallel"),
-    QT_TRANSLATE_NOOP("Description", "normalized device"),
-    QT_TRANSLATE_NOOP("Description", "image"),
-)
+STAGES = tuple(SENTENCES["Description/stages"].values())
 IMAGE = QT_TRANSLATE_NOOP("Description", "Image: the picture, {0} by {1} pixels.")
 EQUATION = QT_TRANSLATE_NOOP("Description", "Equation: {0}.")
 COMPARED = QT_TRANSLATE_NOOP("Description", "{0} pictures are compared.")
 POINT = QT_TRANSLATE_NOOP("Description", "Point {0} at ({1}) has its picture at the pixel ({2}).")
-DIRECTION = QT_TRANSLATE_NOOP(
-    "Description", "Point {0}, at infinity in the direction ({1}), has its picture at ({2})."
-)
 NOWHERE = QT_TRANSLATE_NOOP("Description", "Point {0} has no picture.")
-ALL_INSIDE = QT_TRANSLATE_NOOP(
-    "Description", "All of the scene's objects lie inside the view volume."
-)
-BEYOND = QT_TRANSLATE_NOOP(
-    "Description", "Parts of the scene's objects lie outside of these planes: {0}."
-)
-BEHIND = QT_TRANSLATE_NOOP(
-    "Description", "Parts of the scene's objects lie behind the eye, where a point has no picture."
-)
 
 
 def in_english(text: str, _context: str) -> str:
@@ -117,7 +80,9 @@ def describe(
         general.append(in_letters(explanation, letters))
     own = int(scene.own_lines.sum()), scene.dot_count
     if any(own):
-        general.append(translate(CONTENT, "Description").format(scene.triangles, *own))
+        general.append(
+            translate(DESCRIPTION["content"], "Description").format(scene.triangles, *own)
+        )
     general += [*_camera(projection, translate), *_points(document, translate)]
     risky = []
     if scene.has_vertices:
@@ -136,7 +101,7 @@ def describe(
         said.append(in_letters(warning, letters))
     cut = list(_cut(projection, scene))
     if any(risk.template == NO_PICTURE for risk in risky):  # which says more
-        cut = [each for each in cut if each[0] != BEYOND]
+        cut = [each for each in cut if each[0] != DESCRIPTION["beyond"]]
     return Description(
         title,
         tuple(general),
@@ -181,7 +146,7 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
             trace = document.projection.trace(probe.point)
         pixels.append(trace.image.tolist())
     for probe, place, pixel in zip(probes, _rows(*places), _rows(*pixels), strict=True):
-        template = POINT if probe.direction is None else DIRECTION
+        template = POINT if probe.direction is None else DESCRIPTION["direction"]
         template = NOWHERE if "nan" in pixel else template
         yield translate(template, "Description").format(probe.number, place, pixel)
 
@@ -189,7 +154,7 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
 def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> str:
     view, projection = document.view, document.projection
     if pane == "world":
-        said = translate(WORLDS[seen_from(view, scene)], "Description")
+        said = translate(WORLDS[seen_from(view, scene) or "free"], "Description")
     elif pane == "equation":
         said = translate(EQUATION, "Description").format(view.equation)
     elif pane == "ndc":
@@ -211,7 +176,7 @@ def _stage(at: float, projection: Projection, translate: Translate) -> str:
         stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
     ]
     names = [translate(STAGES[stop], "Description") for stop in stops]
-    template = AT_A_STAGE if stops[0] == stops[1] else BETWEEN_STAGES
+    template = AT_A_STAGE if stops[0] == stops[1] else DESCRIPTION["between-stages"]
     return translate(template, "Description").format(*names)
 
 
@@ -229,11 +194,11 @@ def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]
     beyond[beyond[:, 0] | is_behind, 1:] = False
     planes = [plane for plane, outside in zip(PLANES, beyond.T, strict=True) if outside.any()]
     if planes:
-        yield BEYOND, planes
+        yield DESCRIPTION["beyond"], planes
     if is_behind.any():
-        yield BEHIND, []
+        yield DESCRIPTION["behind"], []
     if not projection.trace(scene.objects_box, "object").outside.any():
-        yield ALL_INSIDE, []
+        yield DESCRIPTION["all-inside"], []
 
 
 def _rows(*points: Sequence[float]) -> list[str]:

@@ -177,7 +177,7 @@ class Drawing:
 
         Call it when a gesture ends. Return whether the pane has to be painted again.
         """
-        return self.layers.place_labels(afresh=True)
+        return self.layers.place_labels(at_rest=True)
 
     def cut(self) -> dict[str, float]:
         """What has to be inside the pane and lies outside: names, and by how many pixels."""

@@ -14,11 +14,8 @@ from app.drawings.vectors import LineShape, Shape, TextShape, box_of, moved
 from app.lecture.equation import equation_of
 from app.lecture.equation_form import APART_EM, BRACKET_EM, GAP_EM, MatrixLayout, laid_out, width_em
 from app.lecture.typesetting import line_of, piece_of
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
-TOO_NARROW = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0} mm: a line of this equation needs {1} mm in letters of {2} points."
-)
 _ROUNDING_EM = 1e-6
 _LINES_APART_EM, _CAPTION_EM, _AXIS_EM, _FOOT_EM, _RULE_EM = 0.9, 1.0, 0.25, 0.22, 0.045
 
@@ -62,7 +59,7 @@ class EquationPicture:
             right_em += gap_em + wide
             if right_em > room_em:
                 mm = (f"{side * em / PX_PER['mm']:.3g}" for side in (room_em, right_em))
-                raise Refusal.saying(TOO_NARROW, *mm, f"{em * 72.0 / DPI:.3g}")
+                raise Refusal.saying(REFUSALS["too-narrow"], *mm, f"{em * 72.0 / DPI:.3g}")
             lines[-1].append(_EquationPart(each, sign, wide))
         shapes, top = list[Shape](), _RULE_EM * em / 2.0
         for line in lines:

@@ -28,7 +28,7 @@ from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
 from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Cancelled, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
 
@@ -61,30 +61,15 @@ _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 NO_PANES = QT_TRANSLATE_NOOP("Refusal", "panes = {0}: must name at least one of {1}.")
 UNKNOWN_PANE = QT_TRANSLATE_NOOP("Refusal", "pane = {0}: must be one of {1}.")
 SCALE = QT_TRANSLATE_NOOP("Refusal", "scale = {0}: must be greater than 0 and at most {1}.")
-WIDTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0}: must be a whole number of pixels from {1} to {2}."
-)
-HEIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "height = {0}: must be a whole number of pixels from {1} to {2}."
-)
-SCALED_WIDTH = QT_TRANSLATE_NOOP(
-    "Refusal", "width = {0} times scale {3}: must be from {1} to {2} pixels."
-)
-SCALED_HEIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "height = {0} times scale {3}: must be from {1} to {2} pixels."
-)
+SCALED_WIDTH = REFUSALS["scaled-width"]
 LENGTH_WIDE = QT_TRANSLATE_NOOP("Refusal", "width = {0} {3}: must be from {1} to {2} {3}.")
 LENGTH_HIGH = QT_TRANSLATE_NOOP("Refusal", "height = {0} {3}: must be from {1} to {2} {3}.")
-TEXT = QT_TRANSLATE_NOOP(
-    "Refusal", "text size = {0}: must be from {1} to {2} points in panes of this size."
-)
-TOO_MANY_FOR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
-    "write {2}",
-)
+TEXT = REFUSALS["text"]
 AN_ENDING = QT_TRANSLATE_NOOP("Refusal", "{0}: must end in .svg, .pdf, .tex or .png.")
-_SIDES = (WIDTH, SCALED_WIDTH, LENGTH_WIDE), (HEIGHT, SCALED_HEIGHT, LENGTH_HIGH)
+_SIDES = (
+    (REFUSALS["width"], SCALED_WIDTH, LENGTH_WIDE),
+    (REFUSALS["height"], REFUSALS["scaled-height"], LENGTH_HIGH),
+)
 
 
 @dataclass(frozen=True, repr=False)
@@ -471,7 +456,9 @@ class Figure:
                 raise
             png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
             limits = (*error.limits, png)
-            raise Refusal.in_document(TOO_MANY_FOR, *limits, field=error.field) from error
+            raise Refusal.in_document(
+                REFUSALS["too-many-for"], *limits, field=error.field
+            ) from error
         watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
         watch.begin(0)
         write_shapes(name, shapes, size, self.description, watch)

@@ -17,18 +17,10 @@ from app.drawings.pdf import pdf
 from app.drawings.svg import svg
 from app.drawings.tikz import LARGEST, tikz
 from app.drawings.vectors import Shape
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.strangers import printable
 
 A_LINK = QT_TRANSLATE_NOOP("Refusal", "{0}: is a link, where a picture of the figure would be.")
-TOO_LARGE_FOR_TEX = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}."
-)
-NOT_FOUND_BY_TEX = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: TeX reads a picture beside it, whose name may have only letters from a to z, digits and "
-    ". _ + = -.",
-)
 
 
 def write_shapes(
@@ -44,10 +36,10 @@ def write_shapes(
     if ending.lower() == ".tex":
         content, pictures = tikz(shapes, size, *said, name)
         if pictures and not re.fullmatch(r"[\w.+=-]+", name, re.ASCII):
-            raise Refusal.saying(NOT_FOUND_BY_TEX, path)
+            raise Refusal.saying(REFUSALS["not-found-by-tex"], path)
         if len(content) > LARGEST:
             sizes = (f"{count / 1e6:.3g}" for count in (len(content), LARGEST))
-            raise Refusal.saying(TOO_LARGE_FOR_TEX, path, *sizes, f"{name}.pdf")
+            raise Refusal.saying(REFUSALS["too-large-for-tex"], path, *sizes, f"{name}.pdf")
         beside = {os.path.join(os.path.dirname(path), each): each for each in pictures}
         if any(map(os.path.islink, beside)):  # a stranger's list of figures chooses the name
             raise Refusal.saying(A_LINK, next(filter(os.path.islink, beside)))

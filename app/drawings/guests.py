@@ -11,11 +11,7 @@ from app.drawings.actors import CUBE_EDGES
 from app.drawings.drawing import Drawing
 from app.drawings.figure import Figure
 from app.drawings.style import PALETTES
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-
-NEEDS_PYVISTA = QT_TRANSLATE_NOOP(
-    "Refusal", "plotter() needs the package pyvista: pip install pyvista."
-)
+from app.model.refusal import REFUSALS, Refusal
 
 
 def plotter_of(figure: Figure, **options: Any) -> Any:
@@ -23,7 +19,7 @@ def plotter_of(figure: Figure, **options: Any) -> Any:
     try:
         import pyvista as module
     except ImportError:
-        raise Refusal.saying(NEEDS_PYVISTA) from None
+        raise Refusal.saying(REFUSALS["needs-pyvista"]) from None
     pyvista: Any = module  # its types want other windows
     scene, projection, style = figure.scene, figure.document.projection, PALETTES[figure.palette]
     plotter, origin = pyvista.Plotter(**options), np.array(scene.origin)

@@ -15,7 +15,7 @@ from typing import Any, TypeAlias
 import numpy as np
 
 from app.drawings.occlusion import BORDER_PX, SAME_DEPTH, Occlusion, Points, ScreenCell, cut
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 _LEAST_PX2 = 0.01  # of what two faces have in common, or of a face
 _IN_PLANE = 1e-7  # of NDC
@@ -26,11 +26,7 @@ MOST_SPLITS = 200  # more than as many as there are faces
 MOST_CROSSINGS, MOST_CUTS = 50_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
-TANGLED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "has faces that cross each other in too many places for a figure without pixels: "
-    "write it as .png",
-)
+TANGLED = REFUSALS["tangled"]
 
 
 def _measure(face: ScreenCell) -> bool:

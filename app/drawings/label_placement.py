@@ -42,6 +42,7 @@ _STEEPEST = math.radians(30.0)
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _MOVES = 200
+_LITTLE_INK = 0.1  # of a label's box: a place that hides so much more is about as good
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _RIM_EM = 0.45  # of a mark, where its leader begins
 _FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
@@ -80,6 +81,11 @@ class KeptSpot(NamedTuple):
     offset: Spot
     turn: float
     leads: bool
+
+    def is_elsewhere(self, other: KeptSpot | None) -> bool:
+        if other is None or self.spot != other.spot:
+            return True
+        return math.dist(self.offset, other.offset) + abs(self.turn - other.turn) > 1.0
 
 
 class PlacedLabel(NamedTuple):
@@ -325,17 +331,20 @@ def place(
     kept: Mapping[Hashable, KeptSpot] | None = None,
     *,
     patient: bool = False,
+    best: Mapping[Hashable, KeptSpot] | None = None,
 ) -> dict[Hashable, PlacedLabel]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
     from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
-    anyway, and say whether their places are free.
+    anyway, and say whether their places are free. With `best`, the places that labels would have
+    without `kept`, a place is free only if it is about as good.
     """
     stays: dict[Hashable, PlacedLabel] = {}
     if kept:
-        stays = _kept_labels(wishes, ground, kept, patient)
-        wishes = [wish for wish in wishes if wish.key not in stays]
+        stays = _kept_labels(wishes, ground, kept, patient, best)
+        allowed = {wish.key for wish in wishes} if best is None else best.keys()
+        wishes = [wish for wish in wishes if wish.key in allowed - stays.keys()]
     choices = [(wish, wish.places()) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
@@ -350,8 +359,9 @@ def place(
 
 
 def _kept_labels(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool
-) -> dict[Hashable, PlacedLabel]:
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool,
+    best: Mapping[Hashable, KeptSpot] | None,
+) -> dict[Hashable, PlacedLabel]:  # fmt: skip
     """The labels whose kept places are still free, or all; no other label may overlap them."""
     stayed: dict[Hashable, PlacedLabel] = {}
     taken = ground.taken
@@ -371,14 +381,24 @@ def _kept_labels(
             left < t_right and t_left < right and low < t_high and t_low < high
             for t_left, t_low, t_right, t_high in taken
         )
+        centre, leader = (x + to_right, y + up), None
+        if is_free and best is not None and wish.key in best:
+            is_free = _is_as_good(wish, was, best[wish.key], ground)
         if not is_free and not (patient and math.isfinite(x + y)):
             continue
         taken.append((left, low, right, high))
-        centre, leader = (x + to_right, y + up), None
         if was.leads:
             leader = _leader((x, y), centre, wish.size, ground.em)
         stayed[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
     return stayed
+
+
+def _is_as_good(wish: Wish, one: KeptSpot, other: KeptSpot, ground: Ground) -> bool:
+    """Whether one place hides little more than another, and has a leader only if that has one."""
+    spots = np.array([wish.spots[each.spot] for each in (one, other)])
+    turns, sizes = np.array([one.turn, other.turn]), np.array([wish.size, wish.size])
+    mine, its = _hidden(spots + np.array([one.offset, other.offset]), turns, sizes, ground)
+    return one.leads <= other.leads and bool(mine <= its + _LITTLE_INK)
 
 
 class Candidates(NamedTuple):

@@ -65,7 +65,7 @@ class Board:
         self.director: Director | None = None
         """Who says where labels stand in a frame of a film, and how visible they are."""
         self.is_soft = False
-        """Whether labels that are placed afresh fade to their new places, by `pass_time`."""
+        """Whether labels that leave their places fade, by `pass_time`."""
         self._asked: tuple[list[Wish], Ground, int] | None = None
         """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
@@ -132,10 +132,11 @@ class Board:
                 way, size = (tip[0] - start[0], tip[1] - start[1]), self.label(key).size_px
                 self.want(key, [tip[:2]], partial(beyond, tip[:2], way, size, self.em), AXIS)
 
-    def settle(self, ground: Ground, *, afresh: bool) -> bool:
+    def settle(self, ground: Ground, *, afresh: bool, at_rest: bool = False) -> bool:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
 
-        If not `afresh`, labels stay where they are as long as possible.
+        If not `afresh`, labels stay where they are as long as possible; `at_rest`, unless there is
+        a place that hides much less or needs no leader.
         """
         self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         lights = dict[Hashable, float]()
@@ -145,20 +146,10 @@ class Board:
             self._kept = {key: spot for key, (spot, _) in stands.items()}
             lights = {key: light for key, (_, light) in stands.items()}
         self._asked = self._wishes, ground, len(ground.taken)
-        placed = self._place(None if afresh else self._kept)
-        goals = dict[Hashable, KeptSpot | None]()
+        best = {key: each.kept for key, each in self._place(None).items()} if at_rest else None
+        placed = self._place(None if afresh else self._kept, best)
         if afresh:
-            if self.is_soft:
-                goals = {
-                    key: placed[key].kept
-                    for key in placed.keys() & self._kept.keys()
-                    if _is_elsewhere(placed[key].kept, self._kept[key])
-                }
             self._end_fades()
-        if goals:  # they begin where they are
-            old = {key: self._kept[key] for key in goals}
-            placed = self._place({key: each.kept for key, each in placed.items()} | old)
-            self._fades = {key: (0.0, goal) for key, goal in goals.items()}
         texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
@@ -183,19 +174,24 @@ class Board:
         if not self.is_restless:
             self._asked = None
 
-    def _place(self, kept: Mapping[Hashable, KeptSpot] | None) -> dict[Hashable, PlacedLabel]:
+    def _place(
+        self,
+        kept: Mapping[Hashable, KeptSpot] | None,
+        best: Mapping[Hashable, KeptSpot] | None = None,
+    ) -> dict[Hashable, PlacedLabel]:
         """Place the labels that were wanted last."""
         assert self._asked is not None
         wishes, ground, taken = self._asked
         del ground.taken[taken:]
-        placed = place(wishes, ground, kept, patient=self.is_patient)
+        placer = partial(place, ground=ground, kept=kept, patient=self.is_patient, best=best)
+        placed = placer(wishes)
         if any(wish.rank in (PLANE, TARGET) and wish.key not in placed for wish in wishes):
             # The window's sides stand back: the planes and the target are named before them.
             later = [wish._replace(rank=TARGET + 0.5) for wish in wishes if wish.rank == SIDE]
             if later:
                 del ground.taken[taken:]
                 first = [wish for wish in wishes if wish.rank != SIDE]
-                placed = place([*first, *later], ground, kept, patient=self.is_patient)
+                placed = placer([*first, *later])
         return placed
 
     def _show(self, placed: Mapping[Hashable, PlacedLabel]) -> None:
@@ -229,7 +225,9 @@ class Board:
             placed = self._place({k: each for k, each in self._kept.items() if k not in late})
             for key in late:
                 del self._waits[key]
-                self._fades[key] = -seconds, placed[key].kept if key in placed else None
+                goal = placed[key].kept if key in placed else None
+                if self._kept[key].is_elsewhere(goal):
+                    self._fades[key] = -seconds, goal
         is_seen, arrived = bool(self._fades), False
         for key, (before, goal) in list(self._fades.items()):
             now = before + seconds if self.is_soft else FADE_S
@@ -266,11 +264,6 @@ def _is_outside(wish: Wish, ground: Ground) -> bool:
     left, low, right, high = ground.limits
     x, y = wish.spots[0] if len(wish.spots) == 1 else (left, low)
     return max(left - x, x - right, low - y, y - high) > ground.em
-
-
-def _is_elsewhere(place: KeptSpot, other: KeptSpot) -> bool:
-    apart = math.dist(place.offset, other.offset) + abs(place.turn - other.turn)
-    return place.spot != other.spot or apart > 1.0
 
 
 def want_plane(

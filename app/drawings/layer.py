@@ -287,7 +287,7 @@ class Layers:
         for layer in self._layers:
             layer.settle()
 
-    def place_labels(self, *, afresh: bool = False) -> bool:
+    def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
         """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
         if not (state.places_labels and state.canvas.is_laid_out):
@@ -295,7 +295,7 @@ class Layers:
         ground = self.ground()
         for layer in self._layers:
             layer.want(ground)
-        return state.board.settle(ground, afresh=afresh)
+        return state.board.settle(ground, afresh=afresh, at_rest=at_rest)
 
     def ground(self) -> Ground:
         """Where there is ink now."""

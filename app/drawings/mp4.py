@@ -11,13 +11,10 @@ import tempfile
 from collections.abc import Sequence
 from subprocess import PIPE
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.strangers import printable
 
 PROGRAM = "ffmpeg"
-NO_PROGRAM = QT_TRANSLATE_NOOP(
-    "Refusal", "needs the program {0}, which is not on the PATH: write .webp instead"
-)
 FAILED = QT_TRANSLATE_NOOP("Refusal", "cannot be written: {0} says “{1}”")
 
 # Every player shows colours of half the resolution; better quality would not change those.
@@ -30,7 +27,7 @@ def program() -> str:
     """Return the path of ffmpeg; a `Refusal` if this machine has none."""
     path = shutil.which(PROGRAM)
     if path is None:
-        raise Refusal.in_document(NO_PROGRAM, PROGRAM)
+        raise Refusal.in_document(REFUSALS["no-program"], PROGRAM)
     return os.path.abspath(path)
 
 

@@ -11,6 +11,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings.actors import axes_of
 from app.drawings.prop_group import PropGroup
+from app.model.limits import cos_sin_deg
 from app.model.projection import Array
 from app.picking.sight import Sight
 
@@ -217,6 +218,19 @@ def _turned(axes: Array, others: Array, angle: float) -> Array:
     cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
     rotation = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
     return np.asarray(axes @ rotation.T)
+
+
+def axes_from(azimuth_deg: float, elevation_deg: float) -> Array:
+    """Right, up and toward the reader of a camera at these angles, the rows of a (3, 3).
+
+    The azimuth is counted from +z towards +x.
+    """
+    (cos_a, sin_a), (cos_e, sin_e) = cos_sin_deg(azimuth_deg), cos_sin_deg(elevation_deg)
+    return np.array([
+        (cos_a, 0.0, -sin_a),
+        (-sin_e * sin_a, cos_e, -sin_e * cos_a),
+        (sin_a * cos_e, sin_e, cos_a * cos_e),
+    ])  # fmt: skip
 
 
 class PaneCamera:

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from app.drawings.actors import CUBE_CORNERS, axes_of
-from app.drawings.pane_view import PaneCamera
+from app.drawings.pane_view import PaneCamera, axes_from
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW
@@ -65,7 +65,7 @@ class StageView(PaneCamera):
         return after + (aside / 2.0 if self._stands else aside), _WORLD_ELEVATION_DEG
 
     def axes(self, stop: float) -> Array:
-        return _axes(*self._looked_from(stop))
+        return axes_from(*self._looked_from(stop))
 
     def reset(
         self,
@@ -91,7 +91,7 @@ class StageView(PaneCamera):
                 between = (1.0 - part) * origin(stop) + part * origin(stop + step)
                 framing[:3] += origin(position) - between
         centre, scale = framing[:3], float(framing[3])
-        toward = _axes(*framing[4:])[2]
+        toward = axes_from(*framing[4:])[2]
         camera = self._camera
         camera.ParallelProjectionOn()
         self._stand_at(centre + _DISTANCE * toward, centre)
@@ -173,16 +173,3 @@ class StageView(PaneCamera):
         pane[3, 3] = 1.0
         self._pane_of, self._pane = of, pane
         return pane
-
-
-def _axes(azimuth_deg: float, elevation_deg: float) -> Array:
-    """Right, up and toward the reader of a camera at these angles, the rows of a (3, 3)."""
-    azimuth, elevation = math.radians(azimuth_deg), math.radians(elevation_deg)
-    (sin_a, cos_a), (sin_e, cos_e) = ((math.sin(a), math.cos(a)) for a in (azimuth, elevation))
-    return np.array(
-        [
-            (cos_a, 0.0, -sin_a),
-            (-sin_e * sin_a, cos_e, -sin_e * cos_a),
-            (sin_a * cos_e, sin_e, cos_a * cos_e),
-        ]
-    )

@@ -28,16 +28,12 @@ from app.drawings.off_screen import Pixels, pixels_of
 from app.drawings.style import rgb
 from app.lecture.typesetting import piece_of
 from app.model.projection import Array
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
 MOST_DOTS = 5_000  # most dots of a cloud that are circles; pixels show a larger one
 MOST_CELLS = 50_000  # most cells of a figure: viewers become slow above this
-TOO_MANY = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: "
-    "write it as .png",
-)
+TOO_MANY = REFUSALS["too-many"]
 
 _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0)]
 """The widths of ISO 128 in pixels, each half of the one after the next."""

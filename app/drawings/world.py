@@ -260,7 +260,7 @@ class WorldDrawing(Drawing):
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
         return Framed(
             at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,
-            volume.corners if volume.exists and "frustum" not in state.left_out else None,
+            volume.corners if volume.exists and "frustum" not in state.left_out else points,
             state.projection.lens.central, self._lengths.below_em, self._shot,
         )  # fmt: skip
 
@@ -288,14 +288,13 @@ class WorldDrawing(Drawing):
     def refit(self) -> bool:
         """Frame the view again if something that has to be inside has left it.
 
-        The direction of looking stays. The labels are placed afresh: at rest the picture depends on
-        nothing that was before. During a gesture the pane stands still, so that the model is seen
-        moving.
+        The direction of looking stays. During a gesture the pane stands still, so that the model is
+        seen moving.
         """
         if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
             self.reset_clipping_range()
             return True
-        return self.layers.place_labels(afresh=True)
+        return self.layers.place_labels(at_rest=True)
 
     def begin_glide(self, start: Any) -> None:
         self._goes_to = self._framed()
@@ -329,6 +328,6 @@ class WorldDrawing(Drawing):
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
         self.layers.follow()
-        self.state.nearest = self.own.fit_range(self.layers.reach(), *self.camera.depths)
+        self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)

@@ -145,7 +145,6 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.nearest = 0.0  # the depth from which on the pane's own camera sees
         self._place(scene.start.placement)
         self.standing = self._stand(scene.start.camera)
         self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)

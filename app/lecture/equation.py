@@ -28,7 +28,7 @@ from app.lecture.notation import Formulas, WrittenMatrix, matrices, names_of
 from app.model.chain import FROM_OBJECT
 from app.model.formula import LONGEST, parse
 from app.model.projection import Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 USUAL = {
     "object": FROM_OBJECT,
@@ -52,12 +52,6 @@ ONTO_PLANE: dict[str, tuple[str, Formulas]] = {
 NUMBERS = "numbers"  # the last word of an equation whose cells are numbers
 MOST_FACTORS = 4
 OF_ONE_LECTURE = QT_TRANSLATE_NOOP("Refusal", "must name matrices that one lecture has together")
-SHORTER = QT_TRANSLATE_NOOP(
-    "Refusal", "must have a result whose formulas have at most {0} characters, or end in {1}"
-)
-SOME_MATRICES = QT_TRANSLATE_NOOP(
-    "Refusal", "must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}"
-)
 
 
 class Term(NamedTuple):
@@ -123,7 +117,9 @@ def _onto_plane(word: str, distance: float, letters: Letters) -> Term:
 
 
 def _refused(text: str, word: str) -> Refusal:
-    return Refusal("equation", text, SOME_MATRICES, MOST_FACTORS, ", ".join(USUAL), repr(word))
+    return Refusal(
+        "equation", text, REFUSALS["some-matrices"], MOST_FACTORS, ", ".join(USUAL), repr(word)
+    )
 
 
 def _terms_of(projection: Projection, letters: Letters, words: Sequence[str]) -> dict[str, Term]:
@@ -193,7 +189,7 @@ def _result(terms: Sequence[Term], text: str, is_in_numbers: bool) -> Term:
     cells = reduce(product, map(_cells, terms))
     formulas = tuple(tuple(cell.text for cell in row) for row in cells)
     if max(len(cell) for row in formulas for cell in row) > LONGEST:
-        raise Refusal("equation", text, SHORTER, LONGEST, NUMBERS)
+        raise Refusal("equation", text, REFUSALS["shorter"], LONGEST, NUMBERS)
     return Term(whole._replace(formulas=formulas), terms[0].letters)
 
 

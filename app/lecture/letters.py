@@ -22,7 +22,7 @@ from app.model import formula_text
 from app.model.chain import FROM_OBJECT, MOST_TILES
 from app.model.formula import ARROW, parse
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, nearest
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, nearest
 
 Letters: TypeAlias = str
 """One of `LETTERS`, or the text of a file of one's own letters."""
@@ -30,18 +30,7 @@ Letters: TypeAlias = str
 LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 """The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
 LONGEST_FILE = 10_000  # most characters of a file of letters
-SOME_LETTERS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be one of {0}, or a file of letters of at most {1} characters"
-)
-A_LINE = QT_TRANSLATE_NOOP(
-    "Refusal", 'must be [SECTION], or NAME = "LETTER", or begin with # as a comment'
-)
 NOT_KNOWN = QT_TRANSLATE_NOOP("Refusal", "is not known; the nearest name is {0}")
-A_LETTER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as"
-    " x_min, and of at most {1} characters",
-)
 ONCE = QT_TRANSLATE_NOOP("Refusal", "is the letter of {0} already; two things cannot share one")
 
 _OURS = {
@@ -162,7 +151,9 @@ def lettering(letters: Letters) -> Lettering:
         return Lettering(letters, _SYMBOLS[letters], MATRIX_NAMES.get(letters, {}))
     is_text = isinstance(letters, str) and not {"=", "\n"}.isdisjoint(letters)
     if not is_text or len(letters) > LONGEST_FILE:
-        raise Refusal("letters", letters, SOME_LETTERS, ", ".join(LETTERS), LONGEST_FILE)
+        raise Refusal(
+            "letters", letters, REFUSALS["some-letters"], ", ".join(LETTERS), LONGEST_FILE
+        )
     given = _sections(letters)
     base = given[""].get("base", "own")
     symbols, matrices = dict(_SYMBOLS[base]), given["matrices"]
@@ -180,7 +171,7 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
     for number, line in enumerate(text.splitlines(), 1):
         place, match = f"letters, line {number}", _LINE.fullmatch(line.strip())
         if match is None:
-            raise Refusal(place, line.strip(), A_LINE)
+            raise Refusal(place, line.strip(), REFUSALS["a-line"])
         section, name = match["section"] or section, match["name"]
         if section not in _KNOWN:
             raise Refusal(place, section, NOT_KNOWN, nearest(section, _KNOWN))
@@ -192,7 +183,7 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
         if not section and letter not in LETTERS:
             raise Refusal(f"{place}: {name}", letter, ONE_OF, ", ".join(LETTERS))
         if section and (len(letter) > _LONGEST or not _A_LETTER.fullmatch(letter)):
-            raise Refusal(f"{place}: {name}", letter, A_LETTER, GREEK, _LONGEST)
+            raise Refusal(f"{place}: {name}", letter, REFUSALS["a-letter"], GREEK, _LONGEST)
         given[section][name] = letter
     base = given[""].get("base", "own")
     symbols = _SYMBOLS[base]

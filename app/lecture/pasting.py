@@ -20,16 +20,13 @@ from app.lecture.typed_matrix import (
 from app.model.lenses.answers import Intrinsics
 from app.model.limits import Array, finite_matrix
 from app.model.projection import Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 OF_A_CAMERA = QT_TRANSLATE_NOOP("Matrix", "eye ({0}), looks along ({1})")
 IS_TURNED = QT_TRANSLATE_NOOP(
     "Matrix", "its lens is used, looking along −z; change the sign of its view matrix in row {0}"
 )
 IS_UPRIGHT = QT_TRANSLATE_NOOP("Matrix", "its lens is used, with y up")
-NO_CAMERA = QT_TRANSLATE_NOOP(
-    "Refusal", "must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1"
-)
 
 
 class Pasted(NamedTuple):
@@ -54,7 +51,7 @@ def pasted(
         if skew == other == 0.0 and list(last) == [0.0, 0.0, 1.0]:
             return [Pasted(projection.with_intrinsics(Intrinsics(fx, fy, cx, cy)), [])]
     if len(rows) < 4 or len(rows[0]) < 4:
-        raise Refusal(name, tuple(map(tuple, rows)), NO_CAMERA)
+        raise Refusal(name, tuple(map(tuple, rows)), REFUSALS["no-camera"])
     cells, former = finite_matrix(name, rows), projection.lens.former
     possible = []
     for reading in readings(cells, projection.image_size, projection.depth, former):

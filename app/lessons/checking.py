@@ -16,7 +16,7 @@ from app.lessons.course import Course, unnameable
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import refused
 from app.lessons.text import MATH, formulas_in
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, counted
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, counted
 from app.scenes.mesh import Progress, report
 
 MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
@@ -25,17 +25,11 @@ MOST_WORDS = 150  # most words of a step's text or of a note: the reader also lo
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "has {0} words in its step; the limit is {1}")
 LONG_NOTE = QT_TRANSLATE_NOOP("Refusal", "has a note of {0} words; the limit is {1}")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "is step {0} of a lesson; the limit is {1}")
-TOO_MUCH_PRACTICE = QT_TRANSLATE_NOOP(
-    "Refusal", "is step {0} with an exercise; the limit of a lesson is {1}"
-)
 NOT_TEX = QT_TRANSLATE_NOOP("Refusal", "has a formula that cannot be typeset: {0}")
 
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a formula with $ that no other $ on its line ends")
 NO_HTML = QT_TRANSLATE_NOOP("Refusal", "has HTML, which a lesson shows as it is typed")
 NOT_NAMED = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no picture of the step can name")
-NO_LINKS = QT_TRANSLATE_NOOP(
-    "Refusal", "has a picture or a link, which a lesson shows as it is typed"
-)
 _MARK = re.compile(r"(`+|\\[$\[\]<])")
 _LINK = re.compile(
     r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
@@ -105,7 +99,7 @@ def _check(course: Course, trial: Trial, progress: Progress | None) -> None:
 
 
 def _count(steps: Sequence[Step], trial: Trial) -> None:
-    limits = (False, MOST_STEPS, TOO_MANY), (True, MOST_PRACTICE, TOO_MUCH_PRACTICE)
+    limits = (False, MOST_STEPS, TOO_MANY), (True, MOST_PRACTICE, REFUSALS["too-much-practice"])
     for varies, most, said in limits:
         some = [step for step in steps if step.varies == varies]
         if len(some) > most:
@@ -142,7 +136,7 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
             trial.add_fault(refused(number, UNCLOSED, value=words.strip()[:60]))
         link, html = _LINK.search(words), _HTML.search(words)
         if link is not None:
-            trial.add_fault(refused(number, NO_LINKS, value=link[0][:60]))
+            trial.add_fault(refused(number, REFUSALS["no-links"], value=link[0][:60]))
         elif html is not None:
             trial.add_fault(refused(number, NO_HTML, value=html[0][:60]))
 

@@ -33,7 +33,7 @@ from app.lessons.lines import (
 )
 from app.lessons.text import markdown
 from app.model.limits import ONE_OF
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.strangers import decode, log_warning, open_regular
 
 if TYPE_CHECKING:
@@ -45,23 +45,8 @@ LARGEST = 2 * 2**20  # largest file in bytes
 MOST_STEPS = 500  # most steps of a talk
 _MOST_READ = 20_000  # most lines of a block whose faults are all found; of a longer one, the first
 
-TOP = QT_TRANSLATE_NOOP(
-    "Refusal", "must begin the lesson: ---, then lines like “title: ...”, then --- again"
-)
-TOP_UNCLOSED = QT_TRANSLATE_NOOP(
-    "Refusal", "lacks a line --- above it, which ends the lines like “title: ...”"
-)
-NOT_UTF8 = QT_TRANSLATE_NOOP(
-    "Refusal", "is not UTF-8 text, some letters may be wrong: save the file in that encoding"
-)
+NOT_UTF8 = REFUSALS["not-utf8"]
 NO_TITLE = QT_TRANSLATE_NOOP("Refusal", "lacks a line “title: ...”")
-NEWER = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}",
-)
-LETTERS_OF = QT_TRANSLATE_NOOP(
-    "Refusal", "must be one of {0}, or a file of letters beside the lesson, such as letters.toml"
-)
 NO_BLOCK = QT_TRANSLATE_NOOP("Refusal", "has an unknown kind of block, {0}; the nearest is {1}")
 NO_HEADING = QT_TRANSLATE_NOOP("Refusal", "must begin a step with its title, like “# Title”")
 NO_STEPS = QT_TRANSLATE_NOOP("Refusal", "has no steps")
@@ -69,24 +54,7 @@ TOO_MANY_STEPS = QT_TRANSLATE_NOOP("Refusal", "has more than {0} steps")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "repeats the name of line {0}; each needs its own")
 BAD_NAME = QT_TRANSLATE_NOOP("Refusal", "must be a name of letters, digits and -")
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "begins a block that is not closed: a line ``` must end it")
-UNCLOSED_ABOVE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "begins a block that is not closed: a line ``` must end it, above line {0}, where another"
-    " begins",
-)
-CODE_UNCLOSED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "begins code that is not closed: there is one ``` line too many, or one without its kind",
-)
-BLOCK_IN_CODE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "begins code, not a block, and the block of line {0} is in it: there is one ``` line too "
-    "many, or one without its kind",
-)
 STEP_IN_STEP = QT_TRANSLATE_NOOP("Refusal", "has the title of a step, but no line --- above it")
-BLOCK_INDENTED = QT_TRANSLATE_NOOP(
-    "Refusal", "begins a block, but is indented: ``` must begin the line"
-)
 TOPICS = QT_TRANSLATE_NOOP("Refusal", "must be topics from L1 to L27, separated by commas")
 
 AddFault: TypeAlias = Callable[[Refusal], object]
@@ -215,7 +183,7 @@ _TOP_KEYS = ("title", "lecture", "topic", "language", "letters", "minutes", "ver
 def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
     """Read the front matter; return the fields of `Lesson`, and how many lines it takes."""
     if not lines or lines[0].strip() != "---":
-        raise refused(1, TOP, value=lines[0][:60] if lines else "")
+        raise refused(1, REFUSALS["top"], value=lines[0][:60] if lines else "")
     values: dict[str, str] = {}
     for number, line in enumerate(lines[1:], 2):
         if line.strip() == "---":
@@ -224,7 +192,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         if not line.strip():
             continue
         if line.startswith(("#", "```", "~~~")):
-            raise refused(number, TOP_UNCLOSED, value=line[:60])
+            raise refused(number, REFUSALS["top-unclosed"], value=line[:60])
         if not colon or key not in _TOP_KEYS:
             raise refused(number, UNEXPECTED, ", ".join(_TOP_KEYS), value=line[:60])
         if key in values:
@@ -232,7 +200,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         values[key] = value
         _check_top(key, value, number)
     else:
-        raise refused(len(lines), TOP)
+        raise refused(len(lines), REFUSALS["top"])
     title = values.get("title", "")
     if not title:
         raise refused(1, NO_TITLE)
@@ -252,11 +220,11 @@ def _check_top(key: str, value: str, line: int) -> None:
     if key == "version":
         wanted = number_in(value, line, 1, 1e6)
         if wanted > VERSION:
-            raise refused(line, NEWER, f"{wanted:g}", VERSION)
+            raise refused(line, REFUSALS["lesson-newer"], f"{wanted:g}", VERSION)
     elif key == "minutes":
         number_in(value, line, 0, 1000)
     elif key == "letters" and value not in LETTERS and not _BESIDE.fullmatch(value):
-        raise refused(line, LETTERS_OF, ", ".join(LETTERS), value=value)
+        raise refused(line, REFUSALS["letters-of"], ", ".join(LETTERS), value=value)
     elif key == "topic" and not all(map(_TOPIC.fullmatch, _parted(value))):
         raise refused(line, TOPICS, value=value)
 
@@ -416,7 +384,7 @@ class _StepReader:
         kind, _, given = token.info.strip().partition(" ")
         line = _line(token, self._first)
         if token.type == "code_block" and _BLOCK.match(token.content):
-            raise refused(line, BLOCK_INDENTED)
+            raise refused(line, REFUSALS["block-indented"])
         if token.type == "heading_open" and token.tag == "h1":
             raise refused(line, STEP_IN_STEP, value=self._lines[line - 1].strip()[:60])
         if token.type == "fence":
@@ -461,11 +429,13 @@ class _StepReader:
         for number, text in self._body(token):  # its end is missing, or it is itself an end
             begun = _BLOCK.match(text)
             if begun and begun[1].startswith(token.markup):
-                raise refused(line, UNCLOSED_ABOVE if kind else BLOCK_IN_CODE, number)
+                raise refused(
+                    line, REFUSALS["unclosed-above"] if kind else REFUSALS["block-in-code"], number
+                )
         last = self._lines[self._first + token.map[1] - 1].strip()
         closed = token.map[1] - token.map[0] >= 2 and set(last) == {token.markup[0]}
         if not closed:
-            raise refused(line, UNCLOSED if kind else CODE_UNCLOSED)
+            raise refused(line, UNCLOSED if kind else REFUSALS["code-unclosed"])
 
     def _body(self, token: Token) -> Lines:
         assert token.map is not None

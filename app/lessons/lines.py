@@ -15,7 +15,7 @@ from typing import NamedTuple
 from app.lessons.quantities import Condition, read_formula
 from app.model import numerals
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 
 UNEXPECTED = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, a colon, and its value")
 INDENTED = QT_TRANSLATE_NOOP("Refusal", "is indented, but belongs to nothing above it")
@@ -25,9 +25,6 @@ NO_CHOICE = QT_TRANSLATE_NOOP("Refusal", "must begin with “- [x]” if it is r
 CANNOT_BE = QT_TRANSLATE_NOOP("Refusal", "cannot be shown: {0}")
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number from {0} to {1}")
 LONG_LINE = QT_TRANSLATE_NOOP("Refusal", "has {0} characters; the limit is {1}")
-LONG_VALUE = QT_TRANSLATE_NOOP(
-    "Refusal", "has {0} characters, with the indented lines below; the limit is {1}"
-)
 
 LONGEST_LINE = 4000  # most characters of a line, also with the indented lines that continue it
 
@@ -59,7 +56,7 @@ def continued(above: str, text: str, line: int) -> str:
     """Return a value with a line that continues it; refuse one that becomes too long."""
     whole = f"{above} {text.strip()}".strip()
     if len(whole) > LONGEST_LINE:
-        raise refused(line, LONG_VALUE, len(whole), LONGEST_LINE)
+        raise refused(line, REFUSALS["long-value"], len(whole), LONGEST_LINE)
     return whole
 
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 from app.lessons.quantities import FUNCTIONS, RATIONAL
 from app.model.formula import Arithmetic, Call, Formula, Letter, Number, Product, Quotient, parse
 from app.model.limits import LARGEST
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 DIGITS = 3  # significant digits required of an inexact number
 EXACT = Fraction(1, 10**9)
@@ -29,21 +29,14 @@ _LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST, _LONGEST_SHOWN = 60, 17
 
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "must be a number; nothing is typed yet")
-NO_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one"
-)
 UNFINISHED = QT_TRANSLATE_NOOP("Refusal", "must be a number; something is missing after {0}")
 NO_LETTER = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} is neither a number nor a unit")
 OVER_ZERO = QT_TRANSLATE_NOOP("Refusal", "must be a number: nothing can be divided by 0")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "must be a number: a function has no value there")
-TOO_LARGE = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number whose power of ten is between -{0} and {0}"
-)
+TOO_LARGE = REFUSALS["too-large"]
 OTHER_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be in {0}")
 NO_UNIT = QT_TRANSLATE_NOOP("Refusal", "must be a number without {0}")
-AMBIGUOUS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number; {0} may be {1} or {2}: write one of them"
-)
+AMBIGUOUS = REFUSALS["ambiguous"]
 TWO_ANGLES = QT_TRANSLATE_NOOP("Refusal", "must be a number; {0} mixes degrees and radians")
 NOT_SO_FAR = QT_TRANSLATE_NOOP("Refusal", "must have {0} significant digits in front of “...”")
 TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "must be a number of at most {0} characters")
@@ -52,9 +45,6 @@ SIGN = QT_TRANSLATE_NOOP("Refusal", "The size is right, but the sign is wrong.")
 SIGN_AND_SIZE = QT_TRANSLATE_NOOP("Refusal", "The sign is wrong, and so is the size.")
 TENS = QT_TRANSLATE_NOOP("Refusal", "The digits are right, but the power of ten is wrong.")
 TURNED = QT_TRANSLATE_NOOP("Refusal", "This is 1 divided by the right number.")
-RADIANS = QT_TRANSLATE_NOOP(
-    "Refusal", "It is off by the factor 180/π: degrees and radians are mixed up."
-)
 LARGE = QT_TRANSLATE_NOOP("Refusal", "It is too large, by a factor of about {0}.")
 SMALL = QT_TRANSLATE_NOOP("Refusal", "It is too small, by a factor of about {0}.")
 NEARLY = QT_TRANSLATE_NOOP("Refusal", "It is close, but not exact enough.")
@@ -311,7 +301,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
         for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
             if word not in (*FUNCTIONS, "pi", "pow"):
                 raise Refusal("answer", text, NO_LETTER, word) from error
-        rest = (NO_NUMBER, plain[at:]) if plain[at:] else (UNFINISHED, plain)
+        rest = (REFUSALS["no-number"], plain[at:]) if plain[at:] else (UNFINISHED, plain)
         raise Refusal("answer", text, *rest) from error
     for letter in formula.letters:
         if letter != "pi":
@@ -462,7 +452,7 @@ def remark(typed: TypedNumber, value: float) -> Refusal | None:
         return Refusal.saying(TENS)
     degrees = Fraction(math.degrees(1.0))
     if any(equals(typed.times(factor), value) for factor in (degrees, 1 / degrees)):
-        return Refusal.saying(RADIANS)
+        return Refusal.saying(REFUSALS["radians"])
     if abs(typed.value * Fraction(value) - 1) <= Fraction(2, 10**DIGITS):
         return Refusal.saying(TURNED)
     away = float(max(ratio, 1 / ratio))

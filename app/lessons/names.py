@@ -55,7 +55,7 @@ def _setting(setting: Parameter) -> str:
     if isinstance(default, str):
         values = ", ".join(name for name, _ in setting.choices)
     elif isinstance(default, bool):
-        values = "yes or no"
+        values = "true or false"
     elif isinstance(default, tuple):
         values = "x,y,z"
     else:

@@ -49,28 +49,18 @@ from app.model.parameters import (
 )  # fmt: skip
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace, focal_length_35mm
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
 NO_NAME = QT_TRANSLATE_NOOP("Refusal", "uses an unknown name, {0}; the nearest is {1}")
-NO_FUNCTION = QT_TRANSLATE_NOOP(
-    "Refusal", "uses an unknown function or matrix, {0}; the nearest is {1}"
-)
 NO_CELL = QT_TRANSLATE_NOOP("Refusal", "asks for a part that {0} does not have")
 DIVIDES_BY_ZERO = QT_TRANSLATE_NOOP("Refusal", "divides by zero")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a value that is too large; the limit is {0}")
 NOT_DEFINED = QT_TRANSLATE_NOOP("Refusal", "has a function that is not defined for its argument")
-NO_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "has no value, because infinity minus infinity or infinity times 0 is no number"
-)
-WITHOUT_VALUE = DIVIDES_BY_ZERO, TOO_LARGE, NOT_DEFINED, NO_NUMBER
+WITHOUT_VALUE = DIVIDES_BY_ZERO, TOO_LARGE, NOT_DEFINED, REFUSALS["quantities-no-number"]
 """Why a formula may have no value in some states."""
-NO_CONDITION = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be a condition: two formulas with =, !=, <, >, <= or >= between them, or NAME = WORD",
-)
 
 WITHIN = 0.01  # tolerance of ``=`` and ``!=`` in a condition: of the larger value, or 1 if one is 0
 
@@ -161,7 +151,7 @@ def _evaluated(
     with _of(asked):
         value = float(asked.evaluate(known, Arithmetic(float, call)))
     if math.isnan(value):
-        raise _refused(asked, NO_NUMBER)
+        raise _refused(asked, REFUSALS["quantities-no-number"])
     if abs(value) > LARGEST and not (infinite and math.isinf(value)):
         raise _refused(asked, TOO_LARGE, LARGEST)
     return value if abs(value) >= NEGLIGIBLE else 0.0
@@ -266,7 +256,7 @@ class Quantities:
         value = self._looked_up(name)
         if value is None:
             known = (*self.names, *(() if places == () else FUNCTIONS))
-            bound = NO_FUNCTION if places else NO_NAME
+            bound = REFUSALS["no-function"] if places else NO_NAME
             raise Refusal("formula", name, bound, name, _nearest_name(name, known))
         return _part(name, value, places)
 
@@ -494,7 +484,7 @@ class Condition:
     def read(cls, text: str) -> Condition:
         signs = list(_SIGN.finditer(text))
         if len(signs) != 1:
-            raise Refusal("condition", text, NO_CONDITION)
+            raise Refusal("condition", text, REFUSALS["no-condition"])
         sign = signs[0].group()
         left, right = text[: signs[0].start()].strip(), text[signs[0].end() :].strip()
         if sign in ("=", *_UNEQUAL) and _PATH.fullmatch(left):

@@ -18,7 +18,7 @@ from app.lessons.course import Course
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt, attempt_from, corrected, one_line
 from app.lessons.text import plain_of
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.strangers import decode, log_warning
 
 FORMAT, VERSION = "frustum-lab-results", 1
@@ -28,9 +28,6 @@ LONGEST_STUDENT = 100
 _DIGITS = 16
 
 NO_RESULTS = QT_TRANSLATE_NOOP("Refusal", "is not a file of results of Frustum Lab")
-NEWER = QT_TRANSLATE_NOOP(
-    "Refusal", "was written by a newer Frustum Lab: its version is {0}, the limit is {1}"
-)
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has more than {0} answers")
 
 
@@ -97,7 +94,7 @@ def read(path: AnyPath) -> StudentResults:
         if type(version) is not int or not isinstance(answers, list):
             raise Refusal.in_document(NO_RESULTS)
         if version > VERSION:
-            raise Refusal.in_document(NEWER, version, VERSION)
+            raise Refusal.in_document(REFUSALS["results-newer"], version, VERSION)
         if len(answers) > MOST:
             raise Refusal.in_document(TOO_MANY, MOST)
         lessons = tree.get("lessons")

@@ -24,14 +24,11 @@ from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode
 
 NOT_IN_WORDS = QT_TRANSLATE_NOOP("Refusal", "cannot be written as NAME=VALUE alone")
-OURS = QT_TRANSLATE_NOOP(
-    "Refusal", "comes with the program and cannot be changed: copy it, and open the copy"
-)
 A_TITLE = QT_TRANSLATE_NOOP("Refusal", "must be one line of text")
 NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
@@ -212,7 +209,7 @@ def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = F
 
 def _check_own(path: AnyPath) -> None:
     if Path(os.path.realpath(path)).is_relative_to(os.path.realpath(CONTENT)):
-        error = Refusal.in_document(OURS)
+        error = Refusal.in_document(REFUSALS["ours"])
         error.file = os.fspath(path)
         raise error
 

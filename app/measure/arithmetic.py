@@ -22,7 +22,7 @@ from app.measure.reference import Truth, sample, truth
 from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import MEASURE, QT_TRANSLATE_NOOP
 from app.precision.cheap import CheapPicture, Hardware, cheap
 from app.precision.levels import Precision, Prediction, predict, trace
 from app.scenes.phenomena.cheap_arithmetic import hardware_of
@@ -57,9 +57,7 @@ CHEAP: dict[str, dict[str, str]] = {
 }
 """What numpy can only imitate, judged but not timed: settings of the scene ``cheap-arithmetic``."""
 
-NO_POINTS = QT_TRANSLATE_NOOP(
-    "Measure", "no vertex is in front of the eye, so there is nothing to measure"
-)
+NO_POINTS = MEASURE["no-points"]
 NOT_INSTALLED = QT_TRANSLATE_NOOP("Measure", "not installed")
 NOT_A_NUMBER = QT_TRANSLATE_NOOP("Measure", "returns NaN")
 INFINITE = QT_TRANSLATE_NOOP("Measure", "overflows")

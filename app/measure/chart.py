@@ -29,72 +29,16 @@ from app.measure.results import (
     plain,
 )
 from app.model import parameters
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import QT_TRANSLATE_NOOP, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
 
 ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
-TITLES = {  # the title of every trade and every sweep
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Arithmetic"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "Interpolation"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "Depth buffer"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "Antialiasing and resolution"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "Detail"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "Drift"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "Depth at the vertices"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "Cracks"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "Jitter"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "Back from the picture"),
-    "near": QT_TRANSLATE_NOOP("Measure", "Sweep of near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "Sweep of far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "Sweep of the field of view"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "Sweep of the distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "Sweep of up"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "Sweep of the aspect"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "Depth gap over the distance"),
-}
-_ACROSS = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "ms a frame"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "ns a frame"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "ns a pixel"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "ns a point"),
-    "near": QT_TRANSLATE_NOOP("Measure", "near"),
-    "far": QT_TRANSLATE_NOOP("Measure", "far"),
-    "fov": QT_TRANSLATE_NOOP("Measure", "vertical fov, degrees"),
-    "distance": QT_TRANSLATE_NOOP("Measure", "distance from the origin"),
-    "up": QT_TRANSLATE_NOOP("Measure", "angle between up and view direction, degrees"),
-    "aspect": QT_TRANSLATE_NOOP("Measure", "aspect of the window"),
-    "gap": QT_TRANSLATE_NOOP("Measure", "distance from the eye plane"),
-}
-_BYTES = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "bytes a pixel"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "bytes of the mesh"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "bytes a camera"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "bytes an edge"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "bytes a vertex"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "bytes a point"),
-}
+TITLES = SENTENCES["Measure/titles"]
+_ACROSS = SENTENCES["Measure/across"]
+_BYTES = SENTENCES["Measure/bytes"]
 _FEW_BYTES = 100.0  # up to here the axis is linear
 FROM_180 = QT_TRANSLATE_NOOP("Measure", "180 − vertical fov, degrees")
-_UP = {
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "error, px"),
-    "interpolation": QT_TRANSLATE_NOOP("Measure", "error, texels"),
-    "depth": QT_TRANSLATE_NOOP("Measure", "gap, world units"),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "error, levels of 255"),
-    "detail": QT_TRANSLATE_NOOP("Measure", "silhouette, px"),
-    "drift": QT_TRANSLATE_NOOP("Measure", "error after 360°, px"),
-    "jitter": QT_TRANSLATE_NOOP("Measure", "error of a jump, px"),
-    "vertex-depth": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance w"),
-    "cracks": QT_TRANSLATE_NOOP("Measure", "gap, px"),
-    "unprojection": QT_TRANSLATE_NOOP("Measure", "error, parts of the distance"),
-}
+_UP = SENTENCES["Measure/up"]
 ERROR_PX = QT_TRANSLATE_NOOP("Measure", "largest error, px")
 CANCELLED_TITLE = QT_TRANSLATE_NOOP("Measure", "{0} (cancelled)")
 CURRENT = QT_TRANSLATE_NOOP("Measure", "{0} (now)")

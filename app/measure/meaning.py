@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.refusal import MEASURE, QT_TRANSLATE_NOOP, SENTENCES
 
 GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
     "arithmetic": 0.01,
@@ -19,24 +19,7 @@ GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixe
     "unprojection": 1e-3,
 }
 
-FASTEST_IS_BEST = QT_TRANSLATE_NOOP(
-    "Measure", "No choice is cheaper ({1}) or more exact ({2}) than {0}."
-)
-TRADE_OFF = QT_TRANSLATE_NOOP(
-    "Measure",
-    "No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5});"
-    " of those off by less than {6}, none is cheaper than {7}.",
-)
-NONE_GOOD = QT_TRANSLATE_NOOP(
-    "Measure",
-    "No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5});"
-    " none is off by less than {6}.",
-)
-DEPTH = QT_TRANSLATE_NOOP(
-    "Measure",
-    "At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, "
-    "{3} with {4}, surfaces at least {5} apart.",
-)
+DEPTH = MEASURE["depth"]
 USUAL = {  # the choice that the others are compared with
     "arithmetic": "float32",
     "interpolation": "perspective-correct",
@@ -49,32 +32,7 @@ USUAL = {  # the choice that the others are compared with
     "cracks": "16 bits, own boxes",
     "unprojection": "float32, inverse of P V",
 }
-GIVEN_UP = {  # what each trade gives up, and what one sees of it
-    "arithmetic": QT_TRANSLATE_NOOP("Measure", "Fewer digits for each vertex: the corners move."),
-    "interpolation": QT_TRANSLATE_NOOP(
-        "Measure", "No division at each pixel: the pattern bends along the diagonal."
-    ),
-    "depth": QT_TRANSLATE_NOOP(
-        "Measure", "Fewer bits of depth: what lies behind comes through in stripes."
-    ),
-    "smoothing": QT_TRANSLATE_NOOP("Measure", "Fewer samples in a pixel: edges become stairs."),
-    "detail": QT_TRANSLATE_NOOP("Measure", "Fewer triangles: outlines become angular."),
-    "drift": QT_TRANSLATE_NOOP(
-        "Measure", "A turn made of many small turns: a full round does not come home."
-    ),
-    "vertex-depth": QT_TRANSLATE_NOOP(
-        "Measure", "A logarithmic depth only at the vertices: the floor sinks behind the wall."
-    ),
-    "cracks": QT_TRANSLATE_NOOP(
-        "Measure", "Each mesh rounded in a box of its own: light comes through the seam."
-    ),
-    "jitter": QT_TRANSLATE_NOOP(
-        "Measure", "World coordinates in float32, far from the origin: the picture jumps."
-    ),
-    "unprojection": QT_TRANSLATE_NOOP(
-        "Measure", "From a pixel back into the world by one matrix: the point misses."
-    ),
-}
+GIVEN_UP = SENTENCES["Measure/given up"]
 SHOWN = {
     "arithmetic": {"scene": "cheap-arithmetic", "settings.preset": "bits8"},
     "interpolation": {"scene": "interpolation", "settings.interpolation": "affine"},
@@ -157,11 +115,11 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
     error = f" {trade.error_unit}"
     low, high = ((c.name, _price(trade, c), _plain(c.error) + error) for c in (first, last))
     if first is last:
-        return FASTEST_IS_BEST, low
+        return MEASURE["fastest-is-best"], low
     limit = GOOD_ENOUGH[trade.name]
     good = cheapest(trade, limit)
     ends = (*low, *high, f"{limit:g}{error}")
-    return (TRADE_OFF, (*ends, good.name)) if good else (NONE_GOOD, ends)
+    return (MEASURE["trade-off"], (*ends, good.name)) if good else (MEASURE["none-good"], ends)
 
 
 def shown_by(name: str) -> dict[str, str]:

@@ -39,35 +39,20 @@ from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import MEASURE, QT_TRANSLATE_NOOP, REFUSALS, SENTENCES, Refusal
 
 FORMAT = "frustum-lab-measurements"
 VERSION = 2
 
 NOT_RESULTS = QT_TRANSLATE_NOOP("Refusal", "{0}: is not a file of measurements.")
-NEWER_RESULTS = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}."
-)
 DAMAGED = QT_TRANSLATE_NOOP("Refusal", "{0}: is damaged: {1}.")
-MEASURED_ONLY = QT_TRANSLATE_NOOP(
-    "Measure", "{0} is only measured: the panes are not drawn with it."
-)
+MEASURED_ONLY = MEASURE["measured-only"]
 IN_SOFTWARE = QT_TRANSLATE_NOOP("Measure", "imitated in software: its time says nothing")
 BUSY = QT_TRANSLATE_NOOP("Measure", "this machine is busy: compare again")
 UNSTEADY = QT_TRANSLATE_NOOP("Measure", "time ran out before the least time was steady")
 _BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05  # least times that differ by a smaller part are equal: rounds repeat them no better
-COLUMNS = {  # headings of the further columns whose names are not words
-    "error_depth": QT_TRANSLATE_NOOP("Measure", "depth error (of 1)"),
-    "predicted_depth": QT_TRANSLATE_NOOP("Measure", "predicted depth error (of 1)"),
-    "collapsed": QT_TRANSLATE_NOOP("Measure", "pairs collapsed (of 1)"),
-    "collapsed_predicted": QT_TRANSLATE_NOOP("Measure", "predicted to collapse (of 1)"),
-    "first_frame_ms": QT_TRANSLATE_NOOP("Measure", "first frame (ms)"),
-    "error_1": QT_TRANSLATE_NOOP("Measure", "eye 1 from the origin"),
-    "error_1000": QT_TRANSLATE_NOOP("Measure", "eye 1 000 from the origin"),
-    "reduce_ms": QT_TRANSLATE_NOOP("Measure", "reducing (ms)"),
-    "moved_px": QT_TRANSLATE_NOOP("Measure", "vertices moved by up to (px)"),
-}
+COLUMNS = SENTENCES["Measure/columns"]
 SWEEP_NOTES = {  # what a sweep changes besides its parameter, because near must be less than far
     NEAR.formula: QT_TRANSLATE_NOOP("Measure", "far is at least 4 near"),
     FAR.formula: QT_TRANSLATE_NOOP("Measure", "near is at most far / 4"),
@@ -77,10 +62,7 @@ SWEPT = (*(each.formula for each in (NEAR, FAR, FOV_Y, DISTANCE, UP, ASPECT)), O
 """The parameters that can be swept."""
 GAPS = (NEAR.formula, FAR.formula, OVER_DISTANCE)
 """The sweeps of the smallest gap in depth, in world units; the others have errors in px."""
-_JUDGED = QT_TRANSLATE_NOOP(
-    "Measure", "the largest of up to {0} points against 200 digits of mpmath"
-)
-JUDGED = _JUDGED.format(64)  # the definition of the errors of trade 1 and of the sweeps
+JUDGED = MEASURE["judged"].format(64)  # the definition of the errors of trade 1 and of the sweeps
 _SWEPT_FIELDS = {each.formula: each.path for each in (NEAR, FAR, FOV_Y)}
 _DRAWN = {"float32": {"rung": "float32"}, "float64, every stage": {"rung": "float64"}}
 BUFFERS = {  # the depth buffers of the sweeps of near and far, as of `ChartPoint.use`
@@ -94,70 +76,15 @@ EVERY_BUFFER: tuple[str, ...] = (
     "fixed24, logarithmic",
 )  # fmt: skip
 """The formats of the sweep over the distance, with their mapping if it is none of OpenGL."""
-GAP = QT_TRANSLATE_NOOP(
-    "Measure", "the smallest gap at the target (at 2 near or far / 2 if it lies outside)"
-)
+GAP = MEASURE["gap"]
 GAP_THERE = QT_TRANSLATE_NOOP("Measure", "the smallest gap behind a surface at this distance")
 WORDS = (  # the translatable parts of the names of choices and columns
-    QT_TRANSLATE_NOOP("Measure", "eye first"),
-    QT_TRANSLATE_NOOP("Measure", "world coordinates"),
-    QT_TRANSLATE_NOOP("Measure", "every stage"),
-    QT_TRANSLATE_NOOP("Measure", "exact"),
-    QT_TRANSLATE_NOOP("Measure", "{0} bits"),
-    QT_TRANSLATE_NOOP("Measure", "snapped to whole px"),
-    QT_TRANSLATE_NOOP("Measure", "snapped to 1/4 px"),
-    QT_TRANSLATE_NOOP("Measure", "snapped to 1/16 px"),
-    QT_TRANSLATE_NOOP("Measure", "reciprocal table"),
-    QT_TRANSLATE_NOOP("Measure", "{0} Newton step"),
-    QT_TRANSLATE_NOOP("Measure", "{0} Newton steps"),
-    QT_TRANSLATE_NOOP("Measure", "numpy's hstack"),
-    QT_TRANSLATE_NOOP("Measure", "VTK's transform"),
-    QT_TRANSLATE_NOOP("Measure", "matplotlib's proj3d"),
-    QT_TRANSLATE_NOOP("Measure", "perspective-correct"),
-    QT_TRANSLATE_NOOP("Measure", "affine"),
-    QT_TRANSLATE_NOOP("Measure", "{0} pieces"),
-    QT_TRANSLATE_NOOP("Measure", "each pixel"),
-    QT_TRANSLATE_NOOP("Measure", "each vertex"),
-    QT_TRANSLATE_NOOP("Measure", "own boxes"),
-    QT_TRANSLATE_NOOP("Measure", "common grid"),
-    QT_TRANSLATE_NOOP("Measure", "opengl"),
-    QT_TRANSLATE_NOOP("Measure", "direct3d"),
-    QT_TRANSLATE_NOOP("Measure", "reversed"),
-    QT_TRANSLATE_NOOP("Measure", "logarithmic"),
-    QT_TRANSLATE_NOOP("Measure", "none"),
-    QT_TRANSLATE_NOOP("Measure", "products"),
-    QT_TRANSLATE_NOOP("Measure", "renormalised"),
-    QT_TRANSLATE_NOOP("Measure", "fast inverse root"),
-    QT_TRANSLATE_NOOP("Measure", "two sines"),
-    QT_TRANSLATE_NOOP("Measure", "object first"),
-    QT_TRANSLATE_NOOP("Measure", "two floats"),
-    QT_TRANSLATE_NOOP("Measure", "half resolution"),
-    QT_TRANSLATE_NOOP("Measure", "supersampling {0} x {0}"),
-    QT_TRANSLATE_NOOP("Measure", "this OpenGL gives {0} samples"),
-    QT_TRANSLATE_NOOP("Measure", "the same picture"),
-    QT_TRANSLATE_NOOP("Measure", "a sphere: the scene has too few triangles"),
-    QT_TRANSLATE_NOOP("Measure", "p95"),
-    QT_TRANSLATE_NOOP("Measure", "bytes"),
+    *SENTENCES["Measure/words"].values(),
     BUSY,
     UNSTEADY,
-    QT_TRANSLATE_NOOP("Measure", "predicted"),
-    QT_TRANSLATE_NOOP("Measure", "world units"),
-    QT_TRANSLATE_NOOP("Measure", "texels"),
-    QT_TRANSLATE_NOOP("Measure", "levels RMS"),
-    QT_TRANSLATE_NOOP("Measure", "of the distance"),
-    QT_TRANSLATE_NOOP("Measure", "inverse of P V"),
-    QT_TRANSLATE_NOOP("Measure", "inverses of P and of V"),
-    QT_TRANSLATE_NOOP("Measure", "ray times depth"),
     *COLUMNS.values(),
-    QT_TRANSLATE_NOOP("Measure", "triangles"),
-    QT_TRANSLATE_NOOP("Measure", "near"),
-    QT_TRANSLATE_NOOP("Measure", "far"),
-    QT_TRANSLATE_NOOP("Measure", "fov"),
-    QT_TRANSLATE_NOOP("Measure", "distance"),
-    QT_TRANSLATE_NOOP("Measure", "up"),
-    QT_TRANSLATE_NOOP("Measure", "aspect"),
     *SWEEP_NOTES.values(),
-    _JUDGED,
+    MEASURE["judged"],
     GAP,
     GAP_THERE,
 )
@@ -392,7 +319,7 @@ def from_json(text: str, file: str = "The file") -> Measurements:
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
         raise Refusal.saying(NOT_RESULTS, file)
     if tree.get("version") != VERSION:
-        raise Refusal.saying(NEWER_RESULTS, file, tree.get("version"), VERSION)
+        raise Refusal.saying(REFUSALS["newer-results"], file, tree.get("version"), VERSION)
     try:
         results: Measurements = _read(Measurements, tree, "")
     except (ValueError, OverflowError) as error:

@@ -15,13 +15,10 @@ from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.depth import DepthBuffer
 from app.model.projection import Array, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import MEASURE, Refusal
 from app.scenes.phenomena.vertex_depth import borders, largest_factor
 
 PIECES = 1, 4, 16, 64, 256, 1024
-NO_EARLY_TEST = QT_TRANSLATE_NOOP(
-    "Measure", "this also switches off the early depth test, whose loss is not in this time"
-)
 _ROUNDINGS = 4.0 * 2.0**-53  # bound of float64's loss in parts of the distance, times far over near
 
 
@@ -73,7 +70,7 @@ def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatc
     choices = []
     for name, run, pieces in zip(names, runs, (0, *PIECES), strict=True):
         use = {"scene": "vertex-depth", "settings.depth": "vertex" if pieces else "pixel"}
-        note, ends = "" if pieces else NO_EARLY_TEST, max(1, pieces) + 1.0
+        note, ends = "" if pieces else MEASURE["no-early-test"], max(1, pieces) + 1.0
         use |= {"settings.pieces": str(pieces)} if pieces else {}
         off, bound = too_far(near, far, s, run()), predicted(near, far, pieces)
         size = AFFINE_BYTES * ends

@@ -36,7 +36,7 @@ from app.model.limits import (
     read_only,
     within,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 Whole: TypeAlias = tuple[int, int, int]
 
@@ -247,32 +247,6 @@ def _orbit_axes(azimuth_deg: float, elevation_deg: float) -> tuple[Vector, Vecto
     return right, upward, (cos_e * sin_a, sin_e, cos_e * cos_a)
 
 
-X_LEFT = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx",
-)
-Y_UP = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy",
-)
-NORMALISED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must be in pixels, but the four numbers are in widths and heights of the image: multiply fx"
-    " and cx by {0}, fy and cy by {1}, then subtract 0.5 from cx and cy",
-)
-NOT_K = QT_TRANSLATE_NOOP(
-    "Refusal", "must be fx, fy, cx, cy, or K: three rows fx, 0, cx and 0, fy, cy and 0, 0, 1"
-)
-TRANSPOSED = QT_TRANSLATE_NOOP(
-    "Refusal", "is a transposed K, with cx and cy in the last row: swap rows and columns"
-)
-SKEWED = QT_TRANSLATE_NOOP(
-    "Refusal", "is a skew of the pixels, which must be 0: the window of a lens is a rectangle"
-)
-AT_INFINITY = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is",
-)
 SINGULAR = 1e-12
 _MOST_NORMALISED = 4.0  # a focal length in widths: a field of view of 14 degrees
 _FEW_PX = 16
@@ -291,24 +265,24 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
         k = [[finite(f"K[{i}, {j}]", given[i][j]) for j in range(3)] for i in range(3)]
         (fx, skew, cx), (below, fy, cy), (*last, scale) = k
         if cx == cy == 0.0 != scale and any(last):
-            raise Refusal("K", k, TRANSPOSED)
+            raise Refusal("K", k, REFUSALS["camera-transposed"])
         if below or any(last) or not scale:
-            raise Refusal("K", k, NOT_K)
+            raise Refusal("K", k, REFUSALS["not-k"])
         if skew:
-            raise Refusal("K[0, 1]", skew, SKEWED)
+            raise Refusal("K[0, 1]", skew, REFUSALS["skewed"])
         given = [part / scale for part in (fx, fy, cx, cy)]
     elif shape != (4,):
-        raise Refusal("intrinsics", given, NOT_K)
+        raise Refusal("intrinsics", given, REFUSALS["not-k"])
     parts = zip(Intrinsics._fields, given, strict=True)
     fx, fy, cx, cy = intrinsics = Intrinsics(*(finite(name, value) for name, value in parts))
     width, height = image_size
-    for name, value, bound in (("fx", fx, X_LEFT), ("fy", fy, Y_UP)):
+    for name, value, bound in (("fx", fx, REFUSALS["x-left"]), ("fy", fy, REFUSALS["y-up"])):
         if value < 0.0:
             raise Refusal(name, value, bound, -value)
         positive(name, value)
     in_first_pixel = 0.0 <= cx <= 1.0 and 0.0 <= cy <= 1.0
     if in_first_pixel and max(fx, fy) <= _MOST_NORMALISED and min(image_size) >= _FEW_PX:
-        raise Refusal("fx", fx, NORMALISED, width, height)
+        raise Refusal("fx", fx, REFUSALS["normalised"], width, height)
     for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
         least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
         within(name, value, least, side / (2.0 * SMALLEST_OPENING))
@@ -364,7 +338,7 @@ def taken_apart(p: Any) -> TakenApart:
     size = float(np.abs(cells).max()) or 1.0
     m = cells[:, :3] / size
     if abs(np.linalg.det(m)) <= SINGULAR * np.linalg.norm(m, axis=1).prod():
-        raise Refusal("P", cells.tolist(), AT_INFINITY)
+        raise Refusal("P", cells.tolist(), REFUSALS["at-infinity"])
     q, upper = np.linalg.qr(m[::-1].T)
     signs = np.sign(np.diag(upper))[::-1]
     k, rotation = upper.T[::-1, ::-1] * signs, signs[:, None] * q.T[::-1]

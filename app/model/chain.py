@@ -39,7 +39,7 @@ from app.model.limits import (
     within,
 )
 from app.model.numerals import numbers as numbers_in
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from app.model.refusal import nearest as nearest_word
 from app.model.tables import PipelineStep, Table, evaluated, inverse, matrix, rounded
 
@@ -58,9 +58,6 @@ SO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have {0} finite numbers after {1}")
 NO_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must have no number after {0}")
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "must have at most {0} tiles, but has {1}")
 A_CHAIN = QT_TRANSLATE_NOOP("Refusal", "must be tiles such as translate 3,0,0 or rotate z 90")
-HAS_W = QT_TRANSLATE_NOOP(
-    "Refusal", "must have 0, 0, 0, 1 in its last row: no move of an object changes w"
-)
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "must have a product with numbers up to {0} only")
 
 MOST_TILES = 8
@@ -191,7 +188,7 @@ class Tile:
         keep_checked(self, numbers=numbers)
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
-                raise Refusal(field, numbers[12:], HAS_W)
+                raise Refusal(field, numbers[12:], REFUSALS["has-w"])
             rows = [[*map(Fraction, numbers[i : i + 3])] for i in (0, 4, 8)]
             if (rank := eliminate(rows).rank) < 3:
                 raise Refusal(field, tuple(numbers[i : i + 3] for i in (0, 4, 8)), INVERTIBLE, rank)

@@ -26,7 +26,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Refusal
 
 LONGEST = 400  # characters
 DEEPEST = 30  # nested brackets, signs and functions
@@ -36,16 +36,10 @@ TOO_LONG = QT_TRANSLATE_NOOP("Refusal", "is longer than {0} characters")
 TOO_DEEP = QT_TRANSLATE_NOOP("Refusal", "has more than {0} nested brackets (character {1})")
 TOO_LARGE = QT_TRANSLATE_NOOP("Refusal", "has a power with a degree above {0} (character {1})")
 UNKNOWN = QT_TRANSLATE_NOOP("Refusal", "has {0}, which no formula may contain (character {1})")
-EXPECTED = QT_TRANSLATE_NOOP(
-    "Refusal", "needs a number, a letter or a bracket instead of {0} (character {1})"
-)
+EXPECTED = REFUSALS["expected"]
 UNCLOSED = QT_TRANSLATE_NOOP("Refusal", "needs a closing bracket instead of {0} (character {1})")
-WHOLE_POWER = QT_TRANSLATE_NOOP(
-    "Refusal", "needs a whole number as its power instead of {0} (character {1})"
-)
-LEFT_OVER = QT_TRANSLATE_NOOP(
-    "Refusal", "needs a sign such as + or * in front of {0} (character {1})"
-)
+WHOLE_POWER = REFUSALS["whole-power"]
+LEFT_OVER = REFUSALS["left-over"]
 
 
 def _refused(text: str, position: int, bound: Bound, figure: object) -> Refusal:

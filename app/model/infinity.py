@@ -18,11 +18,7 @@ from app.arithmetic.rationals import dot, nearest, rationals
 from app.model.limits import LARGEST, PLANES, Array, Row, finite
 from app.model.pipeline import named_point
 from app.model.projection import Projection, Trace
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-
-A_DIRECTION = QT_TRANSLATE_NOOP(
-    "Refusal", "must not be 0 if x, y and z are 0: (0, 0, 0, 0) is neither a point nor a direction"
-)
+from app.model.refusal import REFUSALS, Refusal
 
 
 def homogeneous(x: object, y: object, z: object, w: object) -> Row:
@@ -35,7 +31,7 @@ def homogeneous(x: object, y: object, z: object, w: object) -> Row:
     *parts, weight = given
     if weight == 0.0:
         if not any(parts):
-            raise Refusal("w", 0.0, A_DIRECTION)
+            raise Refusal("w", 0.0, REFUSALS["a-direction"])
         return parts[0], parts[1], parts[2], 0.0
     if weight == 1.0:
         return parts[0], parts[1], parts[2], 1.0

@@ -9,7 +9,7 @@ from typing import Any, Literal, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 Vector: TypeAlias = tuple[float, float, float]
 Row: TypeAlias = tuple[float, float, float, float]
@@ -66,15 +66,11 @@ LEFT_BEFORE_RIGHT = QT_TRANSLATE_NOOP("Refusal", "must be less than right, which
 BOTTOM_BEFORE_TOP = QT_TRANSLATE_NOOP("Refusal", "must be less than top, which is {0}")
 THREE_NUMBERS = QT_TRANSLATE_NOOP("Refusal", "must be three finite numbers x, y, z")
 NOT_THE_EYE = QT_TRANSLATE_NOOP("Refusal", "must differ from the eye, or the camera looks nowhere")
-NOT_THE_TARGET = QT_TRANSLATE_NOOP(
-    "Refusal", "must differ from the target, or the camera looks nowhere"
-)
+NOT_THE_TARGET = REFUSALS["not-the-target"]
 NOT_ZERO = QT_TRANSLATE_NOOP("Refusal", "must not be the zero vector")
 NOT_PARALLEL = QT_TRANSLATE_NOOP("Refusal", "must not be parallel to the view direction")
 TWO_SIDES = QT_TRANSLATE_NOOP("Refusal", "must be two numbers of pixels, width and height")
-REAL_NUMBERS = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a type such as float64, to which numpy.asarray(points, float) converts"
-)
+REAL_NUMBERS = REFUSALS["real-numbers"]
 ROWS_OF = QT_TRANSLATE_NOOP("Refusal", "must end in {0}, the numbers of a point")
 EQUAL_ROWS = QT_TRANSLATE_NOOP("Refusal", "must have equally many numbers in every row")
 NOTHING_MASKED = QT_TRANSLATE_NOOP("Refusal", "must have no masked number")
@@ -86,16 +82,12 @@ FAR_BEYOND_NEAR = QT_TRANSLATE_NOOP("Refusal", "must be greater than near, which
 RIGHT_OF_LEFT = QT_TRANSLATE_NOOP("Refusal", "must be greater than left, which is {0}")
 TOP_ABOVE_BOTTOM = QT_TRANSLATE_NOOP("Refusal", "must be greater than bottom, which is {0}")
 DISTINCT = QT_TRANSLATE_NOOP("Refusal", "is too close to {0} for float64 to tell the two apart")
-WIDER = QT_TRANSLATE_NOOP(
-    "Refusal", "is too close to {0} for a plane as far from the eye as near is"
-)
+WIDER = REFUSALS["wider"]
 NO_POINT = QT_TRANSLATE_NOOP("Refusal", "is at infinity, so it is a direction and not a point")
 INVERTIBLE = QT_TRANSLATE_NOOP("Refusal", "must have an inverse, but its rank is {0}")
 FOUR_BY_FOUR = QT_TRANSLATE_NOOP("Refusal", "must be four rows of four finite numbers")
 ZERO_OR_AT_LEAST = QT_TRANSLATE_NOOP("Refusal", "must be 0 or at least {0} in size")
-SMALL_INVERSE = QT_TRANSLATE_NOOP(
-    "Refusal", "must have an inverse whose numbers and products float64 can hold"
-)
+SMALL_INVERSE = REFUSALS["small-inverse"]
 OTHER_SIDE = {
     NEAR_BEFORE_FAR: ("far", FAR_BEYOND_NEAR),
     LEFT_BEFORE_RIGHT: ("right", RIGHT_OF_LEFT),

@@ -11,7 +11,7 @@ import math
 import re
 from collections.abc import Sequence
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_name
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, shown_name
 
 SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4
 
@@ -22,10 +22,6 @@ COUNT_OF = QT_TRANSLATE_NOOP("Refusal", "must be {0} numbers, but has {1}")
 COUNT = QT_TRANSLATE_NOOP("Refusal", "must be 9, 12 or 16 numbers, but has {0}")
 NOT_READ = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of numbers, but has {0}")
 NOT_FINITE = QT_TRANSLATE_NOOP("Refusal", "must be a matrix of finite numbers, but has {0}")
-COMMAS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points",
-)
 
 
 def read_matrix(
@@ -49,7 +45,7 @@ def read_matrix(
             other = sum(map(len, others))
             if other in sizes:
                 if count in sizes:
-                    raise _refused(COMMAS, other, count)
+                    raise _refused(REFUSALS["commas"], other, count)
                 lines, count = others, other
         if count not in sizes:
             raise _refused(COUNT, count) if len(sizes) > 1 else _refused(COUNT_OF, *sizes, count)

@@ -1,7 +1,7 @@
 """Refusals: one sentence with field, value and bound that says why something is refused.
 
-The core knows no Qt. It marks its sentences with `QT_TRANSLATE_NOOP`, which lupdate finds; the
-widgets first translate a template and then fill it in.
+The core knows no Qt. Its sentences are on the page ``content/sentences.md``, or marked with
+`QT_TRANSLATE_NOOP`, which lupdate finds. The widgets translate a template and then fill it in.
 """
 
 from __future__ import annotations
@@ -10,13 +10,14 @@ import difflib
 import json
 import math
 import numbers
-from collections.abc import Callable, Iterable
-from typing import Any, Literal, NewType, overload
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any, Literal, NewType, cast, overload
 
 from app.strangers import printable
 
 Bound = NewType("Bound", str)
-"""The template of a refusal; only `QT_TRANSLATE_NOOP` makes one, so each can be translated."""
+"""The template of a refusal: of `REFUSALS`, or marked, so that each can be translated."""
 
 
 @overload
@@ -28,6 +29,23 @@ def QT_TRANSLATE_NOOP(_context: str, text: str) -> str:
     return text
 
 
+def _sentences() -> dict[str, dict[str, str]]:
+    page = (Path(__file__).parent / "content" / "sentences.md").read_text("utf-8")
+    sections: dict[str, dict[str, str]] = {}
+    section: dict[str, str] = {}
+    for line in page.splitlines():
+        if line.startswith("## "):
+            section = sections[line[3:]] = {}
+        elif line.startswith("- "):
+            name, _, text = line[2:].partition(": ")
+            section[name] = text or name
+    return sections
+
+
+SENTENCES = _sentences()
+"""The texts of the page, by section and name."""
+REFUSALS = cast(Mapping[str, Bound], SENTENCES["Refusal"])
+DESCRIPTION, MEASURE, HEALTH = (SENTENCES[name] for name in ("Description", "Measure", "Health"))
 THE_DOCUMENT = QT_TRANSLATE_NOOP("Refusal", "The document")
 SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100

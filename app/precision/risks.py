@@ -10,42 +10,20 @@ from typing import NamedTuple
 from app.model.depth import DepthBuffer
 from app.model.limits import INVERTIBLE
 from app.model.projection import PLANES, Projection, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import HEALTH, QT_TRANSLATE_NOOP, Refusal
 from app.precision.levels import Precision, Prediction, precision_for_reading
 
-NO_GAP = QT_TRANSLATE_NOOP(
-    "Health", "At the target, a 24-bit depth buffer cannot tell any two surfaces apart"
-)
-WIDE_GAP = QT_TRANSLATE_NOOP(
-    "Health", "At the target, a 24-bit depth buffer separates only surfaces at least {0} apart"
-)
-FEW_DIGITS = QT_TRANSLATE_NOOP(
-    "Health",
-    "In float64 few decimals would be certain, {0} of a pixel and {1} of the depth: the numbers "
-    "are computed exactly",
-)
-NO_PICTURE = QT_TRANSLATE_NOOP(
-    "Health", "None of the scene's objects is in the picture: all lie outside the {0} plane"
-)
-NO_FLOAT32 = QT_TRANSLATE_NOOP(
-    "Health", "A GPU's float32 cannot hold this picture: it is computed in float64"
-)
-ROUGH_DRAWING = QT_TRANSLATE_NOOP(
-    "Health", "A GPU's float32 could be up to {0} px off: the picture is computed in float64"
-)
+NO_GAP = HEALTH["no-gap"]
+WIDE_GAP = HEALTH["wide-gap"]
+FEW_DIGITS = HEALTH["few-digits"]
+NO_PICTURE = HEALTH["no-picture"]
+NO_FLOAT32 = HEALTH["no-float32"]
+ROUGH_DRAWING = HEALTH["rough-drawing"]
 NO_INVERSE = QT_TRANSLATE_NOOP("Health", "The free matrix has no inverse: no frustum is drawn")
-LARGE_INVERSE = QT_TRANSLATE_NOOP(
-    "Health", "The free matrix is too nearly singular: no frustum is drawn"
-)
-REACHES_INFINITY = QT_TRANSLATE_NOOP(
-    "Health", "The free matrix's view volume reaches infinity: no frustum is drawn"
-)
+LARGE_INVERSE = HEALTH["large-inverse"]
+REACHES_INFINITY = HEALTH["reaches-infinity"]
 VTK_CLAMPS = QT_TRANSLATE_NOOP("Health", "VTK's own camera would clamp the field of view to {0}°")
-VTK_DROPS = QT_TRANSLATE_NOOP(
-    "Health",
-    "The scene is {0} times as large as the near distance: from 1e7 on, VTK alone does not draw "
-    "what is near",
-)
+VTK_DROPS = HEALTH["vtk-drops"]
 
 _GAP = 1e-3  # of the scene's size: surfaces closer together than this are drawn
 _SEEN_PX = 0.5  # an error that changes another pixel

@@ -11,26 +11,15 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.limits import Vector, vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.mesh import PAINT_RGB, Colours, Floats, Ints, Mesh, Progress, report
 from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
-ONE_POINT = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: all vertices are at one point, so there is nothing to see; check the export."
-)
-ONE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: all vertices are on one line, so there is nothing to see; check the export."
-)
-WRONG_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.",
-)
-TOO_FAR = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size;"
-    " move the mesh to the origin.",
-)
+ONE_POINT = REFUSALS["one-point"]
+ONE_LINE = REFUSALS["one-line"]
+WRONG_SIZE = REFUSALS["wrong-size"]
+TOO_FAR = REFUSALS["too-far"]
 FARTHEST = 1e12  # largest distance from the origin, in sizes of the mesh: vertices keep four digits
 DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000

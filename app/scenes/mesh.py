@@ -16,7 +16,7 @@ from typing import Any, BinaryIO, NoReturn, TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import QT_TRANSLATE_NOOP, Bound, Cancelled, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Bound, Cancelled, Refusal
 from app.strangers import encoding_of, open_regular
 
 Floats: TypeAlias = NDArray[np.float64]
@@ -30,101 +30,29 @@ PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
 # Whole sentences, so that they can be translated. Words of a file format stay as they are.
 NO_FILE = QT_TRANSLATE_NOOP("Refusal", "{0}: there is no such file; check its name and folder.")
-UNREADABLE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: cannot be opened ({1}); check its name and its permissions."
-)
+UNREADABLE = REFUSALS["unreadable"]
 EMPTY = QT_TRANSLATE_NOOP("Refusal", "{0}: the file is empty; save or download it again.")
-NO_FACES = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the file has no faces (vertices: {1}), so there is no surface to draw; "
-    "export the mesh with faces.",
-)
-FACE_SIZE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.",
-)
-NO_SUCH_VERTEX = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: a face, line or point names a vertex that does not exist (there are {1}); "
-    "export or download the file again.",
-)
-NO_SUCH_VERTEX_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: line {1} names a vertex that does not exist (there are {2}); "
-    "export or download the file again.",
-)
-FEW_CORNERS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: faces left out: {1} of {2}, because they have fewer than three different corners; "
-    "the first is number {3}.",
-)
-FEW_CORNERS_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: faces left out: {1} of {2}, because they have fewer than three different corners; "
-    "the first is on line {3}.",
-)
-UNUSED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or "
-    "line uses them; the first is number {3}.",
-)
-UNUSED_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or "
-    "line uses them; the first is on line {3}.",
-)
-NOT_FINITE_LINE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: line {1} has a vertex that is not finite (nan or inf), and line {2} uses it; "
-    "repair the mesh and export it again.",
-)
-NOT_FINITE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: some vertices are not finite (nan or inf: {1} of {2}); "
-    "repair the mesh and export it again.",
-)
-TOO_MUCH = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} "
-    "and {4} MiB; make it smaller.",
-)
-NO_MEMORY = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: there is not enough memory to read it; make it smaller, or close other programs.",
-)
-NOT_OF_KIND = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: the content of the file is not {1}; check what kind of file it is."
-)
-CUT_OFF = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: the file is cut off; export or download the file again."
-)
-CUT_OFF_TRIANGLES = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the file is cut off: it has {1} of {2} triangles; export or download the file again.",
-)
-CUT_OFF_ROWS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.",
-)
-MORE_ROWS = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: from line {1} on, it has more rows than its header counts; correct the header, or export "
-    "the file again.",
-)
-DAMAGED = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: it cannot be read ({1}); export or download the file again."
-)
-DAMAGED_LINE = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: line {1} cannot be read as {2}; export or download the file again."
-)
-UNSUPPORTED = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: it uses “{1}”, which this program does not read; export it without that."
-)
-PART = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: its part {1} is not a readable file in the folder of the mesh; "
-    "keep the files of a glTF mesh together.",
-)
+NO_FACES = REFUSALS["no-faces"]
+FACE_SIZE = REFUSALS["face-size"]
+NO_SUCH_VERTEX = REFUSALS["no-such-vertex"]
+NO_SUCH_VERTEX_LINE = REFUSALS["no-such-vertex-line"]
+FEW_CORNERS = REFUSALS["few-corners"]
+FEW_CORNERS_LINE = REFUSALS["few-corners-line"]
+UNUSED = REFUSALS["unused"]
+UNUSED_LINE = REFUSALS["unused-line"]
+NOT_FINITE_LINE = REFUSALS["not-finite-line"]
+NOT_FINITE = REFUSALS["not-finite"]
+TOO_MUCH = REFUSALS["too-much"]
+NO_MEMORY = REFUSALS["no-memory"]
+NOT_OF_KIND = REFUSALS["not-of-kind"]
+CUT_OFF = REFUSALS["cut-off"]
+CUT_OFF_TRIANGLES = REFUSALS["cut-off-triangles"]
+CUT_OFF_ROWS = REFUSALS["cut-off-rows"]
+MORE_ROWS = REFUSALS["more-rows"]
+DAMAGED = REFUSALS["damaged"]
+DAMAGED_LINE = REFUSALS["damaged-line"]
+UNSUPPORTED = REFUSALS["unsupported"]
+PART = REFUSALS["part"]
 
 
 @dataclass(eq=False)

@@ -19,7 +19,7 @@ from typing import Any, BinaryIO
 import numpy as np
 
 from app import modules
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import DIVIDING, Finished, finished
 from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
@@ -33,16 +33,8 @@ DIVIDING_S = 120
 """Longest time between two reports while faces are divided: it grows with the square of a face's
 corners, or faster."""
 MEMORY = 6 * 2**30  # the process's memory limit: `app.scenes.mesh.LARGEST` and the file's text
-ENDED = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: the process that reads it ended too early; make it smaller, or export or download the "
-    "file again.",
-)
-TOO_LONG = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "{0}: its faces are not divided into triangles within {1} s; give them fewer corners, or "
-    "divide them before the export.",
-)
+ENDED = REFUSALS["ended"]
+TOO_LONG = REFUSALS["too-long"]
 _POLL_S = 0.05
 
 

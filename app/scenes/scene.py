@@ -27,7 +27,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.model.limits import vector
 from app.model.projection import Array, Chain, Projection, Space, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished, check, dot_colours
 from app.scenes.first_camera import centre_of, frame_camera, rounded
@@ -55,23 +55,8 @@ from app.strangers import printable
 if TYPE_CHECKING:
     from app.scenes.poly_mesh import PolyMesh
 
-WRONG_ENDING = QT_TRANSLATE_NOOP(
-    "Refusal", "{0}: a mesh file must end in {1} or {2}; convert it to one of these."
-)
-NOT_A_SCENE = QT_TRANSLATE_NOOP(
-    "Refusal", "There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending."
-)
-NEARLY_A_SCENE = QT_TRANSLATE_NOOP(
-    "Refusal", "There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?"
-)
-NO_OWN_MESH = QT_TRANSLATE_NOOP(
-    "Refusal", "mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace."
-)
-NO_SURFACE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; "
-    "open the file as a scene of its own.",
-)
+NEARLY_A_SCENE = REFUSALS["nearly-a-scene"]
+NO_SURFACE = REFUSALS["no-surface"]
 SAMPLE = 100_000  # number of vertices with which speed is measured for a larger mesh
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
@@ -377,7 +362,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     """
     phenomenon = PHENOMENA.get(name_or_path)
     if mesh and not (phenomenon is not None and phenomenon.own_mesh):
-        raise Refusal.saying(NO_OWN_MESH, name_or_path, mesh)
+        raise Refusal.saying(REFUSALS["no-own-mesh"], name_or_path, mesh)
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     if name_or_path in BUILDERS:
@@ -388,7 +373,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if name_or_path and (is_file_name or os.path.exists(path)):
         return _scene_of_mesh(name_or_path, path, progress)
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
-    template = NEARLY_A_SCENE if likely else NOT_A_SCENE
+    template = NEARLY_A_SCENE if likely else REFUSALS["not-a-scene"]
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
@@ -426,7 +411,7 @@ BUILT_IN = (*BUILDERS, *PHENOMENA)
 def _read_mesh(path: Path, progress: Progress | None) -> Finished:
     if path.suffix.lower() not in ENDINGS:
         open_mesh(path).close()
-        raise Refusal.saying(WRONG_ENDING, path, *_but_last(ENDINGS))
+        raise Refusal.saying(REFUSALS["wrong-ending"], path, *_but_last(ENDINGS))
     return read(path, progress)
 
 

@@ -47,7 +47,7 @@ def test_a_list_gives_the_figures_of_single_commands_and_names_each_line_that_fa
         f"{of_line} 7: out = 'A.png': is written by {of_line} 2.",
         f"{of_line} 9: --palette = 'pink': must be one of screen, print, dark, contrast.",
         f"{of_line} 10: has 7 columns, but the first row names 6.",
-        f"{of_line} 11: crop = 'maybe': must be yes or no.",
+        f"{of_line} 11: crop = 'maybe': must be true or false.",
         f"{of_line} 12: OUT = '{out / 'h.gif'}': must end in .png, .svg, .pdf or .tex.",
     ]
     assert done.stdout.splitlines()[:3] == ["1/9 a.png", "2/9 b&b.svg", "3/9 c.png failed"]

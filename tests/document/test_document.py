@@ -1463,7 +1463,7 @@ BAD_SCENE_SETTINGS = [
     ("settings.gap=0", "settings.gap = 0: must be at least 0.001."),
     ("settings.gap=500", "settings.gap = 500: must be less than the count, which is 40."),
     ("settings.count=2.5", "settings.count = 2.5: must be a whole number."),
-    ("settings.correct=yes", "settings.correct = 'yes': must be true or false."),
+    ("settings.correct=maybe", "settings.correct = 'maybe': must be true or false."),
     ("settings.correct=1", "settings.correct = '1': must be true or false."),
     ("settings.kind=c", "settings.kind = 'c': must be one of a, b."),
     ("settings.light=1,2", "settings.light = '1,2': must be three finite numbers x, y, z."),

@@ -134,8 +134,9 @@ def test_the_letters_frustum_takes_its_share_of_the_window(off_screen: MakeScree
     ("name", "size_px"),
     [
         *((name, SLOT_PX) for name in BUILT_IN),
-        *((name, (880, 900)) for name in BUILT_IN[::3]),
+        *((name, (1000, 830)) for name in BUILT_IN[::3]),
         *((name, SMALL) for name in BUILT_IN[1::3]),
+        *((name, (1480, 910)) for name in BUILT_IN[2::3]),
     ],
 )
 def test_what_is_drawn_fills_a_pane_of_any_shape(
@@ -143,9 +144,10 @@ def test_what_is_drawn_fills_a_pane_of_any_shape(
 ) -> None:
     width, height = drawn_px(off_screen(*size_px), name)
     under_title = size_px[1] - TITLE_EM * LIGHT.font_size
-    assert max(width / size_px[0], height / under_title) >= 0.75
-    if name not in ("similar-triangles", "focus", "far-plane-popping"):  # long, from the side
-        assert min(width / size_px[0], height / under_title) >= 0.35
+    less, more = sorted((width / size_px[0], height / under_title))
+    assert more >= (0.8 if size_px == SMALL else 0.84)
+    # Triangles on an axis, from the side, and a wall of two meshes are long and low.
+    assert less >= {"similar-triangles": 0.28, "cracks": 0.35}.get(name, 0.38)
 
 
 @pytest.mark.parametrize("name", ["letter-f", "cube"])

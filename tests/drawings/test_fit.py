@@ -13,7 +13,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings import WORDS
 from app.drawings.composition import measured
-from app.drawings.own_view import limits_of, nearest_place
+from app.drawings.own_view import nearest_place
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, Perspective
@@ -45,8 +45,8 @@ def test_the_nearest_place_holds_all_points_and_no_nearer_one_does(seed: int) ->
     slopes = half * room * (aspect, aspect, 1.0, 1.0)
     points = rng.normal(size=(rng.integers(2, 40), 3)) * rng.uniform(0.1, 50.0, 3) + 7.0
     narrow = 0.5 * slopes, points[:1] + 1.0
-    limits = [limits_of(view @ points.T, slopes), limits_of(view @ narrow[1].T, narrow[0])]
-    right, up, back = nearest_place(limits, -1e9)
+    sights = (view @ points.T, slopes), (view @ narrow[1].T, narrow[0])
+    right, up, back = nearest_place(sights, -1e9)
     place = np.array([right, up, -back]) @ view
     camera = vtkCamera()
     camera.SetViewAngle(50.0)
@@ -89,7 +89,10 @@ def test_a_scene_opens_with_all_that_has_to_be_inside(
     camera = screen.renderer.GetActiveCamera()
     seen = on_screen(camera, size[0] / size[1], np.concatenate(list(inside.values())))
     assert np.abs(seen).max() <= 0.93, "a margin of 4 % on each side, and labels"
-    assert np.ptp(seen, axis=0).max() > 1.0, "and as large as it can be"
+    filled, is_small = np.ptp(seen, axis=0).max() / 2.0, size == SIZES[-1]
+    assert filled >= (0.55 if is_small else 0.77), "and as large as labels allow"
+    subject = on_screen(camera, size[0] / size[1], inside["subject"])
+    assert is_small or np.ptp(subject[:, 1]) / 2.0 >= 0.195, "a fifth of the pane's height"
 
 
 @pytest.mark.parametrize("turns", [(0.0,), (0.0, 90.0, 180.0, 270.0), (0.0, 20.0, 40.0)])

@@ -61,6 +61,7 @@ class Shown:
     def show(self, illustration: Illustration | None) -> Pixels:
         self.drawing.show_projection(self.projection, illustration)
         self.drawing.refit()  # at rest
+        self.drawing.layers.place_labels(afresh=True)
         pixels: Pixels = self.screen.pixels()
         return pixels
 

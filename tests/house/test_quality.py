@@ -15,6 +15,7 @@ from typing import Any, get_args, get_origin, get_type_hints
 from xml.etree import ElementTree
 
 from app.bootstrap import ROOT
+from app.model.refusal import SENTENCES
 from tests import texts
 
 SOURCES = sorted(path for folder in ("app", "widgets") for path in (ROOT / folder).rglob("*.py"))
@@ -90,7 +91,24 @@ def test_every_refusal_can_be_translated() -> None:
             elif called == "Bound" or (called == "cast" and "Bound" in ast.unparse(node.args[0])):
                 makers.append(place)
     assert refusals > 200
-    assert makers == [], "QT_TRANSLATE_NOOP alone makes a Bound"
+    assert len(makers) == 1, "REFUSALS and QT_TRANSLATE_NOOP alone make a Bound"
+
+
+def test_every_sentence_of_the_page_is_used_and_every_one_that_is_used_is_there() -> None:
+    """Those of a list are used together."""
+    sections = {"REFUSALS": "Refusal"} | {name.upper(): name for name in SENTENCES}
+    used, lists = set(), set()
+    for path in SOURCES:
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name):
+                name, key = node.value.id, getattr(node.slice, "value", "Refusal")
+                if name == "SENTENCES":
+                    lists.add(key)
+                elif name in sections:
+                    used.add((sections[name], key))
+    alone = {each for each in SENTENCES if "/" not in each}
+    assert used == {(each, name) for each in alone for name in SENTENCES[each]}
+    assert lists - alone == SENTENCES.keys() - alone
 
 
 def test_a_file_that_cannot_be_looked_for_is_not_there() -> None:

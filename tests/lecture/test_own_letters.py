@@ -156,10 +156,12 @@ def test_a_lesson_takes_a_file_beside_it_or_the_one_of_the_command(tmp_path: Pat
     lesson.write_text("---\ntitle: T\nletters: letters.toml\n---\n# A\nText.\n", encoding="utf-8")
     assert read_lesson(lesson).letters == OWN
     assert read_lesson(lesson, letters="001").letters == "001"
-    lesson.write_text("---\ntitle: T\nletters: ../letters.toml\n---\n# A\nText.\n")
+    lesson.write_text(
+        "---\ntitle: T\nletters: ../letters.toml\n---\n# A\nText.\n", encoding="utf-8"
+    )
     with pytest.raises(Refusal, match=r"line 3 = '\.\./letters.toml': must be one of own, 000"):
         read_lesson(lesson)
-    lesson.write_text("---\ntitle: T\nletters: none.toml\n---\n# A\nText.\n")
+    lesson.write_text("---\ntitle: T\nletters: none.toml\n---\n# A\nText.\n", encoding="utf-8")
     with pytest.raises(Refusal, match=r"line 3 cannot be read: .*none\.toml does not exist"):
         read_lesson(lesson)
 

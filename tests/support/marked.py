@@ -6,14 +6,17 @@ import ast
 from pathlib import Path
 from types import ModuleType
 
+from app.model.refusal import SENTENCES
+
 
 def marked(*modules: ModuleType, context: str = "Refusal") -> set[str]:
-    """The literals inside ``QT_TRANSLATE_NOOP(context, ...)`` of some modules."""
-    return {
-        ast.literal_eval(call.args[1])
-        for module in modules
-        for call in ast.walk(ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8")))
-        if isinstance(call, ast.Call)
-        and getattr(call.func, "id", "") == "QT_TRANSLATE_NOOP"
-        and ast.literal_eval(call.args[0]) == context
-    }
+    """The texts of a context that some modules mark, or take from the page of sentences."""
+    texts, pages = set(), (context.upper(), f"{context.upper()}S")
+    for module in modules:
+        for node in ast.walk(ast.parse(Path(module.__file__ or "").read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                if ast.unparse(node).startswith(f"QT_TRANSLATE_NOOP('{context}', "):
+                    texts.add(ast.literal_eval(node.args[1]))
+            elif isinstance(node, ast.Subscript) and ast.unparse(node.value) in pages:
+                texts.add(SENTENCES[context][ast.literal_eval(node.slice)])
+    return texts

@@ -160,9 +160,9 @@ def test_another_scene_places_its_labels_once_in_each_pane(
     settle()
     placed, settle_labels = [], Board.settle
 
-    def counted(self: Board, ground: Ground, *, afresh: bool) -> bool:
+    def counted(self: Board, ground: Ground, **how: bool) -> bool:
         placed.append(self)
-        return settle_labels(self, ground, afresh=afresh)
+        return settle_labels(self, ground, **how)
 
     monkeypatch.setattr(Board, "settle", counted)
     window.guide.choose("cube")

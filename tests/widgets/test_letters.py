@@ -66,14 +66,18 @@ def test_letters_of_a_file_are_chosen_kept_and_refused(
     window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     own, bad = tmp_path / "letters.toml", tmp_path / "bad.toml"
-    own.write_text('[vectors]\nn = "k"\neye = "C"\n[matrices]\nview_from_world = "V"\n')
-    bad.write_text('[vectors]\nn = "$"\n')
+    own.write_text(
+        '[vectors]\nn = "k"\neye = "C"\n[matrices]\nview_from_world = "V"\n', encoding="utf-8"
+    )
+    bad.write_text('[vectors]\nn = "$"\n', encoding="utf-8")
     window.panels.open(window.matrices)
     for path in (own, bad):
         monkeypatch.setattr(QFileDialog, "getOpenFileName", lambda *_, path=path: (str(path), ""))
         window.matrices.file.click()
         settle()
-        assert window.look.words["n"] == "k" and window.store.seen.view.letters == own.read_text()
+        assert window.look.words["n"] == "k" and window.store.seen.view.letters == own.read_text(
+            encoding="utf-8"
+        )
     assert "line 2: n = '$': must be a Latin letter" in window.matrices.explanation.text()
     assert window.matrices.shown[0].called == "V" and window.matrices.letters.count() == 7
     choose(window, "003")

@@ -303,3 +303,7 @@ def test_near_is_moved_at_the_first_try(make_window: MakeWindow, by: str) -> Non
         move_mouse(canvas, at + QPoint(*np.round(part * way).astype(int).tolist()), LEFT)
     QTest.mouseRelease(canvas, LEFT, pos=at)
     assert window.store.document.projection.lens.near > 1.05 * before
+    settle()
+    box = drawing.state.board.label("near").box_px
+    QTest.qWait(700)  # labels that have to leave wait less
+    assert drawing.state.board.label("near").box_px == box, "it stays where the hand let go"

@@ -62,8 +62,7 @@ from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.icons import Combo, icon
-from widgets.parts.labels import NoteLabel
-from widgets.parts.layouts import FocusRing, in_column, in_row, push_button
+from widgets.parts.layouts import FREE, FocusRing, in_column, in_row, push_button
 from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
@@ -148,8 +147,7 @@ class MeasurePanel(DiagramPanel):
         controls = self._make_controls()
         self._make_views()
         left = in_column(precision, (self.list, 1), controls, gap=3)
-        notes = in_column(self.where, self.seen, gap=0)
-        below = in_row((notes, 1), self.cost, self.run_button, margins=(0, 0, 0, 0))
+        below = in_row(FREE, self.cost, self.run_button, margins=(0, 0, 0, 0))
         middle = in_column((self._drawn, 1), below, gap=0)
         right = in_column(self.sentence, (self.table, 1), gap=3)
         in_row(left, (middle, 6), (right, 5), on=self, margins=(4, 0, 4, 2), gap=8)
@@ -216,9 +214,6 @@ class MeasurePanel(DiagramPanel):
 
     def _make_views(self) -> None:
         self._drawn = in_row(margins=(0, 0, 0, 0))
-        self.where, self.seen = NoteLabel(), NoteLabel()
-        self.where.setAccessibleName(self.tr("Machine and date of the measurement"))
-        self.seen.setAccessibleName(self.tr("The scene and camera that were measured"))
         selectable = Qt.TextInteractionFlag.TextSelectableByMouse
         self.sentence = PlainLabel(wordWrap=True, textInteractionFlags=selectable)
         self.table = _ResultsTable()
@@ -461,10 +456,11 @@ class MeasurePanel(DiagramPanel):
             if not part.complete:
                 said = f"{chart.title(part, of_measurements)}. {said}"
             said = f"{words} {said}" if words else said
+            if not self._is_shipped:
+                facts = said, chart.where(shown), chart.seen(shown, of_measurements)
+                said = "\n".join(filter(None, facts))
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
-        self.where.setText(chart.where(shown) if shown else "")
-        self.seen.setText(chart.seen(shown, of_measurements) if shown else "")
 
     def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""

@@ -418,10 +418,8 @@ class Pane(QFrame):
         drawing, is_still = self.drawing, self._goes_to is None
         if drawing is None or not (is_still and self.isVisible()):
             return
-        drawing.board.is_soft = self.fades()
         if drawing.refit():
             self.canvas.redraw()
-        drawing.board.is_soft = False
         self._watch_labels()
 
     def _view_moved(self) -> None:

@@ -15,11 +15,8 @@ from app.lessons.blocks.question import CHECKS, LETTERS, RIGHT, Question, Reply
 from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
-ONE_RIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”"
-)
 OTHER_NUMBER = QT_TRANSLATE_NOOP("Refusal", "says another number than its formula's value, {0}")
 A_NUMBER_OF = QT_TRANSLATE_NOOP("Refusal", "must be the number of a choice, from 1 to {0}")
 
@@ -68,7 +65,7 @@ class Choices(Question):
     def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
         choices = tuple(map(Choice.read, items.every("choice")))
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
-            raise refused(body.line, ONE_RIGHT)
+            raise refused(body.line, REFUSALS["one-right"])
         return cls(**cls.fields(body, text, items), replies=choices, **more)
 
     @property

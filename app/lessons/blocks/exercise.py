@@ -24,7 +24,7 @@ from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, w
 from app.lessons.marking import are_alike
 from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
 from app.model.formula import parse
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 MOST_NAMES, MOST_VALUES = 8, 1000
 LEAST_VARIANTS = 20  # fewer variants are learnt by heart
@@ -32,20 +32,11 @@ LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks the whole question
 
-A_RANGE = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a range like 20..100 step 5, or numbers separated by commas"
-)
 TOO_MANY = QT_TRANSLATE_NOOP("Refusal", "has {0} values; the limit is {1}")
 TOO_MANY_NAMES = QT_TRANSLATE_NOOP("Refusal", "varies more than {0} numbers")
 TWICE = QT_TRANSLATE_NOOP("Refusal", "varies {0} twice")
-NO_VARIANT = QT_TRANSLATE_NOOP(
-    "Refusal", "finds no numbers that suit, for seed {0}; the last ones were refused: {1}"
-)
 TOO_FEW = QT_TRANSLATE_NOOP("Refusal", "has too few variants, about {0}; it needs at least {1}")
 A_SEED = QT_TRANSLATE_NOOP("Refusal", "must begin with a seed, a whole number from 1 to {0}")
-CAN_BE_READ = QT_TRANSLATE_NOOP(
-    "Refusal", "has an answer that the scene shows as “{0}”: add “hide: numbers”"
-)
 UNSUITED = QT_TRANSLATE_NOOP("Refusal", "does not hold")
 NO_VALUE_WITH = QT_TRANSLATE_NOOP("Refusal", "{0}, with {1}; “where: CONDITION” excludes numbers")
 
@@ -142,7 +133,7 @@ class Exercise(Asked):
                 if complete and error.bound == NO_VALUE_WITH:
                     raise
                 problem = error
-        raise refused(self.line, NO_VARIANT, seed, str(problem).rstrip("."))
+        raise refused(self.line, REFUSALS["no-variant"], seed, str(problem).rstrip("."))
 
     def _suited(self, here: Here, seed: int, numbers: Mapping[str, Fraction]) -> Variant:
         given = {name: float(value) for name, value in numbers.items()}
@@ -204,7 +195,9 @@ class Exercise(Asked):
             readings = _readings(variant)
             shown = readings if shown is None else shown & readings
         if shown and "numbers" not in self.hides:
-            trial.add_fault(refused(self.line, CAN_BE_READ, min(shown).replace("_", " ")))
+            trial.add_fault(
+                refused(self.line, REFUSALS["can-be-read"], min(shown).replace("_", " "))
+            )
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         first, _, rest = sample.partition(" ")
@@ -277,7 +270,7 @@ def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied
         end, _, by = rest.partition(" step ")
         first, last, step = (_number(part, line, {}) for part in (begin, end, by or "1"))
         if step <= 0 or last < first:
-            raise refused(line, A_RANGE, value=text[:60])
+            raise refused(line, REFUSALS["a-range"], value=text[:60])
         count = (last - first) // step + 1
         if count > MOST_VALUES:
             raise refused(line, TOO_MANY, count, MOST_VALUES)

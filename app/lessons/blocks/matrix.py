@@ -18,30 +18,16 @@ from app.lessons.marking import TypedNumber
 from app.lessons.quantities import read_formula
 from app.lessons.text import escaped
 from app.model.formula import Formula
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 Part = TypeVar("Part")
 
 MOST = 4  # most rows, and most columns
 
-A_MATRIX = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, "
-    "separated by “,”; and at least two cells",
-)
 A_CELL = QT_TRANSLATE_NOOP("Refusal", "must be a row and a column, separated by “,”")
 OTHER_SHAPE = QT_TRANSLATE_NOOP("Refusal", "has {0} × {1} cells; the answer has {2} × {3}")
-CELLS = QT_TRANSLATE_NOOP(
-    "Refusal", "must have {0} × {1} cells: “;” separates rows, “|” the cells of a row"
-)
 
-TRANSPOSED = QT_TRANSLATE_NOOP(
-    "Refusal", "The numbers are right, but rows and columns are exchanged."
-)
 ROWS = QT_TRANSLATE_NOOP("Refusal", "The numbers are right, but rows {0} and {1} are exchanged.")
-COLUMNS = QT_TRANSLATE_NOOP(
-    "Refusal", "The numbers are right, but columns {0} and {1} are exchanged."
-)
 ALL_SIGNS = QT_TRANSLATE_NOOP("Refusal", "All signs are turned round.")
 SOME_SIGNS = QT_TRANSLATE_NOOP("Refusal", "The marked numbers have the wrong sign.")
 ONE_CELL = QT_TRANSLATE_NOOP("Refusal", "Only the number in row {0}, column {1} is wrong.")
@@ -87,7 +73,7 @@ class MatrixQuestion(MarkedQuestion):
         """Return the texts of the cells, row after row; a `Refusal` if their number is wrong."""
         rows = [row.split("|") for row in typed.split(";")]
         if len(rows) != self.rows or any(len(row) != self.columns for row in rows):
-            raise Refusal("cells", typed, CELLS, self.rows, self.columns)
+            raise Refusal("cells", typed, REFUSALS["cells"], self.rows, self.columns)
         return [cell.strip() for row in rows for cell in row]
 
     def mark(self, here: Here, typed: str) -> Verdict:
@@ -135,12 +121,12 @@ class MatrixQuestion(MarkedQuestion):
         """Yield the ways to mix up a matrix: for each cell, whose value it then has."""
         places = self._in_rows(range(self.rows * self.columns))
         if self.rows == self.columns:
-            yield Refusal.saying(TRANSPOSED), _flat(zip(*places, strict=True))
+            yield Refusal.saying(REFUSALS["transposed"]), _flat(zip(*places, strict=True))
         for one, other in combinations(range(self.rows), 2):
             yield Refusal.saying(ROWS, one + 1, other + 1), _flat(_swapped(places, one, other))
         for one, other in combinations(range(self.columns), 2):
             swapped = (_swapped(row, one, other) for row in places)
-            yield Refusal.saying(COLUMNS, one + 1, other + 1), _flat(swapped)
+            yield Refusal.saying(REFUSALS["columns"], one + 1, other + 1), _flat(swapped)
 
     def solution(self, here: Here) -> str:
         """Return a line for each number that has letters; the numbers are in `answer_text`."""
@@ -220,6 +206,6 @@ def _cells(item: LineItem) -> tuple[int, int, tuple[Formula, ...]]:
     count, width = len(rows), len(rows[0])
     is_even = all(len(row) == width for row in rows)
     if not is_even or max(count, width) > MOST or count * width < 2:
-        raise refused(item.line, A_MATRIX, MOST, value=item.text[:60])
+        raise refused(item.line, REFUSALS["a-matrix"], MOST, value=item.text[:60])
     with on_line(item.line, item.key):
         return count, width, tuple(read_formula(cell.strip()) for row in rows for cell in row)

@@ -24,7 +24,7 @@ from app.lessons.quantities import Condition, NotThere, Quantities
 from app.model.formula import Formula, Letter, parse
 from app.model.limits import ONE_OF
 from app.model.parameters import FOCAL_E, FOV_X, FOV_Y, PARAMETERS
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 YOURS = QT_TRANSLATE_NOOP("phenomena", "your idea")
 MODEL = QT_TRANSLATE_NOOP("phenomena", "the model")
@@ -73,21 +73,9 @@ def _change(own: Document, name: str, value: float) -> str:
 
 
 NO_VALUE = QT_TRANSLATE_NOOP("Refusal", "has no value in this state, which has no {0}")
-NO_IDEA = QT_TRANSLATE_NOOP(
-    "Refusal", "names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own"
-)
-NO_REPLY = QT_TRANSLATE_NOOP(
-    "Refusal", "is wrong, but has no reply: name a wrong idea, or add “says:” below"
-)
 ALSO_RIGHT = QT_TRANSLATE_NOOP("Refusal", "is wrong, but its formula gives the right value, {0}")
 SAME_WRONG = QT_TRANSLATE_NOOP("Refusal", "cannot be told from the wrong value of line {0}, {1}")
-OTHER_NUMBER = QT_TRANSLATE_NOOP(
-    "Refusal", "must be a number of the model that can be set, and the answer; it is {0} here"
-)
 NOT_SO = QT_TRANSLATE_NOOP("Refusal", "does not hold")
-NO_RIGHT = QT_TRANSLATE_NOOP(
-    "Refusal", "is tried by no sample “{0}: ... -> right”, so a wrong value would not be noticed"
-)
 
 Value: TypeAlias = tuple[float, ...]  # an answer's numbers: one, a matrix by rows, or coordinates
 
@@ -134,9 +122,9 @@ class Reply:
         """Report an unknown idea without a sentence, and an impossible state."""
         if self.idea and here.idea(self.idea) is None and not self.says:
             near = difflib.get_close_matches(self.idea, here.idea_names, n=1, cutoff=0.0)[0]
-            trial.add_fault(refused(self.line, NO_IDEA, near, value=self.idea))
+            trial.add_fault(refused(self.line, REFUSALS["no-idea"], near, value=self.idea))
         if not (self.right or self.idea or self.says):
-            trial.add_fault(refused(self.line, NO_REPLY))
+            trial.add_fault(refused(self.line, REFUSALS["no-reply"]))
         if self.state is not None:
             with trial.kept():
                 here.shown_by(self.state)
@@ -248,7 +236,7 @@ class Question(Asked):
                 held = known.value(parse(self.number))
             is_held = math.isclose(value[0], held, rel_tol=1e-9)
             if not is_held or not is_set(known.document, self.number):
-                raise refused(line, OTHER_NUMBER, f"{held:.6g}", value=self.number)
+                raise refused(line, REFUSALS["other-number"], f"{held:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:
         """Refuse a value that does not exist, and wrong ones that equal another one."""
@@ -347,7 +335,7 @@ class MarkedQuestion(Question):
 
     def check_tried(self, verdicts: Collection[str], trial: Trial) -> None:
         if Verdict(True).word not in verdicts:
-            trial.add_warning(refused(self.right_line, NO_RIGHT, self.name))
+            trial.add_warning(refused(self.right_line, REFUSALS["no-right"], self.name))
 
     def verdict(self, here: Here, sample: str, line: int) -> str:
         with on_line(line):

@@ -23,7 +23,7 @@ import numpy as np
 from app.model.limits import NOT_ZERO, vector
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
+from app.model.refusal import REFUSALS, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
@@ -32,13 +32,6 @@ from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("planar-shadow")
 
-ABOVE_THE_PLANE = QT_TRANSLATE_NOOP(
-    "Refusal",
-    "must lie above the plane y = {0}: a light on the plane or under it casts no shadow there",
-)
-FROM_ABOVE = QT_TRANSLATE_NOOP(
-    "Refusal", "must point upward, to the sun: otherwise its rays never meet the plane"
-)
 
 _PANES = ("world", "ndc", "image")
 _TRUSTED = 1e30  # how far away a mark may be
@@ -102,9 +95,9 @@ def _check(settings: Settings) -> None:
         if not any(light):
             raise Refusal("settings.light", light, NOT_ZERO)
         if light[1] <= 0.0:
-            raise Refusal("settings.light", light, FROM_ABOVE)
+            raise Refusal("settings.light", light, REFUSALS["from-above"])
     elif light[1] <= height:
-        raise Refusal("settings.light", light, ABOVE_THE_PLANE, format_value(height))
+        raise Refusal("settings.light", light, REFUSALS["above-the-plane"], format_value(height))
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:

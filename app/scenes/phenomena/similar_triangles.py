@@ -13,7 +13,7 @@ import numpy as np
 
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
@@ -36,9 +36,6 @@ from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("similar-triangles")
 
-NOT_THE_EYE_PLANE = QT_TRANSLATE_NOOP(
-    "Refusal", "must not be 0: the plane would go through the eye, where nothing is cut"
-)
 
 _MINUS_ONE_OVER_D = 4 * 3 + 2  # the cell that d is in: row 4, column 3
 # What numbers and lines are highlighted with, by the names of `app.lecture.highlight`.
@@ -52,7 +49,7 @@ _SQUARE = 0.025  # of the longest distance: side of a right angle's mark
 
 def _check(settings: Settings) -> None:
     if number(settings, "distance") == 0.0:
-        raise Refusal("settings.distance", 0.0, NOT_THE_EYE_PLANE)
+        raise Refusal("settings.distance", 0.0, REFUSALS["not-the-eye-plane"])
 
 
 def projected(projection: Projection, distance: float, place: Array) -> tuple[float, float] | None:

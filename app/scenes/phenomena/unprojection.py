@@ -130,7 +130,8 @@ PHENOMENON = Phenomenon(
     clicked="point",
     own_mesh=True,
     names=("P", "back", "error", "eye"),
-    shot=Shot(45.0, 15.0),
+    shot=Shot(-35.0, 15.0),
+    upright=Shot(45.0, 15.0),
     leaves_out=frozenset({"frustum", "near-picture"}),
     pale=frozenset({"world"}),
 )
