@@ -12,6 +12,7 @@ import argparse
 import json
 from pathlib import Path
 
+from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.lecture.kinds import KINDS
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
@@ -73,6 +74,7 @@ def sentence_texts() -> list[tuple[str, set[str]]]:
 
 def source() -> str:
     """Python that marks them all."""
+    from widgets.panels.frame_panel import STEP_TEXTS
     from widgets.parts.messages import FACTORS, SPACES
 
     lines = (
@@ -82,6 +84,11 @@ def source() -> str:
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
             ("Help", help_texts()),
+            ("Look", set(SENTENCES_OF_DRAWINGS.values())),
+            (
+                "FramePanel",
+                {text for name, each in STEP_TEXTS.items() for text in (name, *each.text)},
+            ),
             ("Space", set(SPACES.values())),
             ("Factor", set(FACTORS.values())),
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
