@@ -145,11 +145,11 @@ class PanePicture:
             drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)
             drawing.show_layers(view.layers | {AXES} if self.bare else view.layers)
             drawing.show_names(named_in(pane, scene, view.names))
-            drawing.show_projection(self.document.projection, illustration)
+            drawing.show_moves(self.document.projection, illustration, view.stage)
             if illustration is not None:  # as in the window, while nobody points at anything
                 drawing.show_highlight(frozenset(illustration.about))
             if isinstance(drawing, StageDrawing):
-                drawing.show_stage(view.stage)
+                drawing.show_stage(max(view.stage, 0.0))
             drawing.show_probes(view.probes)  # which are framed, too
             if isinstance(drawing, WorldDrawing):
                 drawing.fit = self.fit

@@ -6,7 +6,7 @@ the world and its origin (lecture 003).
 
 - `Chain.exact` and `Chain.matrix` are the product of the tiles that are on.
 - `Chain.after(k)` is the chain of the k rightmost tiles: its product is where the object stands
-  after k moves, and its columns are the axes at that step.
+  after k moves, and its columns are the axes at that step. ``from_left`` reads the other way.
 - `Chain.moved` and `Chain.with_tile` rearrange; `Chain.read` and `Chain.text` are the text form.
 - Two chains do the same if their `exact` products are equal, whatever their tiles.
 """
@@ -225,6 +225,18 @@ class Tile:
             parts = parts[size:]
         return " ".join(words)
 
+    def partly(self, part: float) -> Tile:
+        """A part of the move: of an angle, a way, a factor. A mirror flattens half-way."""
+        if self.kind.startswith("mirror"):
+            return Tile("scale", tuple(1.0 - 2.0 * part * (x == self.kind[-1]) for x in "xyz"))
+        begin = list(KINDS[self.kind].neutral)
+        if self.kind == "rotate":
+            begin[:3] = self.numbers[:3]
+        try:
+            return replace(self, numbers=tuple(begin)).towards(self.numbers, part)
+        except Refusal:  # a typed matrix that is singular on the way
+            return self
+
     def towards(self, numbers: Sequence[float], part: float) -> Tile:
         """The tile with its numbers on the way to others."""
         mixed = ((1.0 - part) * a + part * b for a, b in zip(self.numbers, numbers, strict=True))
@@ -311,9 +323,17 @@ class Chain:
         names = iter(kind.field for kind in lettered_kinds(self.kinds))
         return tuple("" if tile.is_off else next(names) for tile in self.tiles)
 
-    def after(self, count: int) -> Chain:
-        """The chain of the first moves of an object: the rightmost tiles that are on."""
-        return Chain(self.on[len(self.on) - count :])
+    def after(self, moves: float, *, from_left: bool = False) -> Chain:
+        """The chain after so many moves of the tiles that are on, the last one in part.
+
+        They are read from the right, in the world's axes; or done from the left, in the axes that
+        the moves before have moved. Both end in the whole product.
+        """
+        tiles = self.on if from_left else self.on[::-1]
+        made, part = tiles[: int(moves)], moves % 1.0
+        if part:
+            made = (*made, tiles[int(moves)].partly(part))
+        return Chain(made if from_left else made[::-1])
 
     def place_of(self, *kinds: str) -> int | None:
         """The place of the leftmost tile of some kinds that is on; None if there is none."""
