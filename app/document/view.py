@@ -13,6 +13,7 @@ from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
+from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
 from app.model.limits import (
     LARGEST_IMAGE_PX,
@@ -43,7 +44,7 @@ MOST_PROBES = 6  # most probes: more cannot be compared at a glance
 MOST_NAMES = 7  # most names of a view: a picture with more of them has no point
 EVERYTHING = ("*",)  # the names of a view that names everything
 
-A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from 0 to {1}")
+A_STAGE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or a number from {1} to {2}")
 ONE_OR_NONE = QT_TRANSLATE_NOOP("Refusal", "must be one of {0}, or empty for none")
 SOME_OF = QT_TRANSLATE_NOOP("Refusal", "must be a list of names from {0}")
 SOME_SLIDES = QT_TRANSLATE_NOOP("Refusal", "must be a list of at most {0} names from {1}")
@@ -59,7 +60,8 @@ class View:
 
     layout: str = "pictures"
     large: str = ""  # the pane in the large slot; empty for the one that the scene chooses
-    stage: float = float(NDC)  # position on the stage strip; a whole number at each of `STAGES`
+    stage: float = float(NDC)
+    """Position on the stage strip: whole at each of `STAGES`, below 0 during the object's moves."""
     frame_step: str = STEPS[0]  # the step up to which the camera's frame is built
     panel: str | None = None  # the drawer's open panel; empty for none, None for the scene's
     letters: Letters = LETTERS[0]  # of the formulas: a lecture's, or the text of a file
@@ -89,8 +91,8 @@ class View:
         _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
         lettering(self.letters)  # or a `Refusal`
         _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
-        if not _is_number(self.stage) or not 0.0 <= self.stage <= IMAGE:
-            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), IMAGE)
+        if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
+            raise Refusal("stage", self.stage, A_STAGE, ", ".join(STAGES), -MOST_TILES, IMAGE)
         if not self.layers <= set(LAYERS):
             raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
         _check_names(self.names)
@@ -242,7 +244,7 @@ _LISTS: dict[str, tuple[Any, ...]] = {
 }
 """What each list becomes, the type of its parts, and its bound; the view checks them further."""
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {
-    "stage": lambda stage: STAGES[int(stage)] if stage.is_integer() else stage,
+    "stage": lambda stage: STAGES[int(stage)] if stage in range(len(STAGES)) else stage,
     "layers": lambda layers: [name for name in LAYERS if name in layers],
     "pinned": sorted,
     "probes": _probe_places,

@@ -167,7 +167,7 @@ def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> 
 
 
 def _stage(at: float, projection: Projection, translate: Translate) -> str:
-    before, after = int(at), int(np.ceil(at))
+    before, after = int(max(at, 0.0)), int(np.ceil(max(at, 0.0)))
     lens = projection.lens
     if not lens.has_steps:  # a typed matrix leads from view to NDC at once
         before = VIEW if VIEW < at < NDC else before

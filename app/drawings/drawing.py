@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
 from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.stages import standing_at
+from app.model.chain import Chain
 from app.model.projection import Array, Camera, Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.handles import Handle, Spot
-from app.picking.picking import Probe
+from app.picking.picking import Probe, carried
 from app.picking.sight import Sight
 from app.precision.levels import Precision
 from app.scenes.phenomena.illustration import Illustration
@@ -95,6 +97,8 @@ class Drawing:
     state: PaneState
     layers: Layers
     own: OwnView | StageView | None = None
+    _probes: Sequence[Probe] = ()
+    _way: tuple[Chain, Chain] | None = None  # the whole chain and the moves made, if they differ
 
     # -- the model
 
@@ -102,6 +106,27 @@ class Drawing:
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
         """Set the model's matrices and show a phenomenon's marks, instead of earlier ones."""
+
+    def show_moves(
+        self,
+        projection: Projection,
+        illustration: Illustration | None,
+        stage: float,
+        *,
+        from_left: bool = False,
+    ) -> None:
+        """Show the projection at a position of the stage strip; the object may be on its way."""
+        standing, beside = standing_at(projection, stage, from_left=from_left)
+        way = (projection.placement, standing.placement) if beside else None
+        is_carried = way != self._way
+        self._way = way
+        self.show_ghosts(beside)
+        self.show_projection(standing, illustration)
+        if is_carried:
+            self.show_probes(self._probes)
+
+    def show_ghosts(self, chains: Sequence[Chain]) -> None:
+        """Show pale objects moved by other chains."""
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Use the faces of a scene with fewer triangles; None for all. Then show a projection."""
@@ -118,7 +143,8 @@ class Drawing:
 
     def show_probes(self, probes: Sequence[Probe]) -> None:
         """Mark these probes, and no others."""
-        self.state.probes = probes
+        self._probes = probes
+        self.state.probes = [carried(each, *self._way) for each in probes] if self._way else probes
         self.layers.settle()
         self.layers.place_labels()
 

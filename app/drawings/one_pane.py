@@ -77,7 +77,7 @@ class PanePicture:
 
         def direct(wishes: Sequence[Wish], ground: Ground) -> Standing:
             ground.hidden(np.empty((0, 4)))  # it counts the ink of a drawing that is there
-            asked.append(Wanted([(wish, wish.places()) for wish in wishes], ground))
+            asked.append(Wanted([wish.choices(ground) for wish in wishes], ground))
             return {}
 
         def lay_out(drawing: Drawing) -> None:
@@ -145,11 +145,11 @@ class PanePicture:
             drawing = _DRAWINGS[pane](screen, scene, self.words, style, **options)
             drawing.show_layers(view.layers | {AXES} if self.bare else view.layers)
             drawing.show_names(named_in(pane, scene, view.names))
-            drawing.show_projection(self.document.projection, illustration)
+            drawing.show_moves(self.document.projection, illustration, view.stage)
             if illustration is not None:  # as in the window, while nobody points at anything
                 drawing.show_highlight(frozenset(illustration.about))
             if isinstance(drawing, StageDrawing):
-                drawing.show_stage(view.stage)
+                drawing.show_stage(max(view.stage, 0.0))
             drawing.show_probes(view.probes)  # which are framed, too
             if isinstance(drawing, WorldDrawing):
                 drawing.fit = self.fit

@@ -6,12 +6,13 @@ from which the pane looks. No part computes a projection: the frustum is the NDC
 and faces under ``world_from_clip``, and a slider step sets matrices alone.
 """
 
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 
-from app.drawings.actors import SceneActors, make_pale
+from app.drawings.actors import SceneActors, lift_lines, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
 from app.drawings.drawing import Drawing, light_of_labels
@@ -30,7 +31,7 @@ from app.drawings.style import Style
 from app.drawings.world_axes import WorldAxes
 from app.drawings.world_state import WorldState
 from app.lecture.highlight import AXES, ENDS, WINDOW
-from app.model.projection import Array, Camera, Projection, Vector
+from app.model.projection import Array, Camera, Chain, Projection, Vector
 from app.picking.handles import Handle
 from app.scenes.phenomena.illustration import Illustration, Shot
 from app.scenes.scene import Scene
@@ -53,6 +54,8 @@ class SceneInWorld(FacesLayer):
             make_pale(drawn, state.style)
         super().__init__(state, drawn, "stored")
         self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
+        self._ghosts: list[SceneActors] = []
+        self._beside: list[Array] = []  # corners of the ghosts' boxes
         self._placed: object = None
 
     def show(self) -> None:
@@ -63,6 +66,24 @@ class SceneInWorld(FacesLayer):
             self._faces_space.set(state.local_from_object)
             self.lift_lines()
         super().show()
+
+    def show_ghosts(self, chains: Sequence[Chain]) -> None:
+        """Show pale copies of the objects, moved by these chains."""
+        state = self._state
+        while len(self._ghosts) < len(chains):
+            ghost = SceneActors(state.scene.apart[0], state.style)
+            make_pale(ghost, state.style)
+            for actor in ghost:
+                lift_lines(actor, -1)  # behind the object's own faces
+            state.canvas.add(*ghost)
+            self._ghosts.append(ghost)
+        corners = state.scene.objects_box
+        self._beside = [chain.placed(corners).world - state.origin for chain in chains]
+        for ghost, chain in itertools.zip_longest(self._ghosts, chains):
+            for actor, space in ghost.placed:
+                actor.SetVisibility(chain is not None)
+                if chain is not None:
+                    space.set(chain.local_from(state.scene.origin, state.scene.origin))
 
     def lift_lines(self) -> None:
         """Lift dots and lines towards the pane's own camera."""
@@ -78,7 +99,7 @@ class SceneInWorld(FacesLayer):
         self._state.silhouette.ink(ground, spots)
 
     def reach(self) -> Array:
-        return self._state.everything
+        return np.concatenate([self._state.everything, *self._beside])
 
     def inside(self) -> dict[str, Array]:
         return {"subject": self._state.objects}
@@ -141,6 +162,10 @@ class WorldDrawing(Drawing):
         if view != self.own.fixed:
             self.own.fixed = view
             self.reset_view()
+
+    def show_ghosts(self, chains: Sequence[Chain]) -> None:
+        self.state.is_on_the_way = bool(chains)
+        self._scene.show_ghosts(chains)
 
     def show_object_axes(self, wanted: bool) -> None:
         if wanted != self.axes.is_wanted:

@@ -82,7 +82,7 @@ def steps_of_a_point(
     lens, base = _written(projection), base_of(letters)
     names, signs = _names(lens, letters), clip_signs(projection, letters)
     table = _formulas(lens, base)
-    moved = " ".join(letter for letter, _ in itertools.groupby(map(_called, lens.kinds))) or "I"
+    moved = " ".join(letter for letter, _ in itertools.groupby(map(called, lens.kinds))) or "I"
     eye = written("eye", letters).replace(ARROW, "")
     factors = () if lens.has_own_view else ("rotation", "translation")
     view = names.get("view_from_world") or _chain(names, [f"view_from_world/{f}" for f in factors])
@@ -429,14 +429,15 @@ def _written(projection: Projection) -> _WrittenForm:
     return _WrittenForm(lens.table, not projection.has_camera, projection.depth, kinds)
 
 
-def _called(kind: str) -> str:
+def called(kind: str) -> str:
+    """Return the letter of a kind of tile: ``T``."""
     return _CALLED[kind.partition(" ")[0]]
 
 
 def object_product(chain: Chain, *, rows: bool = False) -> tuple[Formulas, tuple[str, ...]]:
     """Return the formulas of an object's product, and the letters of its tiles in order."""
     formulas = _of_object(chain.kinds)[FROM_OBJECT]
-    names = tuple(map(_called, chain.kinds))
+    names = tuple(map(called, chain.kinds))
     if not rows:
         return formulas, names
     turned = tuple(tuple(map(_turned, row)) for row in zip(*formulas, strict=True))

@@ -29,11 +29,12 @@ from `Projection`.
 """
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 
+from app.model.chain import Chain
 from app.model.pipeline import translation
 from app.model.projection import Array, Lens, Projection, Vector
 
@@ -438,6 +439,22 @@ class FreeMorph(Morph):
         # A mirrored volume is flat for a moment, and then has no inverse.
         flat = abs(float(np.linalg.det(box))) < 1e-290
         return np.asarray(np.linalg.inv(box + 1e-9 * np.eye(4) if flat else box), np.float64)
+
+
+def standing_at(
+    projection: Projection, position: float, *, from_left: bool = False
+) -> tuple[Projection, tuple[Chain, ...]]:
+    """Return the projection whose object has made only its first moves, and the stops beside it.
+
+    Positions below 0 are the moves before the world's stop, which has made them all.
+    """
+    chain, count = projection.placement, len(projection.placement.on)
+    moves = max(count + position, 0.0)
+    if position >= 0.0 or not count:
+        return projection, ()
+    stops = sorted({math.ceil(moves) - 1, math.floor(moves) + 1} & {*range(count + 1)})
+    beside = tuple(chain.after(stop, from_left=from_left) for stop in stops)
+    return replace(projection, placement=chain.after(moves, from_left=from_left)), beside
 
 
 def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Morph:

@@ -6,7 +6,7 @@ the world and its origin (lecture 003).
 
 - `Chain.exact` and `Chain.matrix` are the product of the tiles that are on.
 - `Chain.after(k)` is the chain of the k rightmost tiles: its product is where the object stands
-  after k moves, and its columns are the axes at that step.
+  after k moves, and its columns are the axes at that step. ``from_left`` reads the other way.
 - `Chain.moved` and `Chain.with_tile` rearrange; `Chain.read` and `Chain.text` are the text form.
 - Two chains do the same if their `exact` products are equal, whatever their tiles.
 """
@@ -36,6 +36,7 @@ from app.model.limits import (
     finite,
     finite_vector,
     keep_checked,
+    read_only,
     within,
 )
 from app.model.numerals import numbers as numbers_in
@@ -225,6 +226,18 @@ class Tile:
             parts = parts[size:]
         return " ".join(words)
 
+    def partly(self, part: float) -> Tile:
+        """A part of the move: of an angle, a way, a factor. A mirror flattens half-way."""
+        if self.kind.startswith("mirror"):
+            return Tile("scale", tuple(1.0 - 2.0 * part * (x == self.kind[-1]) for x in "xyz"))
+        begin = list(KINDS[self.kind].neutral)
+        if self.kind == "rotate":
+            begin[:3] = self.numbers[:3]
+        try:
+            return replace(self, numbers=tuple(begin)).towards(self.numbers, part)
+        except Refusal:  # a typed matrix that is singular on the way
+            return self
+
     def towards(self, numbers: Sequence[float], part: float) -> Tile:
         """The tile with its numbers on the way to others."""
         mixed = ((1.0 - part) * a + part * b for a, b in zip(self.numbers, numbers, strict=True))
@@ -311,9 +324,17 @@ class Chain:
         names = iter(kind.field for kind in lettered_kinds(self.kinds))
         return tuple("" if tile.is_off else next(names) for tile in self.tiles)
 
-    def after(self, count: int) -> Chain:
-        """The chain of the first moves of an object: the rightmost tiles that are on."""
-        return Chain(self.on[len(self.on) - count :])
+    def after(self, moves: float, *, from_left: bool = False) -> Chain:
+        """The chain after so many moves of the tiles that are on, the last one in part.
+
+        They are read from the right, in the world's axes; or done from the left, in the axes that
+        the moves before have moved. Both end in the whole product.
+        """
+        tiles = self.on if from_left else self.on[::-1]
+        made, part = tiles[: int(moves)], moves % 1.0
+        if part:
+            made = (*made, tiles[int(moves)].partly(part))
+        return Chain(made if from_left else made[::-1])
 
     def place_of(self, *kinds: str) -> int | None:
         """The place of the leftmost tile of some kinds that is on; None if there is none."""
@@ -428,8 +449,7 @@ class Chain:
             return WorldPoints.at(points_object)
         columns = points_object.T
         high, low, lost = [], [], np.zeros(len(points_object))
-        for row in self.exact[:3]:
-            parts = [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
+        for parts in self._double:
             total = DoubleDouble(*(one * part + np.zeros(len(points_object)) for part in parts[3]))
             sizes = np.abs(total.hi)
             for part, column in zip(parts, columns, strict=False):
@@ -467,10 +487,24 @@ class Chain:
 
         Every number is rounded once, after the difference of the origins.
         """
-        exact = [list(row) for row in self.exact]
-        for row, part, away in zip(exact, self.exactly(origin), target, strict=False):
-            row[3] = part - Fraction(away)
-        return rounded(exact)
+        if origin not in self._origins:
+            self._origins[origin] = self.exactly(origin)
+        local = self.matrix.copy()
+        for row, (part, away) in enumerate(zip(self._origins[origin], target, strict=True)):
+            local[row, 3] = float(part - Fraction(away))
+        return read_only(local)
+
+    @cached_property
+    def _origins(self) -> dict[Vector, tuple[Any, ...]]:
+        """World places of origins, which a slider's step asks for again."""
+        return {}
+
+    @cached_property
+    def _double(self) -> list[list[DoubleDouble]]:
+        return [
+            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
+            for row in self.exact[:3]
+        ]
 
 
 def _identity() -> Rationals:

@@ -23,7 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from app.model.infinity import trace_at_infinity
 from app.model.limits import Row, vector
-from app.model.projection import LARGEST, Array, Projection, Vector
+from app.model.projection import LARGEST, Array, Chain, Projection, Vector
 from app.picking.sight import Sight
 
 VERTEX_WITHIN_PX = 6.0  # a visible vertex so near the pixel is preferred to the face beside it
@@ -82,6 +82,15 @@ class Probe:
         if self.direction is not None:
             return (*self.direction, 0.0)
         return None if self.point is None else (*self.point, 1.0)
+
+
+def carried(probe: Probe, start: Chain, end: Chain) -> Probe:
+    """A probe of the object moved from one chain to another; unchanged if it has no such place."""
+    if probe.row is None or start.rank < 3:
+        return probe
+    *place, w = start.object_from_world(probe.row)
+    x, y, z = map(float, end.exactly(place, int(w)))
+    return Probe.of(probe.number, (x, y, z, w))
 
 
 def projector(projection: Projection, probe: Probe, distances: ArrayLike) -> Array | None:

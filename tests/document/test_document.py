@@ -1110,7 +1110,7 @@ def test_a_wrong_camera_of_a_pane_is_named_where_the_file_has_it(
 
 
 NO_PANE = f"must be one of {', '.join(PANES)}, or empty for none."
-NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from 0 to 5."
+NO_STAGE = f"must be one of {', '.join(STAGES)}, or a number from -8 to 5."
 NO_PANEL = f"must be one of {', '.join(PANELS)}, or empty for none."
 NO_NAMES = "must be a list of at most 7 different names, or only *."
 NO_LAYERS = f"must be a list of names from {', '.join(LAYERS)}."
@@ -1124,7 +1124,7 @@ WRONG_VIEWS: list[tuple[object, str]] = [
     ({"large": "second-screen"}, f".large = 'second-screen': {NO_PANE}"),
     ({"large": None}, f".large = null: {NO_PANE}"),
     ({"stage": "pyramids"}, f".stage = 'pyramids': {NO_STAGE}"),
-    ({"stage": -0.1}, f".stage = -0.1: {NO_STAGE}"),
+    ({"stage": -8.1}, f".stage = -8.1: {NO_STAGE}"),
     ({"stage": 5.000000000000001}, f".stage = 5.000000000000001: {NO_STAGE}"),
     ({"stage": True}, f".stage = true: {NO_STAGE}"),
     ({"stage": {}}, ".stage = {}: " + NO_STAGE),

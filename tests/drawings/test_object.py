@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app.api import figure
+from app.document.document import Document
+from app.document.settings import set_values
 from app.document.view import LAYERS, STAGES, View
 from app.drawings.image import ImageDrawing
 from app.drawings.picture_frame import UNFRAMED
@@ -139,3 +142,13 @@ def test_any_object_is_drawn_in_every_pane_and_at_every_stage(placement: Chain) 
             F, projection, panes=("world", "ndc", "image"), size=(480, 160), view=view
         ).pixels()
         assert pixels.std() > 1.0
+
+
+def test_a_stop_of_the_strip_shows_the_object_after_its_first_moves_and_ghosts_beside_it() -> None:
+    """In the image the object alone; in the world the stops before and after it, too."""
+    start = Document("letter-f", F.start)
+    whole = set_values(start, ["object.chain=translate 1,0,0; rotate z 90", "view.stage=-1"])
+    alone = set_values(start, ["object.chain=rotate z 90", "view.stage=0"])
+    for pane, is_same in (("image", True), ("world", False)):
+        one, other = (figure(each, panes=pane, size="240x200").array() for each in (whole, alone))
+        assert (one == other).all() == is_same, pane

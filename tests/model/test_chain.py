@@ -318,6 +318,22 @@ def test_partial_products_end_at_the_whole_one_and_skip_tiles_that_are_off() -> 
             assert np.abs(step - chain.after(count + 1).matrix).max() <= 1e-12 * scale
 
 
+def test_moves_read_from_the_right_and_done_from_the_left_end_in_the_same_place() -> None:
+    """Of 1 000 chains; half-way, a move is half of an angle, a way or a factor."""
+    rng = np.random.default_rng(54)
+    for _ in range(1000):
+        chain = a_chain(rng)
+        ends = [chain.after(len(chain.on), from_left=left).exact for left in (False, True)]
+        assert ends[0] == ends[1] == chain.exact
+    chain = Chain.read("translate 3,0,0; rotate 0,0,1 90; off mirror x; scale 3,1,1")
+    assert chain.after(1.5).text == "rotate 0,0,1 45; scale 3,1,1"
+    assert chain.after(1.5, from_left=True).text == "translate 3,0,0; rotate 0,0,1 45"
+    assert chain.after(0.5).text == "scale 2,1,1"
+    assert Chain.read("mirror y").after(0.75).text == "scale 1,-0.5,1"
+    through = Chain.read("matrix -1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
+    assert through.after(0.5) == through  # where it would be singular
+
+
 def test_a_chain_is_read_back_from_its_text() -> None:
     rng = np.random.default_rng(53)
     for _ in range(300):

@@ -16,6 +16,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QStyle, QStyleOptionSlider
 
 import app.drawings.stage_box as stage_box
+from app.document.settings import set_values
 from app.drawings import WORDS
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
@@ -24,7 +25,14 @@ from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import OffScreen, labels_of, rendered
 from tests.support.lenses import LENSES
-from tests.support.window import activate, counted_repaints, move_mouse, picture, present, settle
+from tests.support.window import (
+    activate,
+    counted_repaints,
+    move_mouse,
+    picture,
+    present,
+    settle,
+)  # fmt: skip
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -518,3 +526,37 @@ def test_near_and_far_are_written_in_the_pane_all_the_way(window: MainWindow) ->
                     if left < 0.0 or bottom < 0.0 or right > width or top > height:
                         cut.append((near, far, quarter / 4, label.text))
     assert not cut, cut
+
+
+def test_the_moves_of_the_object_are_stops_before_the_world(window: MainWindow) -> None:
+    """Each shows the object after its first moves, read from either end, and both end alike."""
+    strip = window.strip
+    assert strip.first == WORLD and strip.direction.isHidden()
+    chain = "object.chain=translate 2,0,0; rotate z 90; off mirror x"
+    window.store.set_document(set_values(window.store.document, [chain]))
+    settle()
+    assert [button.text() for button in strip.stops][:4] == ["Object", "Rz", "World", "View"]
+    places = {}
+    for turned in (False, True):
+        for stop in (-2.0, -1.0, 0.0):
+            strip.go_to(stop)
+            settle()
+            shown = window.panes["world"].drawing.state
+            places[turned, stop] = shown.projection.placement.text
+            assert shown.is_on_the_way == (stop < 0.0)
+        assert places[turned, 0.0] == "translate 2,0,0; rotate z 90; off mirror x"
+        strip.direction.click()
+    assert (places[False, -1.0], places[True, -1.0]) == ("rotate z 90", "translate 2,0,0")
+    assert places[False, -2.0] == places[True, -2.0] == ""
+    strip.go_to(-1.0)
+    settle()
+    world = window.panes["world"].drawing
+    assert not {handle.name for handle, _ in world.handles.shown} & {"object"}
+    window.probe_panel.follow(point=(2.0, 1.0, 0.0))  # on the object at (1, 0, 0)
+    settle()
+    (probe,) = world.state.probes
+    assert probe.point == pytest.approx((0.0, 1.0, 0.0))
+    window.store.set_document(set_values(window.store.document, ["object.chain="]))
+    strip.go_to(float(NDC))
+    settle()
+    assert strip.first == WORLD and len(strip.stops) == len(STOPS)

@@ -413,7 +413,7 @@ class MatrixPanel(ReadablePanel):
 
     def show_stage(self, position: float) -> None:
         """Highlight the matrix that leads to this position of the stage strip."""
-        stop = int(position + 0.5)
+        stop = int(max(position, 0.0) + 0.5)
         if stop != self._stop:
             self._stop = stop
             reached = self._mark_reached()

@@ -39,6 +39,7 @@ AS_BUILT: dict[str, Any] = {
     "names": None,
     "projection": None,
     "stage": None,
+    "from_left": False,
     "probes": (),
     "view": None,
     "step": None,
@@ -52,7 +53,8 @@ AS_BUILT: dict[str, Any] = {
 """The requests that a pane takes, with their first values, in the order of the calls."""
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
-    "stage": lambda drawing, position: drawing.show_stage(position),
+    "stage": lambda drawing, position: drawing.show_stage(max(position or 0.0, 0.0)),
+    "from_left": lambda drawing, from_left: None,
     "probes": lambda drawing, probes: drawing.show_probes(probes),
     "step": lambda drawing, step: drawing.show_step(step),
     "fixed": lambda drawing, view: drawing.show_fixed(view),
@@ -220,14 +222,15 @@ class Pane(QFrame):
 
     # -- the rest of what a drawing can show
 
-    def request(self, what: str, wanted: object) -> bool:
+    def request(self, what: str, wanted: Any) -> bool:
         """Show one of `AS_BUILT`, now or on appearing; return whether it is new.
 
         ``"smoothing"``: one of `SMOOTHINGS`. ``"detail"``: a scene with fewer triangles, or None.
         ``"layers"``: those of `app.document.view.LAYERS` that are hidden. ``"bare"``: whether the
         axes are hidden, which would make a picture smaller. ``"names"``: the names of a view, or
         None for the scene's own. ``"probes"``: those that are marked. ``"stage"``: a position on
-        the stage strip. ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
+        the stage strip. ``"from_left"``: whether the object's moves are done from the left.
+        ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"walk"``: places of the eye, through which its way is drawn.
         ``"handles"``: the names or settings of handles that are shown though nothing is on them.
@@ -235,8 +238,10 @@ class Pane(QFrame):
         """
         if wanted == self.requested[what]:
             return False
-        self.requested[what] = wanted
+        before, self.requested[what] = self.requested[what], wanted
         self._due.add(what)
+        if what == "from_left" or (what == "stage" and min(before or 0.0, wanted or 0.0) < 0.0):
+            self._due.add("projection")
         self._refresh()
         if what in ("layers", "probes"):
             self.marked.emit()
@@ -282,7 +287,8 @@ class Pane(QFrame):
             if what == "projection":
                 began = time.perf_counter()
                 release_context()  # a pair of pictures is drawn at once
-                drawing.show_projection(shown.projection, shown.illustration)
+                stage, left = self.requested["stage"] or 0.0, self.requested["from_left"]
+                drawing.show_moves(shown.projection, shown.illustration, stage, from_left=left)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             elif what == "smoothing":
                 self.canvas.smooth(wanted)

@@ -11,6 +11,7 @@ from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
 from app.lecture.letters import in_letters
+from app.lecture.notation import called
 from app.lecture.stages import (
     CANONICAL_PARALLEL,
     CANONICAL_PERSPECTIVE,
@@ -20,11 +21,12 @@ from app.lecture.stages import (
     VIEW,
     WORLD,
 )
+from app.model.chain import MOST_TILES, Tile
 from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.gestures import HeldSlider
-from widgets.parts.layouts import in_column, in_row, tool_button
+from widgets.parts.layouts import discard, in_column, in_row, tool_button
 from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
@@ -42,7 +44,6 @@ class _StopsSlider(HeldSlider):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setRange(0, IMAGE * STEPS)
         self.setTickInterval(STEPS)
         self.setTickPosition(QSlider.TickPosition.TicksBelow)
         self.setPageStep(STEPS // 8)
@@ -65,7 +66,8 @@ class StageStrip(QWidget, Playing):
     """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
-    moved = Signal(float)  # the new position: 0 to 5, whole at `stages.STOPS`
+    moved = Signal(float)  # the new position: whole at `stages.STOPS`, below 0 the object's moves
+    turned = Signal(bool)  # whether the object's moves are done from the left
     named = Signal(str, str)  # the stage there, and its axes and limits
 
     def __init__(self) -> None:
@@ -94,6 +96,8 @@ class StageStrip(QWidget, Playing):
         self._at = self._before = float(NDC)
         self._clock = Clock(self)
         self._clock.ticked.connect(self.advance)
+        self.first = WORLD  # the first stop: below 0, one for each of the object's moves
+        self._tiles: tuple[Tile, ...] = ()  # the moves in the order in which they are made
 
         self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
@@ -102,7 +106,6 @@ class StageStrip(QWidget, Playing):
             "From the world through all stages to the picture; the arrow keys go from stop to stop"
         )
         set_tip(self.slider, tip)
-        self.slider.setValue(NDC * STEPS)
         self.slider.valueChanged.connect(self._slid)
         self.slider.grasped.connect(self._grasped)
         self.slider.abandoned.connect(lambda: self._stand_at(self._before))
@@ -112,19 +115,16 @@ class StageStrip(QWidget, Playing):
         self._below = QGridLayout()
         self._below.setSpacing(0)
         self._below.setContentsMargins(0, 0, 0, 0)
-        for half in range(2 * len(STOPS)):
-            self._below.setColumnStretch(half, 1)
         self._rows = 0  # rows of names: two where one row is too narrow
-        self.stops = [_Narrow() for _ in STOPS]
-        for stop, button in enumerate(self.stops):
-            button.clicked.connect(partial(self.go_to, float(stop)))
-        self._stagger(1)
+        self.stops: list[_Narrow] = []  # from the first one on
+        self.direction = tool_button(act=self._turn, flat=True)
         self._columns = in_column(self._ends, self._below, gap=0)
-        in_row(self.button, (self._columns, 1), on=self, margins=(4, 2, 4, 2), gap=2)
+        parts = self.button, self.direction, (self._columns, 1)
+        in_row(*parts, on=self, margins=(4, 2, 4, 2), gap=2)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
-        self._name_stops()
+        self.from_left = False
+        self._make_stops()
         self._show_state()
-        self.stops[NDC].setChecked(True)
         lettering.changed.connect(self._emit_title)
 
     # -- where it is
@@ -137,7 +137,7 @@ class StageStrip(QWidget, Playing):
     @property
     def stop(self) -> int:
         """The nearest stop, whose axes and letters are shown."""
-        return int(self._at + 0.5)
+        return math.floor(self._at + 0.5)
 
     def go_to(self, position: float) -> None:
         """Go to a position, 0 to 5, as if the slider had been moved there."""
@@ -151,10 +151,40 @@ class StageStrip(QWidget, Playing):
         lens = self._projection.lens
         self._free = not lens.has_steps
         parallel = not self._free and not lens.has_pyramid
-        if parallel != self._parallel:
-            self._parallel = parallel
-            self._name_stops()
+        tiles = self._projection.placement.on
+        tiles = tiles if self.from_left else tiles[::-1]
+        if parallel != self._parallel or tiles != self._tiles:
+            self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
+            self._make_stops()
+            if self._at < self.first:
+                self._stand_at(float(self.first))
         self._emit_title()
+
+    def _turn(self) -> None:
+        """Read the object's moves from the other end."""
+        self.from_left, self._tiles = not self.from_left, self._tiles[::-1]
+        self._name_stops()
+        self._emit_title()
+        self.turned.emit(self.from_left)
+
+    def _make_stops(self) -> None:
+        """Make a name for each stop, as many as the object has moves."""
+        count = IMAGE - self.first + 1
+        if count != len(self.stops):
+            discard(self._below, self.stops)
+            self.stops = [_Narrow() for _ in range(count)]
+            for stop, button in enumerate(self.stops, self.first):
+                button.clicked.connect(partial(self.go_to, float(stop)))
+            for half in range(2 * (MOST_TILES + len(STOPS))):
+                self._below.setColumnStretch(half, int(half < 2 * count))
+            with QSignalBlocker(self.slider):
+                self.slider.setRange(self.first * STEPS, IMAGE * STEPS)
+                self.slider.setValue(round(self._at * STEPS))
+            self._rows = 0
+            self._fit()
+        self.direction.setVisible(bool(self._tiles))
+        self._name_stops()
+        self._show_stop()
 
     def _emit_title(self) -> None:
         """Emit stage, axes and limits if they have changed."""
@@ -166,6 +196,12 @@ class StageStrip(QWidget, Playing):
 
     def _name(self, stop: int) -> tuple[str, str]:
         """Return a stop's name and tooltip."""
+        if stop < WORLD and stop <= self.first:
+            return self.tr("Object"), self.tr("The object's own space")
+        if stop < WORLD:
+            tile = self._tiles[stop - self.first - 1]
+            name = called(tile.kind) + tile.kind.partition(" ")[2]
+            return name, self.tr("After {0}").format(tile.text)
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             name, _ = self._names[CANONICAL_PARALLEL]
             tip = self.tr("The canonical parallel volume: a parallel lens has no pyramid before it")
@@ -175,7 +211,15 @@ class StageStrip(QWidget, Playing):
         return self._names[stop]
 
     def _name_stops(self) -> None:
-        for stop, button in enumerate(self.stops):
+        self.direction.setText("→" if self.from_left else "←")
+        tip = (
+            self.tr("Done from the left: each move in the axes that the moves before have moved")
+            if self.from_left
+            else self.tr("Read from the right: each move in the world's axes")
+        )
+        set_tip(self.direction, tip)
+        self.direction.setAccessibleName(tip)
+        for stop, button in enumerate(self.stops, self.first):
             name, tip = self._name(stop)
             button.setText(name)
             set_tip(button, tip)
@@ -189,7 +233,7 @@ class StageStrip(QWidget, Playing):
         if self._free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
         if self._at == self.stop:
-            return titles.get(self.stop, self._names[self.stop][0])
+            return titles.get(self.stop, self._name(self.stop)[0])
         before = math.floor(self._at)
         if self._parallel and before == CANONICAL_PERSPECTIVE:  # where nothing moves
             return parallel
@@ -200,7 +244,9 @@ class StageStrip(QWidget, Playing):
     def _words(self, projection: Projection) -> str:
         """Return axes and limits at this position, in few words."""
         stop, lens = self.stop, projection.lens
-        if stop == WORLD:
+        if self._at < WORLD and stop < WORLD:
+            text = self._name(stop)[1]
+        elif stop == WORLD:
             text = self.tr("x, y, z in world units")
         elif self._free and VIEW < stop < NDC:
             text = self.tr("no canonical volumes")
@@ -234,7 +280,7 @@ class StageStrip(QWidget, Playing):
             return
         self._set_playing(True)
         if self._at >= IMAGE:
-            self._stand_at(float(WORLD))
+            self._stand_at(float(self.first))
         self._rest_s = 0.0
 
     def advance(self, seconds: float) -> None:
@@ -285,7 +331,7 @@ class StageStrip(QWidget, Playing):
         self.gesture_started.emit()
 
     def _show_stop(self) -> None:
-        for stop, button in enumerate(self.stops):
+        for stop, button in enumerate(self.stops, self.first):
             button.setChecked(stop == self._at)
         self._emit_title()
 
@@ -307,7 +353,7 @@ class StageStrip(QWidget, Playing):
 
     def _fit(self) -> None:
         # The slider's ends are over the middles of the first and the last name.
-        name_width = self._columns.geometry().width() // len(STOPS)
+        name_width = self._columns.geometry().width() // len(self.stops)
         style = self.slider.style()
         handle = style.pixelMetric(style.PixelMetric.PM_SliderLength, None, self.slider)
         margin = max(0, (name_width - handle) // 2)
@@ -332,7 +378,7 @@ class StageStrip(QWidget, Playing):
         if rows == self._rows:
             return
         self._rows = rows
-        halves = 2 * len(STOPS)
+        halves = 2 * len(self.stops)
         for stop, button in enumerate(self.stops):
             first, beyond = max(0, 2 * stop - rows + 1), min(halves, 2 * stop + rows + 1)
             self._below.addWidget(button, stop % rows, first, 1, beyond - first)
@@ -342,7 +388,7 @@ class StageStrip(QWidget, Playing):
         """The longest name of each stop, whatever the lens."""
         names = [name for name, _ in self._names]
         names[CANONICAL_PARALLEL] = max(names[CANONICAL_PARALLEL], self._identity, key=len)
-        return names
+        return [self._name(stop)[0] for stop in range(self.first, WORLD)] + names
 
     def hideEvent(self, event: QHideEvent) -> None:
         super().hideEvent(event)

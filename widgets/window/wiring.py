@@ -46,6 +46,16 @@ def _wire_components(window: Any) -> None:
         (window.manipulation.edited, store.set_projection),
         (window.frame_panel.step_changed, partial(world.request, "step")),
         (strip.moved, partial(window.panes["ndc"].request, "stage"), window.matrices.show_stage),
+        *(
+            (
+                strip.moved,
+                lambda position, pane=window.panes[name]: pane.request(
+                    "stage", min(position, 0.0) or None
+                ),
+            )
+            for name in ("world", "image")
+        ),
+        *((strip.turned, partial(pane.request, "from_left")) for pane in window.panes.values()),
         (strip.named, window.panes["ndc"].header.show_title),
         (strip.gesture_started, partial(look.refine, "ndc", False)),
         (strip.gesture_finished, partial(look.refine, "ndc", True)),
