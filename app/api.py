@@ -16,7 +16,7 @@ value raises a `Refusal`: one sentence with the field, the value and the bound.
 import os
 import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from numbers import Real
 from typing import Any, Literal, TypeAlias
@@ -69,21 +69,16 @@ Source: TypeAlias = Document | Projection
 """What points are projected through: a document stands for its projection."""
 
 Pane: TypeAlias = Literal["world", "ndc", "image", "equation"]
-Row: TypeAlias = Literal[
+Panes: TypeAlias = Literal[
     "world,ndc,image", "world,image,ndc", "ndc,world,image", "ndc,image,world", "image,world,ndc",
     "image,ndc,world", "world,ndc", "world,image", "ndc,world", "ndc,image", "image,world",
-    "image,ndc",
-]  # fmt: skip
-Column: TypeAlias = Literal[
-    "world/ndc/image", "world/image/ndc", "ndc/world/image", "ndc/image/world", "image/world/ndc",
-    "image/ndc/world", "world/ndc", "world/image", "ndc/world", "ndc/image", "image/world",
-    "image/ndc",
+    "image,ndc", "world/ndc/image", "world/image/ndc", "ndc/world/image", "ndc/image/world",
+    "image/world/ndc", "image/ndc/world", "world/ndc", "world/image", "ndc/world", "ndc/image",
+    "image/world", "image/ndc",
 ]  # fmt: skip
 Palette: TypeAlias = Literal["screen", "print", "dark", "contrast"]
 Hidden: TypeAlias = Literal["none", "dashed", "grey"]
 Fit: TypeAlias = Literal["named", "frustum", "scene"]
-Ease: TypeAlias = Literal["linear", "log", "smooth"]
-Loop: TypeAlias = Literal["repeat", "once", "back-and-forth"]
 
 A_TEXT_SIZE = QT_TRANSLATE_NOOP("Refusal", "must be a number of points, such as 8 or 8pt")
 A_SOURCE = QT_TRANSLATE_NOOP("Refusal", "must be a document or a projection, such as load({0})")
@@ -131,25 +126,14 @@ class ScriptFigure(drawn.Figure):
         *sweeps: str,
         frames: int = FRAMES,
         fps: float = FPS,
-        ease: Ease = "linear",
-        loop: Loop = "repeat",
+        ease: Literal["linear", "log", "smooth"] = "linear",
+        loop: Literal["repeat", "once", "back-and-forth"] = "repeat",
         show_value: bool = False,
     ) -> None:
-        """Write a .gif, .apng, .webp or .mp4 in which values change, as ``export --sweep`` does.
+        """Write a film (.gif, .apng, .webp, .mp4) of values, as ``export --sweep`` does.
 
-        Parameters
-        ----------
-        *sweeps : str
-            ``"lens.near=0.5:8"``, ``"camera.eye=3,2,6:6,2,3"``; they change together.
-        ease : {"linear", "log", "smooth"}
-            In equal steps, in equal ratios, or slowly at both ends.
-        show_value : bool
-            Write the values below the panes.
-
-        Raises
-        ------
-        Refusal
-            For a state that is impossible, and a file that cannot be written.
+        `sweeps` are ``"lens.near=0.5:8"`` and others, which change together, in equal steps, in
+        equal ratios (``log``), or slowly at both ends. `show_value` writes the values below.
         """
         from app.drawings.film import sweep_film
 
@@ -279,7 +263,7 @@ def figure(
     cloud: ArrayLike | None = None,
     colours: str | ArrayLike | None = None,
     dot_size: str | float | None = None,
-    panes: Pane | Row | Column | Sequence[Pane] = "world,ndc,image",
+    panes: Pane | Panes | Sequence[Pane] = "world,ndc,image",
     size: str | Sequence[float] | None = None,
     width: str | float | None = None,
     text_size: str | float | None = None,
@@ -349,10 +333,13 @@ def figure(
         scene = load_scene(document.scene, mesh=document.mesh)
     else:
         scene = _clouded(document, cloud, colours, dot_size, alone=isinstance(of, Projection))
+    units = ", ".join(PX_PER)
+    bad_size = Refusal.saying(REFUSALS["a-size"], repr(size), units)
+    bad_width = Refusal.saying(REFUSALS["a-length"], repr(width), units)
     return ScriptFigure(
-        document, scene, named, _size(size),
-        column=column, text_pt=_points(text_size), palette=palette, hidden=hidden, crop=crop,
-        transparent=transparent, width=_width(width), fit=fit,
+        document, scene, named, _read(size, parse_size, _two_numbers, bad_size), column=column,
+        fit=fit, palette=palette, text_pt=_points(text_size), hidden=hidden, crop=crop,
+        width=_read(width, parse_length, _number, bad_width), transparent=transparent,
     )  # fmt: skip
 
 
@@ -412,35 +399,28 @@ def _checked(points: ArrayLike) -> Array:
     return given if given.shape[-1] == 3 else homogeneous_rows(given)
 
 
-def _size(size: str | Sequence[float] | None) -> Size | None:
+def _read(
+    value: Any, parse: Callable[[str], Any], number: Callable[[Any], Any], no: Refusal
+) -> Any:
+    """Return what a text or a number means; raise `no` for anything else."""
     try:
-        if size is None or isinstance(size, str):
-            return None if size is None else parse_size(size)
-        width, height = map(_real, size)
-        return Size(width, height)
-    except (ValueError, TypeError):  # of what is neither, such as 84
-        raise Refusal.saying(REFUSALS["a-size"], repr(size), ", ".join(PX_PER)) from None
-
-
-def _width(width: str | float | None) -> float | None:
-    try:
-        if width is None or isinstance(width, str):
-            return None if width is None else parse_length(width)
-        return _real(width)
+        return value if value is None else (parse if isinstance(value, str) else number)(value)
     except (ValueError, TypeError):
-        raise Refusal.saying(REFUSALS["a-length"], repr(width), ", ".join(PX_PER)) from None
+        raise no from None
 
 
 def _points(size: str | float | None, name: str = "text_size") -> float | None:
-    try:
-        if size is None or isinstance(size, str):
-            return None if size is None else parse_points(size)
-        return _real(size)
-    except (ValueError, TypeError):
-        raise Refusal(name, size, A_TEXT_SIZE) from None
+    no = Refusal(name, size, A_TEXT_SIZE)
+    points: float | None = _read(size, parse_points, _number, no)
+    return points
 
 
-def _real(value: float) -> float:
+def _number(value: float) -> float:
     if not isinstance(value, Real) or isinstance(value, bool):
         raise TypeError(value)
     return float(value)
+
+
+def _two_numbers(values: Sequence[float]) -> Size:
+    width, height = map(_number, values)
+    return Size(width, height)

@@ -3,6 +3,7 @@
 ``--write`` draws the pictures again, all of them or those that are named. `PICTURES` has the
 command for each. The charts are drawn from the recorded ``app/measure/content/letter-f.json``.
 ``--measure`` records them again, and draws the charts and the captions of ``docs/measurements.md``.
+``--notebook`` runs the notebook and keeps what it shows.
 ``--labels`` sets the letter F's labels, which come with the program, again, and ``--tiles`` draws
 the start card's pictures.
 """
@@ -41,6 +42,7 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_S
 from tests.support.commands import run
+from tests.support.notebook import with_outputs
 from widgets.parts.chart_picture import picture
 from widgets.window.start_card import THUMBNAIL_PX, tile_path
 
@@ -255,7 +257,14 @@ def main() -> int:
     parser.add_argument("--measure", action="store_true", help="measure and draw the charts anew")
     parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
     parser.add_argument("--tiles", action="store_true", help="draw the start card's pictures anew")
+    parser.add_argument("--notebook", action="store_true", help="run the notebook anew")
     found = parser.parse_args()
+    if found.notebook:
+        sys.path.insert(0, str(ROOT / "app" / "wheel"))  # `frustum_lab`
+        notebook = DOCS / "scripting.ipynb"
+        ran, _ = with_outputs(notebook.read_text(encoding="utf-8"))
+        notebook.write_text(ran, encoding="utf-8")
+        return 0
     if found.tiles:
         for name in found.names or BUILT_IN:
             for dark in (False, True):

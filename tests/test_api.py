@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-import ast
 import json
 import math
 import re
 import sys
+from itertools import permutations
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args, get_type_hints
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
+from PIL import Image
 
 from app import api
 from app.bootstrap import ROOT
 from app.document.document import Document
 from app.document.files import read
+from app.document.view import PANES
+from app.drawings.figure import FITS, HIDDEN
+from app.drawings.style import PALETTES
 from app.model.refusal import Refusal
 from tests.support.commands import bare_machine
+from tests.support.notebook import with_outputs
 
 #: At the origin, looking along -z; x and y of NDC are those of the view over w; 100 px are 1.
 PLAIN = api.Projection(
@@ -56,21 +62,89 @@ def test_the_page_on_scripting_prints_what_it_says(
     assert all(f">{number}</tspan>" in figure for number in (1, 2, 3))
 
 
-def test_the_notebook_runs_and_shows_its_figure(installed: Path) -> None:
-    cells = json.loads((ROOT / "docs" / "scripting.ipynb").read_text(encoding="utf-8"))["cells"]
-    scope: dict[str, Any] = {}
-    shown = []
-    for cell in cells:
-        if cell["cell_type"] == "code":
-            *first, last = ast.parse("".join(cell["source"])).body
-            exec(compile(ast.Module(first, []), "cell", "exec"), scope)
-            assert isinstance(last, ast.Expr)
-            shown.append(eval(compile(ast.Expression(last.value), "cell", "eval"), scope))
-    points, figure, matrix = shown
+def test_the_notebook_shows_what_it_shows_here(installed: Path) -> None:
+    text = (ROOT / "docs" / "scripting.ipynb").read_text(encoding="utf-8")
+    ran, (scope, points, figure, matrix) = with_outputs(text)
     assert points.shape == (3, 2) and matrix.shape == (4, 4)
-    assert getattr(figure, "_repr_svg_")().startswith("<svg")  # noqa: B009
+    stored, fresh = (json.loads(each) for each in (text, ran))
+    # Letters and lines of the figure may be elsewhere by a rounding, on another machine.
+    for notebook in (stored, fresh):
+        (drawn,) = (
+            output["data"].pop("image/svg+xml")
+            for cell in notebook["cells"]
+            for output in cell.get("outputs", ())
+            if "image/svg+xml" in output["data"]
+        )
+        assert drawn[0].startswith("<svg") and "Point 3 at" in "".join(drawn)
+    assert stored == fresh
     figure.save("figure.png")
     assert read(installed / "figure.png") == scope["document"]
+
+
+def test_a_figure_is_pixels_files_axes_and_a_film(tmp_path: Path) -> None:
+    figure = api.figure(PLAIN, panes="image", size=(80, 60.0), text_size="2pt")
+    assert repr(figure) == "<frustum_lab.Figure: Letter F, image, 80 x 60 px>"
+    pixels = figure.array()
+    assert pixels.shape == (60, 80, 3) and pixels.dtype == np.uint8 and pixels.min() < 200
+    (tmp_path / "a.png").write_bytes(figure.png())
+    with Image.open(tmp_path / "a.png") as image:
+        assert (np.asarray(image) == pixels).all()
+    notebook = getattr(figure, "_repr_svg_")()  # noqa: B009
+    assert figure.svg().startswith("<svg") and figure.svg() == notebook
+    ax = Figure().add_subplot()
+    shown = figure.axes(ax)
+    assert shown.get_extent() == [0.0, 200.0, 200.0, 0.0], "the image's own pixels"
+    assert (shown.get_array() == pixels).all()
+    figure.film(tmp_path / "a.gif", "lens.near=0.5:2", "lens.far=3:6", frames=3, ease="log")
+    with Image.open(tmp_path / "a.gif") as film:
+        assert (film.n_frames, film.info["duration"]) == (3, 40)
+    for refused, words in (
+        (lambda: figure.film(tmp_path / "a.png", "lens.near=1:2"), "must end in one of .gif"),
+        (lambda: figure.film(tmp_path / "a.gif", "lens.near=1"), "sweep = 'lens.near=1': must be"),
+        (lambda: figure.film(tmp_path / "a.gif", "lens.near=1:9"), "must be less than far"),
+    ):
+        with pytest.raises(Refusal, match=re.escape(words)):
+            refused()
+
+
+def test_sizes_are_numbers_or_texts() -> None:
+    sizes = [
+        api.figure(PLAIN, panes="image", size=size).full_size.px
+        for size in ("254mmx127mm", "25.4cmx12.7cm", "3000x1500", (3000, 1500.0))
+    ]
+    assert np.allclose(sizes, (3000.0, 1500.0))
+    wide = [api.figure(PLAIN, width=width).width for width in ("84mm", "8.4cm", 84 / 25.4 * 300.0)]
+    assert np.allclose(wide, 84 / 25.4 * 300.0)
+    assert {api.figure(PLAIN, text_size=size).text_pt for size in ("8pt", "8", 8, 8.0)} == {8.0}
+
+
+def test_a_type_checker_knows_the_values() -> None:
+    hints = get_type_hints(api.figure)
+    assert get_args(hints["palette"]) == tuple(PALETTES)
+    assert get_args(hints["hidden"]) == HIDDEN and get_args(hints["fit"]) == FITS
+    known = {name for part in get_args(hints["panes"]) for name in get_args(part) or (part,)}
+    texts = {name for name in known if isinstance(name, str)}
+    rows = {sign.join(each) for count in (1, 2, 3) for each in permutations(PANES, count)
+            for sign in ",/"}  # fmt: skip
+    assert texts == {*rows, "equation"}
+
+
+def test_the_world_is_a_plotter_in_world_coordinates(monkeypatch: pytest.MonkeyPatch) -> None:
+    document = api.load("letter-f", "object.translate=100,0,0", "lens.far=20")
+    plotter = api.figure(document, panes="image").plotter(off_screen=True, window_size=(80, 60))
+    try:
+        low, high = np.reshape(plotter.bounds, (3, 2)).T
+        assert (low < (-3.0, -1.0, -3.0)).all() and high[0] > 101.0, "the ground stays"
+        assert any(
+            np.isclose(point, document.projection.camera.eye).all()
+            for actor in plotter.actors.values() for point in actor.mapper.dataset.points
+        )  # fmt: skip
+        assert plotter.screenshot(return_img=True).min() < 200
+    finally:
+        plotter.close()
+    monkeypatch.setitem(sys.modules, "pyvista", None)
+    with pytest.raises(Refusal, match="needs the package pyvista: pip install pyvista"):
+        api.figure(document).plotter()
 
 
 def test_points_are_projected_as_by_hand() -> None:

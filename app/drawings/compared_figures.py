@@ -139,15 +139,16 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
 
 
 def line_of_text(text: str, x: float, y: float, style: Style, anchor: int = 0) -> TextShape:
-    """A line of words round a point, or from there on to the right."""
-    written = SceneLabel(text, style, plain=True, anchor=(anchor, 0)).written
+    """A name round a point, or a line of words and letters from there on to the right."""
+    written = SceneLabel(text, style, plain=not anchor, anchor=(anchor, 0)).written
     left, low = written.place
     return TextShape(written, (x + left, y - low), written.em)
 
 
 def titled(pixels: Pixels, text: str, style: Style, *, centred: bool = True) -> Pixels:
-    """A picture with its name at the top, where a pane has its title."""
-    name = drawn_label(text, style.font_size, style.tone(""), style.background, plain=True)
+    """A picture with a name at its top, where a pane has its title, or a line of words."""
+    how = {"plain": centred, "one_size": style.one_size}
+    name = drawn_label(text, style.font_size, style.tone(""), style.background, **how)
     top = max(0, (line_px(style) - len(name)) // 2)
     whole, name = pixels.copy(), name[: len(pixels) - top, : pixels.shape[1]]
     left = (pixels.shape[1] - name.shape[1]) // 2 if centred else round(style.font_size / 2.0)

@@ -4,7 +4,6 @@ A label keeps its offset from what it names as long as it covers nothing. Where 
 fades out and in again elsewhere, once for the rest of the film if that is possible.
 """
 
-import math
 from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
@@ -12,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.drawings.label_placement import (
+    LEADER_FROM_EM,
     Candidates,
     Floats,
     Ground,
@@ -32,6 +32,7 @@ _LEAVING = 60.0  # what it costs to leave a place: as much as bad places in seve
 _JUMPING = 10.0  # to move by an em more than one from a frame to the next
 _STILL = 1.0  # and to stand still beside what moves
 _HIDDEN = 1e3  # and to be hidden in a frame
+_FOREIGN = 10.0  # and to be nearer to what another label names
 _NEAR = 4  # frames before and after, in which a step is usual or a jump
 _FADING = 2  # frames in which a label fades, on each side of a change
 
@@ -116,29 +117,47 @@ def _rounded(place: tuple[float, float], em: float) -> tuple[int, int]:
 
 def _tried(frame: Wanted, options: dict[Hashable, list[FilmPlace]]) -> dict[Hashable, Candidates]:
     """Return what the places of each label cost in a frame."""
-    choices = []
-    for wish, _ in frame.wishes:
-        centres, anchors, away = [], [], []
-        for kept, apart, still in options[wish.key]:
-            spot = wish.spots[kept.spot] if kept.spot < len(wish.spots) else (np.nan, np.nan)
-            centre = still or (spot[0] + kept.offset[0], spot[1] + kept.offset[1])
-            beside = (abs(c - s) - size / 2.0
-                      for c, s, size in zip(centre, spot, wish.size, strict=True))  # fmt: skip
-            anchors.append(spot)
-            centres.append(centre)
-            away.append(apart if still is None else math.hypot(*(max(0.0, b) for b in beside)))
-        turns = np.array([option.kept.turn for option in options[wish.key]])
-        if len(turns):
-            places = Places(np.array(centres), turns, np.array(anchors), np.array(away))
-            choices.append((wish, places))
+    em, choices, strays = frame.ground.em, [], list[Floats]()
+    outlines = [_outline(wish) for wish, _ in frame.wishes]
+    for number, (wish, _) in enumerate(frame.wishes):
+        places, spots = options[wish.key], [*wish.spots, (np.nan, np.nan)]
+        if not places:
+            continue
+        anchors = np.array([spots[min(each.kept.spot, len(wish.spots))] for each in places])
+        centres = anchors + [each.kept.offset for each in places]
+        stands = np.array([each.still is not None for each in places])
+        centres[stands] = np.reshape([each.still for each in places if each.still], (-1, 2))
+        own = _apart(centres, wish.size, outlines[number])
+        away = np.where(stands | (len(wish.spots) > 1), own, [each.away for each in places])
+        leads = np.array([each.kept.leads for each in places])
+        centres[~stands & ~leads & (away > LEADER_FROM_EM * em)] = np.nan  # too far
+        turns = np.array([each.kept.turn for each in places])
+        choices.append((wish, Places(centres, turns, anchors, away)))
+        others = np.vstack([np.full((1, 2), np.nan), *outlines[:number], *outlines[number + 1 :]])
+        strays.append(np.where(_apart(centres, wish.size, others) < own, _FOREIGN, 0.0))
     if not choices:
         return {}
     every = candidates(choices, frame.ground)
+    every = every._replace(costs=every.costs + np.concatenate(strays))
     ends = np.cumsum(every.counts).tolist()
     return {
         wish.key: every.part(start, end)
         for (wish, _), start, end in zip(choices, [0, *ends], ends, strict=False)
     }
+
+
+def _outline(wish: Wish) -> Floats:
+    """Return points of what a label names: its only spot, or along the edges between its spots."""
+    ends = np.reshape(np.array(wish.spots, dtype=np.float64), (-1, 2))
+    parts = np.linspace(0.0, 1.0, 9)[:, None, None] if len(ends) > 1 else np.zeros((1, 1, 1))
+    return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
+
+
+def _apart(centres: Floats, size: tuple[float, float], points: Floats) -> Floats:
+    """Return how far the nearest of some points is from each box."""
+    beside = np.abs(points - centres[:, None]) - np.array(size) / 2.0
+    apart = np.linalg.norm(np.maximum(beside, 0.0), axis=2)
+    return np.asarray(np.where(np.isnan(apart), np.inf, apart).min(axis=1, initial=np.inf))
 
 
 def _steps(each: Sequence[Candidates | None], count: int) -> Floats:
@@ -177,7 +196,8 @@ def _lights(path: Sequence[int], steps: Floats, is_round: bool) -> list[float]:
     moved = [steps[number, at] for number, at in enumerate(path)]
     for number in range(0 if is_round else 1, count):
         usual = float(np.median(moved[max(0, number - _NEAR) : number + _NEAR + 1]))
-        if path[number] == path[number - 1] and moved[number] <= max(1.0, 2.0 * usual):
+        most = 2.0 * usual if usual > 1.0 else 1.0
+        if path[number] == path[number - 1] and moved[number] <= most:
             continue
         for away in range(_FADING):
             for at in (number - 1 - away, number + away):

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 
 from app.drawings.actors import CUBE_EDGES
-from app.drawings.drawing import Drawing
 from app.drawings.figure import Figure
 from app.drawings.style import PALETTES
 from app.model.refusal import REFUSALS, Refusal
@@ -35,18 +34,16 @@ def plotter_of(figure: Figure, **options: Any) -> Any:
             shown.points = projection.placement.placed(points).world if is_moved else points
             plotter.add_mesh(shown, scalars="rgb", rgb=True, lighting=mesh is part.surface)
 
-    def lay_out(drawing: Drawing) -> None:
-        drawing.state.canvas.lay_out()
-
     picture = next(replace(figure, panes=("world",), size=None, text_pt=None).pictures())
-    with picture.drawn(lay_out=lay_out) as (window, drawing):
+    with picture.drawn(lay_out=lambda drawing: drawing.state.canvas.lay_out()) as (window, drawing):
         volume: Any = getattr(drawing.state, "volume")  # noqa: B009
         camera = window.GetRenderers().GetFirstRenderer().GetActiveCamera()
-        places = [np.add(end, origin) for end in (camera.GetPosition(), camera.GetFocalPoint())]
-        plotter.camera_position = [*places, camera.GetViewUp()]
-        plotter.camera.view_angle = camera.GetViewAngle()
-        plotter.camera.parallel_projection = bool(camera.GetParallelProjection())
-        plotter.camera.parallel_scale = camera.GetParallelScale()
+        plotter.camera.DeepCopy(camera)
+        for end, place in (
+            ("Position", camera.GetPosition()),
+            ("FocalPoint", camera.GetFocalPoint()),
+        ):
+            getattr(plotter.camera, f"Set{end}")(np.add(place, origin))
     if volume.exists:
         corners = volume.corners + origin
         lines = [part for edge in CUBE_EDGES for part in (len(edge), *edge)]
@@ -55,5 +52,10 @@ def plotter_of(figure: Figure, **options: Any) -> Any:
             (style.near, style.far), style.tints, (corners[:4], corners[4:]), strict=True
         ):
             plotter.add_mesh(pyvista.PolyData(face, [4, *range(4)]), color=colour, opacity=tint)
-    plotter.add_points(np.array([projection.camera.eye]), color=style.eye, point_size=10)
+    plotter.add_points(
+        np.array([projection.camera.eye]),
+        color=style.eye,
+        point_size=10,
+        render_points_as_spheres=True,
+    )
     return plotter

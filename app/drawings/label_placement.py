@@ -73,6 +73,19 @@ class Wish(NamedTuple):
     places: Callable[[], Places]
     rank: float = 0.0
 
+    def choices(self, ground: Ground) -> tuple[Wish, Places]:
+        """Make its candidates; those with leaders above, below or beside slide into the frame."""
+        places, frame = self.places(), np.array(ground.limits)
+        if places.leads and len(places.centres):
+            half, centres = np.array(self.size) / 2.0, places.centres
+            inside = np.clip(
+                centres, frame[:2] + half, np.maximum(frame[2:] - half, frame[:2] + half)
+            )
+            far = places.away[:, None] > LEADER_FROM_EM * ground.em
+            slides = far & (np.abs(centres - places.anchors) < 1e-6).any(axis=1, keepdims=True)
+            places = places._replace(centres=np.where(slides, inside, centres))
+        return self, places
+
 
 class KeptSpot(NamedTuple):
     """Where a label stands, from one of its spots."""
@@ -345,7 +358,7 @@ def place(
         stays = _kept_labels(wishes, ground, kept, patient, best)
         allowed = {wish.key for wish in wishes} if best is None else best.keys()
         wishes = [wish for wish in wishes if wish.key in allowed - stays.keys()]
-    choices = [(wish, wish.places()) for wish in wishes]
+    choices = [wish.choices(ground) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
         return stays

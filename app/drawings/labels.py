@@ -141,7 +141,8 @@ class Board:
         self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         lights = dict[Hashable, float]()
         if self.director is not None:
-            stands, afresh, self.is_patient = self.director(self._wishes, ground), False, True
+            stands, afresh, at_rest = self.director(self._wishes, ground), False, False
+            self.is_patient = True
             self._wishes = [wish for wish in self._wishes if wish.key in stands]
             self._kept = {key: spot for key, (spot, _) in stands.items()}
             lights = {key: light for key, (_, light) in stands.items()}

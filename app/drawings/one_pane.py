@@ -77,7 +77,7 @@ class PanePicture:
 
         def direct(wishes: Sequence[Wish], ground: Ground) -> Standing:
             ground.hidden(np.empty((0, 4)))  # it counts the ink of a drawing that is there
-            asked.append(Wanted([(wish, wish.places()) for wish in wishes], ground))
+            asked.append(Wanted([wish.choices(ground) for wish in wishes], ground))
             return {}
 
         def lay_out(drawing: Drawing) -> None:

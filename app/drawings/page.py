@@ -15,8 +15,10 @@ import hashlib
 import io
 import re
 from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from dataclasses import asdict, replace
 from html import escape, unescape
+from pathlib import Path
+from string import Template
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -37,62 +39,11 @@ _SHARPER = 2.0  # of pixels, for the screens of phones
 
 _SPAN = re.compile(r"<tspan([^>]*)>([^<]*)</tspan>")
 _PART = re.compile(r'<path[^<>]* d="|M[^M"<]*|"/>|<[^<>]*>|[^<]+')
-STYLE = f"""
-:root{{color-scheme:light dark}}
-body{{margin:0 auto;max-width:90rem;padding:0 1rem 1rem;font:100%/1.45 system-ui,sans-serif;\
-background:{LIGHT.background};color:{LIGHT.ink}}}
-h1{{font-size:1.3rem;margin:.8rem 0 .4rem}}
-p{{max-width:45rem;margin:.5rem 0}}
-.panes{{display:flex;flex-wrap:wrap;gap:.8rem}}
-figure{{flex-basis:0;min-width:min(100%,19rem);margin:0}}
-.column figure{{flex-basis:100%}}
-figure svg{{display:block;width:100%;height:auto;border-radius:4px;\
-outline:1px solid {LIGHT.leader}}}
-figcaption{{font-size:.9rem;color:{LIGHT.muted};margin:.2rem 0}}
-form{{position:sticky;bottom:0;margin:0 -1rem;padding:.3rem 1rem .5rem;\
-background:{LIGHT.background};border-top:1px solid {LIGHT.leader}}}
-form[hidden]{{display:none}}
-output{{font-weight:600;font-variant-numeric:tabular-nums}}
-input{{display:block;width:100%;height:2.75rem;margin:0;accent-color:{LIGHT.n};touch-action:pan-y}}
-input:focus-visible{{outline:3px solid {LIGHT.n};outline-offset:-3px;border-radius:4px}}
-@media screen and (prefers-color-scheme:dark){{
-body,form{{background:{DARK.background};color:{DARK.ink}}}
-figcaption{{color:{DARK.muted}}}
-figure svg{{filter:brightness(.88)}}
-input{{accent-color:{DARK.n}}}
-input:focus-visible{{outline-color:{DARK.n}}}
-}}
-@media screen and (max-height:30rem){{
-form{{display:flex;gap:1rem;align-items:center;padding-block:0}}
-output{{white-space:nowrap}}
-figure svg{{max-height:calc(100vh - 4rem)}}
-}}
-@media print{{form{{position:static;border:0}}input{{display:none}}figure{{break-inside:avoid}}}}
-"""
-_SCRIPT = """
-"use strict";
-(() => {
-  const lines = (id) => document.getElementById(id).textContent.split("\\n").slice(1);
-  const parts = lines("parts"), states = lines("states");
-  const slots = document.querySelectorAll("[data-slot]");
-  const slider = document.querySelector("input"), value = document.querySelector("output");
-  const shown = states[slider.defaultValue].split(";");
-  const show = () => {
-    states[slider.value].split(";").forEach((runs, slot) => {
-      if (shown[slot] === runs) return;
-      shown[slot] = runs;
-      slots[slot].innerHTML = runs.split(",").map((run) => {
-        const [first, last] = run.split("-").map((end) => parseInt(end, 36));
-        return parts.slice(first, (last ?? first) + 1).join("");
-      }).join("");
-    });
-    slider.setAttribute("aria-valuetext", value.textContent);
-  };
-  slider.addEventListener("input", show);
-  slider.form.hidden = false;
-  show();
-})();
-"""
+_CONTENT = Path(__file__).parent / "content"
+_COLOURS = {f"{name}_{key}": colour for name, style in (("light", LIGHT), ("dark", DARK))
+            for key, colour in asdict(style).items()}  # fmt: skip
+STYLE = Template((_CONTENT / "page.css").read_text("utf-8")).substitute(_COLOURS)
+_SCRIPT = (_CONTENT / "page.js").read_text("utf-8")
 
 
 class PagePane(NamedTuple):

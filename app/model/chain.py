@@ -36,6 +36,7 @@ from app.model.limits import (
     finite,
     finite_vector,
     keep_checked,
+    read_only,
     within,
 )
 from app.model.numerals import numbers as numbers_in
@@ -448,8 +449,7 @@ class Chain:
             return WorldPoints.at(points_object)
         columns = points_object.T
         high, low, lost = [], [], np.zeros(len(points_object))
-        for row in self.exact[:3]:
-            parts = [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
+        for parts in self._double:
             total = DoubleDouble(*(one * part + np.zeros(len(points_object)) for part in parts[3]))
             sizes = np.abs(total.hi)
             for part, column in zip(parts, columns, strict=False):
@@ -487,10 +487,24 @@ class Chain:
 
         Every number is rounded once, after the difference of the origins.
         """
-        exact = [list(row) for row in self.exact]
-        for row, part, away in zip(exact, self.exactly(origin), target, strict=False):
-            row[3] = part - Fraction(away)
-        return rounded(exact)
+        if origin not in self._origins:
+            self._origins[origin] = self.exactly(origin)
+        local = self.matrix.copy()
+        for row, (part, away) in enumerate(zip(self._origins[origin], target, strict=True)):
+            local[row, 3] = float(part - Fraction(away))
+        return read_only(local)
+
+    @cached_property
+    def _origins(self) -> dict[Vector, tuple[Any, ...]]:
+        """World places of origins, which a slider's step asks for again."""
+        return {}
+
+    @cached_property
+    def _double(self) -> list[list[DoubleDouble]]:
+        return [
+            [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in row]
+            for row in self.exact[:3]
+        ]
 
 
 def _identity() -> Rationals:

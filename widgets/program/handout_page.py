@@ -36,25 +36,7 @@ from widgets.program.handout_content import (
 
 _SLIDE_PX = 1280  # width of a picture of a slide
 _UNITS = 10.0  # of the outlines, to an em
-_STYLE = """
-body{max-width:46rem}
-h2{font-size:1.15rem;margin:2rem 0 .5rem}
-.panes figure{flex:1 1 19rem;max-width:32rem}
-.f{height:auto;overflow:visible;max-width:100%;fill:currentColor}
-p[align=center]{margin:.8rem auto;overflow-x:auto}
-table{display:block;overflow-x:auto;border-collapse:collapse;margin:.5rem 0}
-td,th{border:1px solid #8b929a;padding:.15rem .5rem}
-.right{text-align:right}
-.center{text-align:center}
-.beside{display:flex;flex-wrap:wrap;gap:.5rem 1.2rem;align-items:end;font-size:.9rem}
-.beside td{border:0;text-align:right;white-space:nowrap}
-.beside table{border:solid currentColor;border-width:0 2px;border-radius:5px}
-aside{border-left:3px solid #c48800;padding-left:.8rem;font-size:.9rem}
-textarea{box-sizing:border-box;width:100%;font:inherit;padding:.4rem;border:1px solid #8b929a;\
-border-radius:4px}
-img{width:100%}
-@media print{h2{break-after:avoid}}
-"""
+_STYLE = (Path(__file__).parent / "content" / "handout.css").read_text("utf-8")
 
 
 def handout_page(course: Course, *, answers: bool = True) -> bytes:
