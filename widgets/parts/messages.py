@@ -30,7 +30,7 @@ from app.model.limits import (
 )
 from app.model.parameter import Parameter, read_sections
 from app.model.parameters import TITLES
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
+from app.model.refusal import REFUSALS, Refusal, format_value
 from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import in_row, push_button, tool_button
 
