@@ -366,21 +366,18 @@ def _clouded(
     return scene.with_cloud(points, rgb, widths)
 
 
-def _rgb(colours: object, count: int) -> Colours:
+def _rgb(colours: Any, count: int) -> Colours:
     """Return the colours of so many points, (n, 3) uint8."""
-    if isinstance(colours, str):
-        text = colours.removeprefix("#")
-        given = np.frombuffer(bytes.fromhex(text), dtype=np.uint8) if _HEX(colours) else None
-    else:
-        try:
-            given = np.asarray(colours)
-        except ValueError:  # rows of other lengths
-            given = None
-    if given is not None and given.dtype.kind in "uif" and given.shape in ((3,), (count, 3)):
+    is_text = isinstance(colours, str)
+    try:
+        given = np.asarray(list(bytes.fromhex(colours[1:])) if _HEX(str(colours)) else colours)
+    except ValueError:  # rows of other lengths
+        given = np.empty(0)
+    if given.dtype.kind in "uif" and given.shape in ((3,), (count, 3)):
         whole = 255.0 * given if given.dtype.kind == "f" else given
         if whole.min() >= 0 and whole.max() <= 255:
             return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
-    shown = colours if isinstance(colours, str) else getattr(given, "shape", colours)
+    shown = colours if is_text else given.shape
     raise Refusal("colours", shown, REFUSALS["some-colours"], count)
 
 

@@ -12,12 +12,16 @@ import argparse
 import json
 from pathlib import Path
 
+from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.lecture.kinds import KINDS
-from app.model.parameter import texts_of
+from app.model.lenses import LENSES, FreeMatrix
+from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
 from app.model.refusal import SENTENCES
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
+
+EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
 def content_texts() -> set[str]:
@@ -32,12 +36,23 @@ def parameter_texts() -> set[str]:
     return {text for parameter in PARAMETERS.values() for text in texts_of(parameter)}
 
 
-def key_texts() -> set[str]:
-    """The texts of the help's table of keys."""
-    from widgets.window.help import key_groups
+def help_texts() -> set[str]:
+    """The texts of the Help menu, and of its table of keys."""
+    from widgets.window.help import ABOUT, key_groups
 
     groups = key_groups()
-    return {*groups, *(text for lines in groups.values() for line in lines for text in line)}
+    texts = {*groups, *(text for lines in groups.values() for line in lines for text in line)}
+    _, *about = read_sections(ABOUT).items()
+    return texts.union(*((heading, *section.text) for heading, section in about))
+
+
+def menu_texts() -> set[str]:
+    """The texts of the menus and the tool bar."""
+    from widgets.window.actions import menus
+
+    entries = [entry for menu in menus().values() for entry in menu.entries.values()]
+    texts = {menu.title for name, menu in menus().items() if name}
+    return texts.union(*((entry.text, entry.tip) for entry in entries)) - {""}
 
 
 def sentence_texts() -> list[tuple[str, set[str]]]:
@@ -59,13 +74,25 @@ def sentence_texts() -> list[tuple[str, set[str]]]:
 
 def source() -> str:
     """Python that marks them all."""
+    from widgets.panels.frame_panel import STEP_TEXTS
+    from widgets.parts.messages import FACTORS, SPACES
+
     lines = (
         f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
         for context, texts in (
             ("phenomena", content_texts()),
             ("Field", parameter_texts()),
             ("Kind", {text for kind in KINDS.values() for text in (kind.title, kind.condition)}),
-            ("Help", key_texts()),
+            ("Help", help_texts()),
+            ("Look", set(SENTENCES_OF_DRAWINGS.values())),
+            (
+                "FramePanel",
+                {text for name, each in STEP_TEXTS.items() for text in (name, *each.text)},
+            ),
+            ("Space", set(SPACES.values())),
+            ("Factor", set(FACTORS.values())),
+            ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
+            ("Actions", menu_texts()),
             *sentence_texts(),
         )
         for text in sorted(texts)

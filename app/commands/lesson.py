@@ -32,7 +32,7 @@ def run(arguments: Sequence[str]) -> int:
     if what == "results":
         return results(options, names)
     if what == "names":
-        write_out(page())
+        write_out([page()])
         return 0
     files = [file_of(name) for name in names] or list(contained())
     if what == "list":

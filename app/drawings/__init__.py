@@ -5,24 +5,17 @@ share, `style` has the colours.
 """
 
 from collections.abc import Mapping
+from pathlib import Path
 
 from app.lecture.highlight import ENDS
 from app.lecture.letters import Letters, axis_letters, in_letters
+from app.model.parameter import read_sections
 
+SENTENCES = read_sections(Path(__file__).with_name("content") / "words.md")["Words"].named
 _OWN: Mapping[str, str] = {
-    **{
-        word: word
-        for word in (
-            *ENDS,
-            *("eye", "target", "look", "up", "u", "v", "n", "x", "y", "z", "d"),
-            *("half width", "half height"),
-        )
-    },
+    **SENTENCES,
+    **{word: word for word in (*ENDS, *"uvnxyzd")},
     **{f"object_{axis}": axis for axis in "xyz"},
-    "no planes": "A typed matrix has no near, no far and no angle.",
-    "no angle": "A parallel lens has no angle: it is equally wide at every distance.",
-    "no eye": "A parallel lens has no eye: this is the view along its axis.",
-    "no half angle": "This window is off-axis: the axis does not halve its angle.",
 }
 
 

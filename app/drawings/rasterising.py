@@ -27,6 +27,7 @@ import math
 import weakref
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -40,6 +41,7 @@ from app.drawings.off_screen import pixels_of
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import LIGHT, Style, rgb
 from app.model.depth import FORMATS, DepthBuffer
+from app.model.parameter import read_content
 from app.model.projection import Array, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.depth_buffer import FINEST
@@ -63,57 +65,12 @@ LEAST_COUNTED = 20  # the fewest pixels of which a share is counted: each is 5 p
 _Uniforms: TypeAlias = dict[str, float | int | tuple[float, ...]]
 _RED, _BLUE = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0)
 
-_W = "float flW = flUnit / gl_FragCoord.w;"
-_DEPTH = f"""
-  gl_FragDepth = gl_FragCoord.z;
-  if (flBuffer > 0) {{
-    {_W}
-    float flR = 1.0 - gl_FragCoord.z;
-    if (flMapping == 1) flR = flA * (1.0 - flW * flInverseFar) / flW;
-    if (flMapping == 2) flR = flA * -log2(flW * flInverseFar);
-    flR = clamp(flR, 0.0, 1.0);
-    float flKey = flR;
-    if (flBuffer == 1) {{
-      flKey = roundEven(flR * flSteps);
-    }} else {{
-      if (flBuffer == 2) flKey = flByNdc > 0.0 ? flByNdc * (1.0 - 2.0 * flR) + flByNdc : 1.0 - flR;
-      if (flSteps > 0.0) {{
-        float flPower = exp2(max(floor(log2(max(flKey, 1e-30))), -14.0));
-        flKey = roundEven(flKey / flPower * flSteps) / flSteps * flPower;
-      }}
-      if (flBuffer == 2) flKey = 1.0 - flKey;
-    }}
-    flKey *= flScale;
-    if (flLog > 0.0) gl_FragDepth = clamp(flLog * -log2(max(flKey, 1e-37)), 0.0, 1.0);
-    else gl_FragDepth = 1.0 - flKey;
-  }}
-"""
+_POSITION, _VARYINGS = "//VTK::PositionVC::Impl", "//VTK::PositionVC::Dec"
 _COLOUR = "//VTK::TCoord::Impl"
-_CHECKS = """
-  if (flChecks > 0.0) {
-    vec2 flST = flAffine > 0 ? flScreenST.xy / flScreenST.z : flSpaceST;
-    if (flCoordinates > 0) {
-      gl_FragData[0].rgb = vec3(clamp(flST, 0.0, 1.0), 0.0);
-    } else {
-      vec2 flCheck = floor(flST * flChecks);
-      if (mod(flCheck.x + flCheck.y, 2.0) > 0.5) gl_FragData[0].rgb *= 0.3;
-    }
-  }"""
-_FOG = f"""
-  if (flFog > 0) {{
-    {_W}
-    if (flSpan > 0.0) flW = flNear + flSpan * gl_FragCoord.z;
-    float flLeft = flFog == 1 ? clamp((flFogEnd - flW) * flFogSlope, 0.0, 1.0)
-                              : exp(-flFogSlope * max(flW, 0.0));
-    gl_FragData[0].rgb = mix(flBackground, gl_FragData[0].rgb, flLeft);
-  }}"""
-_POSITION = "//VTK::PositionVC::Impl"
-_VARYINGS = "//VTK::PositionVC::Dec"
-_LEVEL = """
-  float flAway = dot(flDistance, vec4(flObject.xyz, 1.0));
-  float flHere = flAway < flUntil.x ? 0.0 : flAway < flUntil.y ? 1.0 : 2.0;
-  if (flHere != flObject.w) gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
-"""
+_DEPTH, _CHECKS, _FOG, _LEVEL = (
+    read_content(Path(__file__).with_name("content") / f"{name}.glsl")
+    for name in ("depth", "checks", "fog", "level")
+)
 
 
 class Rasteriser:

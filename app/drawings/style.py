@@ -9,6 +9,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cache
+from pathlib import Path
+from typing import Any
+
+from app.model.parameter import read_sections
 
 TITLE_EM = 1.5  # height of a pane's title, which lies on the picture, in ems
 BLACK, WHITE = "#000000", "#ffffff"
@@ -82,82 +86,18 @@ def _luminance(colour: str) -> float:
     return sum(weight * c for weight, c in zip((0.2126, 0.7152, 0.0722), linear, strict=True))
 
 
-LIGHT = Style(
-    background="#ffffff",
-    margin="#eceef1",
-    ink="#16181b",
-    muted="#5a6068",
-    near="#c48800",
-    far="#1e9be2",
-    u="#d55e00",
-    v="#009e73",
-    n="#0072b2",
-    eye="#16181b",
-    target="#a1960d",
-    frustum="#5a6068",
-    accent="#c46f9d",
-    leader="#8b929a",
-    shadow="#5a6068",
-)
-DARK = Style(
-    background="#16181b",
-    margin="#26292e",
-    ink="#eceef1",
-    muted="#a4abb3",
-    near="#e69f00",
-    far="#56b4e9",
-    u="#ed6900",
-    v="#00b586",
-    n="#2a9be0",
-    eye="#eceef1",
-    target="#f0e442",
-    frustum="#a4abb3",
-    accent="#cc79a7",
-    leader="#8b929a",
-    shadow="#7c838c",
-)
-PRINT = replace(
-    LIGHT,
-    margin=WHITE,
-    ink=BLACK,
-    muted="#3c3c3c",
-    near="#8a5a00",
-    far="#1173b8",
-    frustum="#3c3c3c",
-    leader="#6e6e6e",
-    on_paper=True,
-)
-CONTRAST = replace(
-    PRINT,
-    muted=BLACK,
-    near="#7a4300",
-    far="#00468c",
-    u="#8c2d00",
-    v="#00523c",
-    n="#003c78",
-    eye=BLACK,
-    target="#4b4600",
-    frustum=BLACK,
-    accent="#7a1450",
-    leader="#3c3c3c",
-    shadow="#3c3c3c",
-)
+_SECTIONS = read_sections(Path(__file__).with_name("content") / "palettes.md")
+_COLOURS: dict[str, dict[str, Any]] = {name: each.named for name, each in _SECTIONS.items()}
+LIGHT, DARK = Style(**_COLOURS["light"]), Style(**_COLOURS["dark"])
+PRINT = replace(LIGHT, on_paper=True, **_COLOURS["print"])
+CONTRAST = replace(PRINT, **_COLOURS["contrast"])
 PALETTES = {"screen": LIGHT, "print": PRINT, "dark": DARK, "contrast": CONTRAST}
 """The colours of figures; text of `print` is black, and nothing of `contrast` is below 7:1."""
 
-_TONES = {
-    LIGHT.near: "#8a5a00",
-    LIGHT.far: "#0b6aa8",
-    LIGHT.u: "#b04a00",
-    LIGHT.v: "#00735a",
-    LIGHT.n: "#00609a",
-    LIGHT.accent: "#9a3a70",
-    DARK.near: "#f2b84a",
-    DARK.far: "#7cc7f2",
-    DARK.u: "#ff9a52",
-    DARK.v: "#3fd0a5",
-    DARK.n: "#6cb8ee",
-    DARK.accent: "#e6a3c8",
+_TONES: dict[str, str] = {
+    getattr(style, concept): tone
+    for name, style in (("light", LIGHT), ("dark", DARK))
+    for concept, tone in _COLOURS[f"tones of {name}"].items()
 }
 
 

@@ -243,9 +243,14 @@ def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Para
     )
 
 
+def read_content(path: Path) -> str:
+    """Return the text of a content file."""
+    return path.read_text(encoding="utf-8")
+
+
 def read_sections(path: Path) -> dict[str, ContentSection]:
     """Return the sections of a content file by their headings."""
-    return sections_of(path.read_text(encoding="utf-8"))
+    return sections_of(read_content(path))
 
 
 @cache

@@ -132,7 +132,7 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands/content", "document", "model"):
+    for folder in ("commands/content", "document", "model/content"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     (checkout.root / "widgets").mkdir()
     (checkout.root / "widgets" / "__init__.py").touch()
@@ -147,6 +147,7 @@ def fresh(tmp_path: Path) -> Checkout:
         ),
         *("document/__init__.py", "document/lengths.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
+        "model/content/sentences.md",
     )
     of_start = (
         "__init__.py",

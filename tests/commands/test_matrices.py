@@ -128,7 +128,9 @@ def test_the_whole_chain_ends_in_the_picture_and_every_product_so_far_is_one_fac
 
 def test_the_chain_in_latex_multiplies_to_its_result() -> None:
     values = "--set", OBJECT
-    tex = run_here("matrices", "--chain", "--format=latex", "--digits=17", *values).stdout
+    tex = run_here(
+        "matrices", "--chain", "--format=latex", "--digits=17", "--width=1000pt", *values
+    ).stdout
     (body,) = re.findall(r"\\\[(.*)\\\]", tex, re.DOTALL)
     product, result = sides(re.sub(r"\\\w+\{aligned\}", "", body), {}, {})[-2:]
     np.testing.assert_allclose(product, result, rtol=1e-12, atol=1e-12)

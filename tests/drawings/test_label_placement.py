@@ -227,3 +227,15 @@ def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, floa
     parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)
     assert len(parts) <= len(rows)
     assert (parts >= -0.6).all() and (parts <= np.array([480.6, 320.6])).all()
+
+
+def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_hide() -> None:
+    """A board covers all but a strip at the bottom; the point is at the board's left edge."""
+    ground = Ground((0.0, 0.0, 160.0, 80.0), 10.0)
+    ground.ink_points(np.mgrid[0:160, 25:80].reshape(2, -1).T.astype(np.float64))
+    spot, size = (15.0, 60.0), (80.0, 10.0)
+    wide = Wish("P", size, [spot], lambda: around(spot, size, 10.0))
+    (label,) = place([wide], ground).values()
+    x, y = label.centre
+    assert x - 40.0 >= 0.0 and y - 5.0 >= 0.0 and y + 5.0 <= 25.0, "in the strip"
+    assert label.leader is not None

@@ -22,7 +22,6 @@ OWN = {
     "app/scenes/phenomena/depth_buffer.py": "codes of a depth buffer, which are numbers",
     "app/scenes/ply.py": "a header, after its encoding is known",
     "widgets/panels/measuring.py": "what a process of the program says",
-    "widgets/window/help.py": "a file of the program",
     "widgets/window/settings.py": "settings, which Qt reads after this check, as UTF-8",
 }
 """Other files that decode bytes, and which ones."""

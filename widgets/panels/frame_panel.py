@@ -7,6 +7,7 @@ The formulas are filled with the model's own numbers; copied numbers have the di
 import re
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
@@ -26,12 +27,13 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import base_of, frame_letters
 from app.model.formula import ARROW
 from app.model.formula_text import stacked_fraction
+from app.model.parameter import read_sections
 from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.labels import WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, push_button, scrolled
-from widgets.parts.messages import all_digits, lettering, read_text, sentence
+from widgets.parts.messages import all_digits, lettering, read_text, sentence, translated
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
@@ -41,6 +43,8 @@ from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
 STEP_MS = 2500  # time for reading each step while playing
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0  # up counts as close to the view direction up to this angle
+STEP_TEXTS = read_sections(Path(__file__).with_name("content") / "frame.md")
+"""The sentence below the name of each step, in the order of `STEPS`; letters are in braces."""
 _UP: Highlight = frozenset(("up",))
 _ABOUT: tuple[Highlight, ...] = tuple(
     frozenset(names)
@@ -121,44 +125,24 @@ class FramePanel(Panel):
 
     def _make_steps(self) -> tuple[_FrameStep, ...]:
         letters = frame_letters(lettering.now)
-        u, v, n, up, e, m, t = (letters[name] for name in ("u", "v", "n", "up", "e", "M", "T"))
-        return (
-            _FrameStep(
-                self.tr("eye"), _E,
-                self.tr("The centre of projection: where the camera stands in the world."),
-            ),
-            _FrameStep(
-                self.tr("look"), f"{_LOOK} = {_TARGET} − {_E}",
-                self.tr("The camera looks at the target; only the direction matters."),
-            ),
-            _FrameStep(
-                self.tr("up"), _UP_VECTOR,
-                self.tr("The direction that is vertical in the picture. It need not be "
-                        "perpendicular to the view, and its length does not matter."),
-            ),
-            _FrameStep(
-                n, self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
-                self.tr("Backwards, from the target to the eye, of length 1: the camera looks"
-                        " along −{0}.").format(n),
-            ),
-            _FrameStep(
-                u, self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
-                self.tr("To the right in the picture: at right angles to {0} and {1}, of "
-                        "length 1.").format(up, n),
-            ),
-            _FrameStep(
-                v, f"{_V} = {_N} × {_U}",
-                self.tr("Upwards in the picture: at right angles to {0} and "
-                        "{1}. It is the part of {2} at right angles to the "
-                        "view.").format(n, u, up),
-            ),
-            _FrameStep(
-                self.tr("view matrix"),
-                f"{m} = R {t},   R = ({_U}, {_V}, {_N})^T,   {m} ({_E} : 1) = (0 : 1)",
-                self.tr("The rows of the rotation R are {0}, {1} and {2}; {3} moves the eye to the"
-                        " origin, so that the last column is −R {4}.").format(u, v, n, t, e),
-            ),
-        )  # fmt: skip
+        m, t = letters["M"], letters["T"]
+        formulas = (
+            _E,
+            f"{_LOOK} = {_TARGET} − {_E}",
+            _UP_VECTOR,
+            self._of_length_1(_N, f"N{ARROW}", f"{_E} − {_TARGET}"),
+            self._of_length_1(_U, f"U{ARROW}", f"{_UP_VECTOR} × {_N}"),
+            f"{_V} = {_N} × {_U}",
+            f"{m} = R {t},   R = ({_U}, {_V}, {_N})^T,   {m} ({_E} : 1) = (0 : 1)",
+        )
+        texts = (
+            [translated(text, "FramePanel").format(**letters) for text in (name, *section.text)]
+            for name, section in STEP_TEXTS.items()
+        )
+        return tuple(
+            _FrameStep(name, formula, sentence)
+            for (name, sentence), formula in zip(texts, formulas, strict=True)
+        )
 
     def _make_up(self) -> None:
         self.figures = PlainLabel(wordWrap=True)

@@ -4,6 +4,8 @@ A probe is not part of the scene: it is kept in the document's view. A folded pa
 numbers.
 """
 
+from pathlib import Path
+
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QKeyEvent
 
@@ -11,6 +13,7 @@ from app.document.view import MOST_PROBES
 from app.lecture.highlight import NOTHING, Highlight, made_of
 from app.model.infinity import homogeneous
 from app.model.limits import finite
+from app.model.parameter import read_content
 from app.model.projection import Projection, Vector
 from app.model.refusal import Refusal
 from app.picking.picking import Probe
@@ -24,13 +27,7 @@ from widgets.parts.number_field import ShortField, refusal
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 
-_PIN_SHEET = """
-QPushButton:checked {
-    background: palette(highlight); color: palette(highlighted-text);
-    border: 1px solid palette(mid); border-radius: 3px;
-}
-"""
-"""A style sheet, because Fusion hardly shows whether a dark button is down."""
+_PIN_SHEET = read_content(Path(__file__).with_name("content") / "pin.qss")
 
 
 class ProbePanel(ReadablePanel):

@@ -14,6 +14,7 @@ all these edits must be undone.
 from abc import abstractmethod
 from collections.abc import Sequence
 from functools import partial
+from pathlib import Path
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QEvent, Qt, Signal, SignalInstance
@@ -29,6 +30,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
+from app.model.parameter import read_content
 from widgets.parts.gestures import Gestures
 from widgets.parts.icons import Combo
 from widgets.parts.labels import Balanced, RefusalLabel
@@ -44,17 +46,7 @@ _BY_KEYS = {
     Qt.FocusReason.BacktabFocusReason,
     Qt.FocusReason.ShortcutFocusReason,
 }
-_BUTTONS = """
-QToolButton {
-    background: palette(button); color: palette(button-text);
-    border: 1px solid palette(mid); border-radius: 3px; padding: 2px 1px;
-}
-QToolButton:checked {
-    background: palette(highlight); color: palette(highlighted-text); font-weight: 600;
-}
-QToolButton:hover, QToolButton:focus { border-color: palette(text); }
-"""
-"""A style sheet, because Fusion hardly shows which of two dark buttons is down."""
+_BUTTONS = read_content(Path(__file__).with_name("content") / "buttons.qss")
 
 
 class _NameLabel(Balanced):

@@ -6,6 +6,8 @@ text.
 
 import math
 from functools import lru_cache
+from pathlib import Path
+from string import Template
 from typing import Any, cast
 
 from PySide6.QtCore import (
@@ -45,6 +47,7 @@ from app.lecture.typesetting import Outline, outline
 from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.marking import digits_shown
 from app.lessons.text import DISPLAYED, FORMULA, html_of, readable, spoken_text
+from app.model.parameter import read_content
 from widgets.parts.messages import FEW, figure_text
 from widgets.parts.plain import TextDocument, with_native_keys
 from widgets.parts.roles import give_role
@@ -67,13 +70,7 @@ _PLACE = QRegularExpression(f"[{FORMULA}{DISPLAYED}]")
 _ENDS = FORMULA, DISPLAYED, "\ufdd0", "\ufdd1", "\0"
 """What ends the word behind a formula, besides spaces: another one, or a table's cell."""
 LIST_EM = 0.55  # half the indent of a list: Qt indents by two units
-STYLE = """
-p, ul, ol, table { margin-top: 0px; margin-bottom: 6px; }
-li { margin-bottom: 4px; }
-td, th { padding: 2px 7px; border: 1px solid %s; }
-table { border-collapse: collapse; border: 1px solid %s; }
-h1, h2, h3, h4 { margin-top: 0px; margin-bottom: 4px; font-size: large; }
-"""
+STYLE = Template(read_content(Path(__file__).with_name("content") / "lesson.css"))
 
 
 def answer_of(part: ReadBlock, here: Here) -> str:
@@ -88,7 +85,7 @@ def set_text(
     text = with_native_keys(text)
     html, formulas = html_of(f"## {text}" if title else text)
     line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
-    document.setDefaultStyleSheet(STYLE % (line, line))
+    document.setDefaultStyleSheet(STYLE.substitute(line=line))
     document.setDocumentMargin(0.0)
     document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
     document.setHtml(html)

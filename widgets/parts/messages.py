@@ -28,7 +28,7 @@ from app.model.limits import (
     OTHER_SIDE,
     THREE_NUMBERS,
 )
-from app.model.parameter import Parameter
+from app.model.parameter import Parameter, read_sections
 from app.model.parameters import TITLES
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, format_value
 from widgets.parts.labels import WarningLabel
@@ -56,30 +56,8 @@ lettering = SharedChoice[Letters]("own")  # the lecture whose letters are used
 all_digits = SharedChoice(False)  # whether numbers are shown with all digits instead of four
 
 
-SPACES = {  # names of the spaces between the stages
-    "object": QT_TRANSLATE_NOOP("Space", "object"),
-    "world": QT_TRANSLATE_NOOP("Space", "world"),
-    "view": QT_TRANSLATE_NOOP("Space", "view"),
-    "sheared": QT_TRANSLATE_NOOP("Space", "sheared"),
-    "canonical_perspective": QT_TRANSLATE_NOOP("Space", "canonical perspective"),
-    "canonical_parallel": QT_TRANSLATE_NOOP("Space", "canonical parallel"),
-    "depth_range": QT_TRANSLATE_NOOP("Space", "depth range"),
-    "clip": QT_TRANSLATE_NOOP("Space", "clip"),
-    "ndc": QT_TRANSLATE_NOOP("Space", "ndc"),
-    "image": QT_TRANSLATE_NOOP("Space", "image"),
-}
-
-FACTORS = {  # names of the stages' factors, except for the lectures' own letters
-    "rotation": QT_TRANSLATE_NOOP("Factor", "rotation"),
-    "translation": QT_TRANSLATE_NOOP("Factor", "translation"),
-    "scale": QT_TRANSLATE_NOOP("Factor", "scale"),
-    "shear": QT_TRANSLATE_NOOP("Factor", "shear"),
-    "rotation_x": QT_TRANSLATE_NOOP("Factor", "rotation about x"),
-    "rotation_y": QT_TRANSLATE_NOOP("Factor", "rotation about y"),
-    "rotation_z": QT_TRANSLATE_NOOP("Factor", "rotation about z"),
-    "mirror": QT_TRANSLATE_NOOP("Factor", "mirror"),
-    "matrix": QT_TRANSLATE_NOOP("Factor", "typed matrix"),
-}
+_NAMES = read_sections(Path(__file__).with_name("content") / "names.md")
+SPACES, FACTORS = _NAMES["Space"].named, _NAMES["Factor"].named
 
 # Refusals of controls only: the text is not a number.
 A_NUMBER = QT_TRANSLATE_NOOP("Refusal", "must be a number, such as 0.5 or 2e-3")

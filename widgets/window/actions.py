@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from functools import partial
+from functools import cache, partial
+from pathlib import Path
+from typing import NamedTuple
 
-from PySide6.QtCore import QObject, QSize, Qt, Signal
+from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
 from PySide6.QtWidgets import (
     QLineEdit,
@@ -18,6 +20,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.view import LAYOUTS
+from app.model.parameter import read_sections
 from app.scenes.built_in import WORDS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
@@ -27,11 +30,58 @@ from widgets.parts.messages import file_title, of_phenomena
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files
 from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help, ways_to_press
+from widgets.window.lesson_card import AGAIN_KEY, BACK_KEY, NEXT_KEY
 from widgets.window.lesson_menu import LessonMenu
 from widgets.window.pictures import Pictures
 from widgets.window.slots import Slots
 
 ICON_PX = 18
+SEPARATOR = "-"
+_NAMED_KEYS = {
+    "Play": PLAY_KEY, "FullScreen": FULL_SCREEN_KEY,
+    "Again": AGAIN_KEY, "Next": NEXT_KEY, "Back": BACK_KEY,
+}  # fmt: skip
+_tr = partial(QCoreApplication.translate, "Actions")
+
+
+class MenuEntry(NamedTuple):
+    """The words of an action."""
+
+    text: str
+    keys: str
+    tip: str
+
+
+class MenuWords(NamedTuple):
+    """A section of the content file: a menu, or the tool bar."""
+
+    title: str
+    order: list[str]  # the names of what it shows
+    entries: dict[str, MenuEntry]
+
+
+@cache
+def menus() -> dict[str, MenuWords]:
+    """Read the menus, by their names; `tests/texts.py` makes a source for lupdate from them."""
+    read = {}
+    for heading, section in read_sections(Path(__file__).with_name("actions.md")).items():
+        title, _, name = heading.removesuffix("}").partition(" {#")
+        items = [item.partition(": ") for item in section.items]
+        entries = {
+            each: MenuEntry(*(part.strip() for part in f"{words}||".split("|")[:3]))
+            for each, _, words in items
+            if words
+        }
+        read[name] = MenuWords(title, [each for each, _, _ in items], entries)
+    return read
+
+
+def _keys(text: str) -> str | QKeySequence.StandardKey | None:
+    """Return the keys that the content file means; those in braces have a name."""
+    name = text.strip("{}")
+    if name == text:
+        return text or None
+    return _NAMED_KEYS.get(name) or QKeySequence.StandardKey[name]
 
 
 def take_typed(window: QMainWindow) -> None:
@@ -71,122 +121,52 @@ class Actions(QObject):
         own_words = {each.name: each.words for each in PHENOMENA.values()}
         titles = {name: words.title for name, words in (WORDS | own_words).items()}
         self.scene_titles = {name: of_phenomena(title) for name, title in titles.items()}
-        keys = QKeySequence.StandardKey
-        self.open = self._action(
-            self.tr("&Open…"), self._with_typed(files.open_dialog), keys.Open,
-            self.tr("Open a document, a lesson, a mesh, a camera or an exported picture"),
-        )  # fmt: skip
-        self.save = self._action(self.tr("&Save"), self._with_typed(files.save), keys.Save)
-        self._save_as = self._action(
-            self.tr("Save &as…"), self._with_typed(files.save_as), "Ctrl+Shift+S"
-        )
-        self.copy = self._action(
-            self.tr("&Copy picture"), self._with_typed(pictures.copy), "Ctrl+Shift+C",
-            self.tr("Copy the three panes to the clipboard, including the document"),
-        )  # fmt: skip
-        self.export = self._action(
-            self.tr("&Export picture…"), self._with_typed(pictures.export_dialog), "Ctrl+E",
-            self.tr("Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document"),
-        )  # fmt: skip
-        self.recent = QMenu(self.tr("Open &recent"), window)
-        self._menu(
-            self.tr("&File"), self.open, self.recent.menuAction(), None, self.save, self._save_as,
-            None, self.export, self.copy, None,
-            self._action(self.tr("&Quit"), window.close, keys.Quit),
-        )  # fmt: skip
-        self.undo = self._action(self.tr("&Undo"), None, keys.Undo)
-        self.redo = self._action(self.tr("&Redo"), None, keys.Redo)
-        self.reset = self._action(
-            self.tr("Reset &all"), None, "Ctrl+R",
-            self.tr("Reset camera, lens, image and settings to how the scene opens"),
-        )  # fmt: skip
-        self.remove_probe = self._action(
-            self.tr("Remove the &probe"), None, "Esc",
-            self.tr("Remove the chosen probe from the panes"),
-        )  # fmt: skip
-        self.find = self._action(
-            self.tr("&Find a control"), None, keys.Find,
-            self.tr("Find a control by its name, its letter or what it does"),
-        )  # fmt: skip
-        self.find.setShortcuts([*QKeySequence.keyBindings(keys.Find), QKeySequence("/")])
-        self._menu(
-            self.tr("&Edit"), self.undo, self.redo, None, self.reset, None, self.remove_probe,
-            self.find,
-        )  # fmt: skip
+        self._made: dict[str, list[QAction]] = {}  # by the names in the content file
+        make, typed = self._named, self._with_typed
+        self.open = make("open", typed(files.open_dialog))
+        self.save = make("save", typed(files.save))
+        make("save_as", typed(files.save_as))
+        self.copy = make("copy", typed(pictures.copy))
+        self.export = make("export", typed(pictures.export_dialog))
+        make("quit", window.close)
+        self.recent = self._submenu("recent")
+        self.undo, self.redo, self.reset = make("undo"), make("redo"), make("reset")
+        self.remove_probe, self.find = make("remove_probe"), make("find")
+        every_find = QKeySequence.keyBindings(QKeySequence.StandardKey.Find)
+        self.find.setShortcuts([*every_find, QKeySequence("/")])
         self.scene_group = QActionGroup(window)
-        self._make_scenes_menu()
-        self.lesson_menu = LessonMenu(self.tr("&Lessons"), window, self._action)
-        window.menuBar().addMenu(self.lesson_menu)
-        self.present = self._action(
-            self.tr("&Present"), None, "F5",
-            self.tr("Show the panes and the essential controls on the full screen, for a class"),
-        )  # fmt: skip
-        self.present_all = self._action(
-            self.tr("Present from the beginnin&g"), None, "Shift+F5",
-            self.tr("Present the open talk from its first step"),
-        )  # fmt: skip
-        self.blank = self._action(
-            self.tr("&Blank the screen"), None, "B",
-            self.tr("Show the class a black screen, or the panes again"),
-        )  # fmt: skip
-        self.pointer = self._action(
-            self.tr("P&ointer in all panes"), None, "P",
-            self.tr("While presenting, mark in all panes the point under the mouse"), on=False,
-        )  # fmt: skip
-        self.strip = self._action(
-            self.tr("Co&ntrols of the slide"), None, "C",
-            self.tr("While presenting, show the controls of the slide below it, or hide them"),
-        )  # fmt: skip
-        self.pen = self._action(
-            self.tr("P&en"), None, "D",
-            self.tr("While presenting, draw on the slide, or put the pen away"), on=False,
-        )  # fmt: skip
-        self.compare = self._action(
-            self.tr("Compare wit&h this picture"), None, "F6",
-            self.tr("Hold the current picture and compare it with later ones, or end the"
-                    " comparison"),
-            on=False,
-        )  # fmt: skip
-        self.compare_way = self._action(
-            self.tr("Compare s&ide by side or overlaid"), None, "Shift+F6"
-        )
+        self._make_scenes()
+        self.present, self.present_all = make("present"), make("present_all")
+        self.blank, self.strip = make("blank"), make("strip")
+        self.pointer, self.pen = make("pointer", on=False), make("pen", on=False)
+        self.compare, self.compare_way = make("compare", on=False), make("compare_way")
         for later in (
             self.remove_probe, self.blank, self.pointer, self.strip, self.pen, self.compare_way,
         ):  # fmt: skip
             later.setEnabled(False)
-        self.controls = self._action(self.tr("&Controls"), None, "F4", on=True)
-        self.show_cost = self._action(
-            self.tr("&Show cost"), None, None,
-            self.tr("Measure the cost of every step: the model, each pane's matrices and repaint"),
-            on=False,
-        )  # fmt: skip
-        self.all_digits = self._action(
-            self.tr("All &digits"), None, None,
-            self.tr("Show all digits of every number, not only four"), on=all_digits,
-        )  # fmt: skip
-        self.reduce_motion = self._action(
-            self.tr("Reduce &motion"), None, None,
-            self.tr("Show the next step of a lesson or a talk at once, without a transition"),
-            on=False,
-        )  # fmt: skip
-        self._make_view_menu(theme)
-        self.help = self._action(self.tr("&Keys and mouse"), help_.show_keys, keys.HelpContents)
-        self.start_card = self._action(
-            self.tr("&Start card"), None, None,
-            self.tr("The scenes as pictures, lessons, talks, and recent files"),
-        )  # fmt: skip
-        self.trades = self._action(
-            self.tr("S&peed and accuracy"), None, None,
-            self.tr("What a renderer gives up to be fast: trades as pictures, measured"),
-        )  # fmt: skip
-        self._menu(
-            self.tr("&Help"), self.start_card, self.trades, self.help,
-            self._action(self.tr("&Conventions"), help_.show_conventions),
-            self._action(self.tr("&About Frustum Lab"), help_.show_about),
-        )  # fmt: skip
-        self.play = self._action(
-            self.tr("Play"), None, PLAY_KEY, self.tr("Play or pause the camera's orbit")
-        )
+        self._make_arrangement()
+        self.controls = make("controls", on=True)
+        self.show_cost = make("show_cost", on=False)
+        self.all_digits = make("all_digits", on=all_digits)
+        self.reduce_motion = make("reduce_motion", on=False)
+        self.name_everything = make("name_everything", on=False)
+        self.fixed = self._choices("fixed", "")
+        self.layers = self._choices("layers")
+        for value, action in self._choices("theme", theme).items():
+            action.triggered.connect(partial(self.theme_chosen.emit, value))
+        make("full_screen", self._toggle_full_screen)
+        self.help = make("help", help_.show_keys)
+        self.start_card, self.trades = make("start_card"), make("trades")
+        make("conventions", help_.show_conventions)
+        make("about", help_.show_about)
+        self.play = make("play")
+        self.lesson_menu = LessonMenu(window, make, self._submenu)
+        self._menu("file")
+        self._menu("edit")
+        self._menu("scenes")
+        self._menu("lessons", self.lesson_menu)
+        self.view_menu = self._menu("view")
+        self._menu("help")
         self.scene_box = Combo(self.tr("Scene"), self.tr("The scene in front of the camera"))
         self._make_tool_bar()
         keyed = [a for a in window.findChildren(QAction) if not a.shortcut().isEmpty()]
@@ -215,22 +195,41 @@ class Actions(QObject):
         set_tip(action, f"{plain} ({keys})" if keys else plain)
         return action
 
-    def _choices(self, texts: Mapping[str, str], now: str) -> dict[str, QAction]:
-        """Make exclusive actions, by the values that they choose."""
-        group = QActionGroup(self)
-        made = {name: self._action(text, on=name == now) for name, text in texts.items()}
-        for action in made.values():
-            group.addAction(action)
+    def _named(
+        self, name: str, act: Callable[[], object] | None = None, *, on: bool | None = None
+    ) -> QAction:
+        """Make the action of this name in the content file."""
+        entry = next(menu.entries[name] for menu in menus().values() if name in menu.entries)
+        action = self._action(_tr(entry.text), act, _keys(entry.keys), _tr(entry.tip), on)
+        self._made[name] = [action]
+        return action
+
+    def _submenu(self, name: str) -> QMenu:
+        menu = QMenu(_tr(menus()[name].title), self._window)
+        self._made[name] = [menu.menuAction()]
+        return menu
+
+    def _choices(self, name: str, now: str | None = None) -> dict[str, QAction]:
+        """Make a menu of switches, or of choices of which one holds `now`; return its actions."""
+        entries = menus()[name].entries.items()
+        made = {value: self._action(_tr(e.text), on=now in (value, None)) for value, e in entries}
+        self._submenu(name).addActions(list(made.values()))
+        if now is not None:
+            group = QActionGroup(self)
+            for action in made.values():
+                group.addAction(action)
         return made
 
-    def _menu(self, title: str, *entries: QAction | None, inside: QMenu | None = None) -> QMenu:
-        """Add a menu to the menu bar or to another menu; None is a separator."""
-        menu = (inside or self._window.menuBar()).addMenu(title)
-        for entry in entries:
-            if entry is None:
+    def _menu(self, name: str, menu: QMenu | None = None) -> QMenu:
+        """Add a menu to the menu bar, with what was made for it; by default a new one."""
+        menu = menu or QMenu(self._window)
+        menu.setTitle(_tr(menus()[name].title))
+        for each in menus()[name].order:
+            if each == SEPARATOR:
                 menu.addSeparator()
             else:
-                menu.addAction(entry)
+                menu.addActions(self._made[each])
+        self._window.menuBar().addMenu(menu)
         return menu
 
     def _with_typed(self, act: Callable[[], object]) -> Callable[[], object]:
@@ -242,79 +241,30 @@ class Actions(QObject):
 
         return acted
 
-    def _make_scenes_menu(self) -> None:
-        entries: list[QAction | None] = []
+    def _make_scenes(self) -> None:
+        entries = self._made["scenes"] = []
         for name in BUILT_IN:
             if name == next(iter(PHENOMENA)):
-                entries.append(None)
+                entries.append(QAction(self._window))
+                entries[-1].setSeparator(True)
             act = partial(self.scene_chosen.emit, name)
             action = self._action(self.scene_titles[name], act, on=False)
             action.setData(name)
             self.scene_group.addAction(action)
             entries.append(action)
-        mesh = self._action(self.tr("Open a &mesh…"), self._files.open_dialog)
-        self._menu(self.tr("&Scenes"), *entries, None, mesh)
+        self._named("mesh", self._files.open_dialog)
 
-    def _make_view_menu(self, theme: str) -> None:
+    def _make_arrangement(self) -> None:
         slots = self._slots
-        tip = self.tr("Show the pane in the large slot; choose it again to fill the window")
-        large = [
-            self._action(
-                self.tr("{0} in large").format(pane.accessibleName()),
-                partial(slots.make_large, name), f"Ctrl+{number}", tip,
-            )
-            for number, (name, pane) in enumerate(self._panes.items(), start=1)
-        ]  # fmt: skip
-        columns = self._action(
-            self.tr("Panes in col&umns"),
-            lambda: slots.arrange(LAYOUTS[columns.isChecked()], slots.large),
-            on=False,
+        for name, pane in self._panes.items():
+            large = self._named(f"large_{name}", partial(slots.make_large, name))
+            large.setText(large.text().format(pane.accessibleName()))
+        self._named("all_panes", slots.go_back)
+        columns = self._named(
+            "columns", lambda: slots.arrange(LAYOUTS[columns.isChecked()], slots.large), on=False
         )
         slots.rearranged.connect(lambda: columns.setChecked(slots.layout_name == LAYOUTS[1]))
-        self.view_menu = menu = self._menu(
-            self.tr("&View"), self.present, self.present_all, self.blank, self.pointer, self.strip,
-            self.pen, None, self.compare, self.compare_way, None, *large,
-            self._action(self.tr("Back to &all panes"), slots.go_back, "Ctrl+0"), columns,
-            self._action(self.tr("&Reset the panes' own views"), slots.reset_views, "Ctrl+Home"),
-            None, self.controls, self.show_cost, self.all_digits,
-            self.reduce_motion,
-        )  # fmt: skip
-        views = {
-            "": self.tr("&Freely"),
-            "side": self.tr("From the &side"),
-            "top": self.tr("From &above"),
-            "axis": self.tr("Along the a&xis"),
-            "eye": self.tr("From the &eye"),
-        }
-        self.fixed = self._choices(views, "")
-        self._menu(self.tr("Look at the &world"), *self.fixed.values(), inside=menu)
-        layers = {
-            "labels": self.tr("&Labels"),
-            "handles": self.tr("&Handles"),
-            "grid": self.tr("&Grid"),
-            "frustum": self.tr("&Frustum"),
-            "camera": self.tr("&Camera"),
-            "near-picture": self.tr("&Picture on the near plane"),
-        }
-        self.layers = {name: self._action(text, on=True) for name, text in layers.items()}
-        self._menu(self.tr("&Layers"), *self.layers.values(), inside=menu)
-        self.name_everything = self._action(
-            self.tr("Name e&verything"), None, "N",
-            self.tr("Name everything in the pictures, not only what the scene is about"), on=False,
-        )  # fmt: skip
-        menu.addAction(self.name_everything)
-        themes = {
-            "system": self.tr("As the system"),
-            "light": self.tr("Light"),
-            "dark": self.tr("Dark"),
-        }
-        chosen = self._choices(themes, theme)
-        self._menu(self.tr("&Theme"), *chosen.values(), inside=menu)
-        for value, action in chosen.items():
-            action.triggered.connect(partial(self.theme_chosen.emit, value))
-        menu.addAction(
-            self._action(self.tr("&Full screen"), self._toggle_full_screen, FULL_SCREEN_KEY)
-        )
+        self._named("reset_views", slots.reset_views)
 
     def _make_tool_bar(self) -> None:
         self.tools = tools = QToolBar(self.tr("Tools"))
@@ -331,30 +281,18 @@ class Actions(QObject):
         label.hide()
         rest = QWidget()
         rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
-        for action, icon, text in (
-            (None, "", ""),
-            (self.undo, "undo", self.tr("Undo")),
-            (self.redo, "redo", self.tr("Redo")),
-            (self.reset, "reset", self.tr("Reset")),
-            (None, "", ""),
-            (self.play, "play", ""),
-            (self.open, "open", self.tr("Open")),
-            (self.save, "save", self.tr("Save")),
-            (self.copy, "copy", self.tr("Copy")),
-            (self.export, "export", self.tr("Export")),
-            (self.present, "present", self.tr("Present")),
-            (self.controls, "controls", self.tr("Controls")),
-            (self.help, "help", self.tr("Help")),
-        ):
-            if action is None:
+        buttons = menus()["tools"]
+        for name in buttons.order:
+            if name == SEPARATOR:
                 tools.addSeparator()
                 continue
-            show_icon(action, icon)
-            if text:
-                action.setIconText(text)
+            (action,) = self._made[name]
+            show_icon(action, name)
             tools.addAction(action)
-            if action is self.play:
+            if action is self.play:  # its text changes
                 tools.addWidget(rest)
+            else:
+                action.setIconText(_tr(buttons.entries[name].text))
         self._window.addToolBar(tools)
         for action in (self.export, self.present):
             button = tools.widgetForAction(action)

@@ -2,6 +2,7 @@
 
 import re
 import sys
+from functools import partial
 from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
@@ -9,6 +10,7 @@ from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QTextEdit, QWidget
 
 from app import __version__
+from app.model.parameter import read_sections
 from widgets.parts.layouts import in_column
 from widgets.parts.plain import Markup, TextDocument, message_box
 
@@ -18,21 +20,15 @@ PLAY_KEY, FULL_SCREEN_KEY = (
     else ("Ctrl+Space", "F11")
 )
 
-KEYS = Path(__file__).with_name("keys.md")
-"""The content of the table of keys; `tests/texts.py` makes a source for lupdate from it."""
+KEYS, ABOUT = (Path(__file__).with_name(name) for name in ("keys.md", "about.md"))
+"""The table of keys and the other texts; `tests/texts.py` makes a source for lupdate from them."""
+_tr = partial(QCoreApplication.translate, "Help")
 
 
 def key_groups() -> dict[str, list[tuple[str, str]]]:
     """Read the table of keys: for each heading, what to press or do, and what that does."""
-    groups: dict[str, list[tuple[str, str]]] = {}
-    for line in KEYS.read_text(encoding="utf-8").splitlines():
-        kind, _, text = line.partition(" ")
-        if kind == "##":
-            lines = groups[text] = []
-        elif kind == "-":
-            keys, _, effect = text.partition(": ")
-            lines.append((keys, effect))
-    return groups
+    groups = {heading: list(each.named.items()) for heading, each in read_sections(KEYS).items()}
+    return {heading: lines for heading, lines in groups.items() if lines}
 
 
 def ways_to_press(shortcut: str | QKeySequence.StandardKey) -> list[QKeySequence]:
@@ -50,7 +46,7 @@ def _shown(text: str) -> str:
         keys = ways_to_press(PLAY_KEY if match[1] == "Play" else match[1])
         return ", ".join(way.toString(QKeySequence.SequenceFormat.NativeText) for way in keys)
 
-    return re.sub(r"\{([^{}]+)\}", key, QCoreApplication.translate("Help", text))
+    return re.sub(r"\{([^{}]+)\}", key, _tr(text))
 
 
 class Help(QObject):
@@ -84,29 +80,16 @@ class Help(QObject):
         dialog.show()
 
     def show_conventions(self) -> None:
-        text = self.tr(
-            "<p>Column vectors, <i>p' = M p</i>. World and view are right-handed with y up;"
-            " the camera looks along −z of view space.</p>"
-            "<p>Camera frame: <i>n</i> = (eye − target)/|·|, <i>u</i> = up × n/|·|,"
-            " <i>v</i> = n × u.</p>"
-            "<p>NDC is the OpenGL cube [−1, 1]³, near at −1 and far at +1; Direct3D has z in"
-            " [0, 1], reversed in [1, 0]. It is drawn with z mirrored so that the near face is"
-            " towards you.</p>"
-            "<p>Image: origin top left, x right, y down, in pixels; the first pixel's centre"
-            " is at 0.5.</p>"
-        )
-        self._show_box(self.tr("Conventions"), text)
+        self._show_box("Conventions")
 
     def show_about(self) -> None:
-        text = self.tr(
-            "<p><b>Frustum Lab {0}</b></p><p>How a camera turns a 3-D scene into a picture:"
-            " the world, the NDC cube and the image, from one model.</p><p>MIT licence.</p>"
-        )
-        self._show_box(self.tr("About Frustum Lab"), text.format(__version__))
+        self._show_box("About Frustum Lab", __version__)
 
-    def _show_box(self, title: str, text: str) -> None:
-        box = message_box(self._window, Markup(text), icon=QMessageBox.Icon.NoIcon)
-        box.setWindowTitle(title)
+    def _show_box(self, heading: str, *values: str) -> None:
+        lines = [_tr(line).format(*values) for line in read_sections(ABOUT)[heading].text]
+        text = Markup("".join(f"<p>{line}</p>" for line in lines))
+        box = message_box(self._window, text, icon=QMessageBox.Icon.NoIcon)
+        box.setWindowTitle(_tr(heading))
         box.setModal(False)
         box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         box.show()

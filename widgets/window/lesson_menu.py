@@ -10,7 +10,7 @@ from PySide6.QtWidgets import QAbstractButton, QFileDialog, QMenu, QWidget
 
 from app.lessons.course import name_of
 from app.lessons.player import Progress
-from widgets.window.lesson_card import AGAIN_KEY, BACK_KEY, NEXT_KEY, TOUR, LessonCard, heads
+from widgets.window.lesson_card import TOUR, LessonCard, heads
 from widgets.window.practice import Practice, review_text
 from widgets.window.settings import Settings
 
@@ -32,51 +32,23 @@ def fill(
 
 
 class LessonMenu(QMenu):
-    """The menu of the menu bar; `make` creates an action of the window, as `Actions` does."""
+    """The menu of the menu bar; `make` and `submenu` make what its content file names."""
 
-    def __init__(self, title: str, window: QWidget, make: Callable[..., QAction]) -> None:
-        super().__init__(title, window)
+    def __init__(
+        self,
+        window: QWidget,
+        make: Callable[[str], QAction],
+        submenu: Callable[[str], QMenu],
+    ) -> None:
+        super().__init__(window)
         self._window = window
-        self.tour = make(self.tr("Two-minute &tour"))
-        self.addAction(self.tour)
-        self.lessons = self.addMenu(self.tr("&Lessons"))
-        self.talks = self.addMenu(self.tr("T&alks"))
-        self.addSeparator()
-        self.test = make(
-            self.tr("Test &yourself…"), None, None,
-            self.tr("Exercises of topics that you choose, without help"),
-        )  # fmt: skip
-        self.test_again = make(self.tr("Go on with the t&est"))
-        self.review = make(
-            self.tr("&Review"), None, None,
-            self.tr("What you did not solve alone comes back after 1, 3 and 7 days"),
-        )  # fmt: skip
-        self.overview = make(
-            self.tr("O&verview…"), None, None,
-            self.tr("Every topic with its exercises, as you solved them"),
-        )  # fmt: skip
-        self.addActions([self.test, self.test_again, self.review, self.overview])
-        self.addSeparator()
-        self.open = make(
-            self.tr("&Open a lesson…"), None, None, self.tr("Open a lesson or a talk from its file")
-        )
-        self.addAction(self.open)
-        self.addSeparator()
-        self.again = make(
-            self.tr("&Show the step again"), None, AGAIN_KEY,
-            self.tr("Show the step as the lesson's file has it, without your changes"),
-        )  # fmt: skip
-        self.next = make(self.tr("&Next step"), None, NEXT_KEY)
-        self.back = make(self.tr("&Previous step"), None, BACK_KEY)
-        self.hint = make(self.tr("&Hint"))
-        self.anew = make(self.tr("Begin the lesson a&gain"))
-        self.check = make(
-            self.tr("Chec&k the lesson"), None, None, self.tr("Try everything in the lesson's file")
-        )
-        self.leave = make(self.tr("&Close the lesson"))
-        self.addActions([self.again, self.next, self.back, self.hint])
-        self.addSeparator()
-        self.addActions([self.anew, self.check, self.leave])
+        self.tour, self.open = make("tour"), make("open_lesson")
+        self.lessons, self.talks = submenu("courses"), submenu("talks")
+        self.test, self.test_again = make("test"), make("test_again")
+        self.review, self.overview = make("review"), make("overview")
+        self.again, self.next, self.back = make("again"), make("next"), make("back")
+        self.hint, self.anew = make("hint"), make("anew")
+        self.check, self.leave = make("check"), make("leave")
 
     def wire(self, card: LessonCard, settings: Settings, practice: Practice) -> None:
         """Connect the actions to the lesson's card and to what is practised on it."""

@@ -8,7 +8,7 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document.store import Store
-from app.drawings import WORDS
+from app.drawings import SENTENCES, WORDS
 from app.drawings.style import Style
 from app.lecture.highlight import ENDS
 from app.lecture.letters import Letters, axis_letters
@@ -19,7 +19,7 @@ from widgets.panes.adaptive import Adaptive
 from widgets.panes.canvas import SCALES
 from widgets.panes.pane import Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import TranslatedWords, field_name, plane_name
+from widgets.parts.messages import TranslatedWords, field_name, plane_name, translated
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
@@ -61,20 +61,7 @@ class Look(QObject):
                 **WORDS,
                 **{english: field_name(name) for name, english in TITLES.items()},
                 **{plane: plane_name(plane) for plane in ENDS},
-                "eye": self.tr("eye"),
-                "target": self.tr("target"),
-                "look": self.tr("look"),
-                "up": self.tr("up"),
-                "half width": self.tr("half width"),
-                "half height": self.tr("half height"),
-                "no planes": self.tr("A typed matrix has no near, no far and no angle."),
-                "no angle": self.tr(
-                    "A parallel lens has no angle: it is equally wide at every distance."
-                ),
-                "no eye": self.tr("A parallel lens has no eye: this is the view along its axis."),
-                "no half angle": self.tr(
-                    "This window is off-axis: the axis does not halve its angle."
-                ),
+                **{name: translated(text, "Look") for name, text in SENTENCES.items()},
             }
         )
         self._shown: ShownData | None = None

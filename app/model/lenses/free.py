@@ -14,7 +14,6 @@ from typing import Any, ClassVar
 from app.model.lenses.lens import Lens, LensTable, Seen
 from app.model.lenses.perspective import Perspective
 from app.model.limits import SMALLEST_CELL, Cells, finite_matrix, keep_checked
-from app.model.refusal import QT_TRANSLATE_NOOP
 from app.model.tables import matrix
 
 TABLE = LensTable(
@@ -43,12 +42,6 @@ class FreeMatrix(Lens):
 
     kind: ClassVar[str] = "matrix"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
-    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "free matrix")
-    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Lens",
-        "None of these: the cells of clip ← view that you typed in the Matrices panel. If you "
-        "choose another kind, the previous lens comes back.",
-    )
     # Offset, cell, product and three sums.
     roundings: ClassVar[tuple[float, float, float, float]] = (6.0, 6.0, 6.0, 6.0)
 

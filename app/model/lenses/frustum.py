@@ -10,7 +10,6 @@ from app.model.lenses.central import Central
 from app.model.lenses.lens import LensTable, Windowed
 from app.model.lenses.perspective import pyramid_tables
 from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, Keep, within
-from app.model.refusal import QT_TRANSLATE_NOOP
 
 SHEAR = """
     1  0  (r + l)/(2*n)  0
@@ -51,12 +50,6 @@ class Frustum(Central, Windowed):
 
     kind: ClassVar[str] = "frustum"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
-    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "frustum (off-axis)")
-    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Lens",
-        "Rays meet in the eye, but the window may be anywhere on the near plane: a shifted pyramid"
-        " (glFrustum).",
-    )
 
     left: float = -0.7
     right: float = 0.7

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from functools import cached_property, partial
+from pathlib import Path
 from typing import Any, ClassVar, NamedTuple, cast
 
 from app.arithmetic.rationals import Rationals
@@ -37,7 +38,7 @@ from app.model.limits import (
     keep_checked,
     real,
 )
-from app.model.parameter import Parameter, stated
+from app.model.parameter import Parameter, read_sections, section_of, stated
 from app.model.refusal import Refusal, format_value
 from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
@@ -58,6 +59,7 @@ class LensTable:
     """By lecture, the formulas that this lecture writes in another form."""
 
 
+_WORDS = read_sections(Path(__file__).parent.with_name("content") / "lenses.md")
 _plane = partial(stated, section="lens", place="lens", unit="units", logarithmic=True)
 NEAR = _plane("near", letter="n", formula="near", handle="near")
 FAR = _plane("far", letter="f", formula="far", handle="far")
@@ -77,8 +79,8 @@ class Lens(Geometry):
 
     - `window_stays`: whether the window is given in numbers that do not change when near moves.
     - `symmetric`: whether the window is symmetric, so that a field of view describes all of it.
-    - `title`, `tip`, `shape`: the name of the lens, its description, and the shape of its view
-      volume, marked for translation.
+    - `title`, `tip`, `shape`: the name of the lens and its description, from the content file, and
+      the shape of its view volume; marked for translation.
     - `tables`: the table for a finite far plane and, if it may be infinite, that for an infinite
       one.
     - `parameters`: those that only this lens has: its fields except near, far and the sides of a
@@ -92,12 +94,18 @@ class Lens(Geometry):
     far_may_be_infinite: ClassVar[bool] = False
     window_stays: ClassVar[bool] = False
     symmetric: ClassVar[bool] = False
-    title: ClassVar[str] = ""
-    tip: ClassVar[str] = ""
+    title: ClassVar[str]
+    tip: ClassVar[str]
     shape: ClassVar[str] = ""
     tables: ClassVar[tuple[LensTable, ...]]
     parameters: ClassVar[tuple[Parameter, ...]] = ()
     roundings: ClassVar[tuple[float, float, float, float]]
+
+    def __init_subclass__(cls) -> None:
+        super().__init_subclass__()
+        if "kind" in vars(cls):
+            cls.title, words = section_of(cls.kind, _WORDS)
+            cls.tip = words.text[0]
 
     # -- its table, its letters and its planes
 

@@ -72,12 +72,6 @@ class Oblique(Parallel, Windowed):
 
     kind: ClassVar[str] = "oblique"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
-    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "oblique")
-    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Lens",
-        "Rays are parallel and meet the picture at a slant: a slanted box, as in cavalier and"
-        " cabinet drawings (lecture 002: H, then orthographic).",
-    )
     parameters: ClassVar[tuple[Parameter, ...]] = (ALPHA, BETA)
     shape: ClassVar[str] = QT_TRANSLATE_NOOP("phenomena", "oblique box")
 

@@ -189,12 +189,6 @@ class Orthographic(Parallel, Windowed):
 
     kind: ClassVar[str] = "orthographic"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE,)
-    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "orthographic")
-    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Lens",
-        "Rays are parallel and meet the picture at right angles: distance does not change size. The"
-        " view volume is a box (glOrtho).",
-    )
 
     left: float = -4.0
     right: float = 4.0

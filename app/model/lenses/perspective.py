@@ -20,7 +20,7 @@ from app.model.lenses.lens import NEAR, LensTable, plane_letters
 from app.model.lenses.solving import shortest
 from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter, stated
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
 
 # --------------------------------------------------------------------------- the table
@@ -151,12 +151,6 @@ class Perspective(Central):
     kind: ClassVar[str] = "perspective"
     tables: ClassVar[tuple[LensTable, ...]] = (TABLE, TABLE_AT_INFINITY)
     symmetric: ClassVar[bool] = True
-    title: ClassVar[str] = QT_TRANSLATE_NOOP("Lens", "perspective")
-    tip: ClassVar[str] = QT_TRANSLATE_NOOP(
-        "Lens",
-        "Rays meet in the eye: farther objects look smaller. The view volume is a pyramid cut off"
-        " by near and far, symmetric about the view direction (gluPerspective).",
-    )
     parameters: ClassVar[tuple[Parameter, ...]] = (FOV_Y,)
 
     fov_y_deg: float = 45.0

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from app.model.clipping import NOT_CUT, clip_segments
 from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
@@ -231,19 +231,11 @@ def _readings(
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002"),
     start=Projection(Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(60.0, 1.0, 14.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
     adjustable=(Parameter("start", (3.0, 2.9, 4.0)), Parameter("end", (-9.0, 3.5, -2.5))),
-    controls=("lens.near", "lens.far"),
-    leading="ndc",
-    own_mesh=True,
-    names=("P", "Q", "Az+B", "A+B/z", "deviation"),
-    shot=Shot(-48.0, 16.0),
     cube_side=(75.0, 10.0),
-    leaves_out=frozenset({"near-picture"}),
-    pale=frozenset({"ndc"}),
 )

@@ -12,7 +12,7 @@ import numpy as np
 
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
@@ -140,21 +140,13 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return central.between(d, central.lens.far)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001", "002"),
     start=Projection(Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(38.0, 4.0, 10.5)),
     geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
     adjustable=(Parameter("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),
-    controls=("camera.distance", "lens.fov_y_deg"),
-    replaces=("near",),
-    numbers=4,
     follow=_follow,
     implied=lambda at, _: {"distance": at.lens.near if at.lens.central else None},
-    own_mesh=True,
-    names=("hole", "film", "h", "h'", "d", "z"),
     inks={"d": "v"},
-    shot=Shot(50.0, 14.0),
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

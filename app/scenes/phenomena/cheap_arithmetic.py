@@ -23,7 +23,7 @@ from numpy.typing import NDArray
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, Spot
@@ -298,9 +298,8 @@ def _diagram(
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002"),
     start=Projection(
         Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)),
         Perspective(48.0, 4.0, 20.0),
@@ -318,10 +317,5 @@ PHENOMENON = Phenomenon(
         Parameter("snap", "none", only_with=("preset", "own")),
         Parameter("reciprocal", "exact", only_with=("preset", "own")),
     ),
-    controls=("camera.azimuth_deg", "camera.distance"),
-    leading="image",
     requires=frozenset({"texture", "vertices"}),
-    names=("error", "stored"),
-    shot=Shot(-15.0, 18.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -20,7 +20,7 @@ from app.model.limits import PLANES
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
 from app.scenes.phenomena.picture import SIDES, drawn_planes, image_from_ndc, section
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
@@ -320,17 +320,10 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001", "004"),
     start=Projection(Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
-    controls=("lens.near", "lens.far", "camera.distance"),
-    numbers=7,
-    leading="ndc",
-    names=("A", "B", "C", "1", "2"),
-    shot=Shot(40.0, 32.0),
-    pale=frozenset({"world", "ndc"}),
 )

@@ -18,7 +18,7 @@ import numpy as np
 from app.arithmetic.formats import Grid
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import SIDE_RGB, Coloured, flat, ground_grid, joined
@@ -116,9 +116,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002"),
     start=Projection(
         Camera((0.0, 0.0, 1.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 6.0), (1920, 1080)
     ),
@@ -130,10 +129,5 @@ PHENOMENON = Phenomenon(
         Parameter("left", SIZES[0], 4.0, 1e6, span=(4.0, 100.0), logarithmic=True),
         Parameter("right", SIZES[1], 3.0, 1e6, span=(3.0, 100.0), logarithmic=True),
     ),
-    leading="image",
     requires=frozenset({"vertices"}),
-    names=("left-mesh", "right-mesh", "seam"),
-    shot=Shot(-20.0, 14.0),
-    upright=Shot(-45.0, 25.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

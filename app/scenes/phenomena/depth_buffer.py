@@ -22,7 +22,7 @@ from app.model.depth import FORMATS, DepthBuffer
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
 from app.scenes.phenomena.picture import SIDES, seen_texts
 from app.scenes.phenomena.sampling import seen_distances
@@ -233,9 +233,8 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "001"),
     start=Projection(Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)), Perspective(45.0, 0.01, 200.0)),
     geometry=_geometry,
     show=_show,
@@ -244,11 +243,5 @@ PHENOMENON = Phenomenon(
         Parameter("format", "fixed16"),
         Parameter("range", "standard"),
     ),
-    controls=("lens.near",),
-    leading="image",
     requires=frozenset({"depth"}),
-    own_mesh=True,
-    names=("surface-1", "surface-2"),
-    shot=Shot(-26.0, 32.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -14,7 +14,7 @@ from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.drift import AXIS, drifted, errors_px
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading, figure
@@ -101,9 +101,8 @@ def _image_marks(
     return Marks.of(segment(start, end, "accent", 1.5), Text("drift", end, "accent", text=text))
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001", "003", "004"),
     start=Projection(Camera((4.5, 4.5, 9.0), (0.8, 2.3, 0.0)), Perspective(40.0, 5.0, 15.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
@@ -112,11 +111,4 @@ PHENOMENON = Phenomenon(
         Parameter("numbers", "float32"),
         Parameter("way", "fast"),
     ),
-    leading="image",
-    numbers=4,
-    own_mesh=True,
-    names=("u'", "v'", "n'", "axis", "drift"),
-    shot=Shot(-40.0, 20.0, "camera"),
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
-    pale=frozenset({"image"}),
 )

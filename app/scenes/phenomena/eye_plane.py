@@ -21,7 +21,7 @@ from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_nd
 from app.model.parameter import Parameter, Settings, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Dot,
     Face,
@@ -479,9 +479,8 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
     return Marks.of(*marks)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001", "004"),
     start=Projection(Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(75.0, 0.05, 30.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
     show=_show,
@@ -490,12 +489,5 @@ PHENOMENON = Phenomenon(
         Parameter("end", (2.5, 1.8, 2.5)),
         Parameter("drawn", "faces"),
     ),
-    controls=("camera.distance",),
-    leading="world",
-    own_mesh=True,
     own_mesh_crosses=True,
-    names=("A", "B", "eye", "w=0", "A'", "B'"),
-    shot=Shot(20.0, 34.0),
-    pale=frozenset({"world"}),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

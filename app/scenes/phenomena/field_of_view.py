@@ -27,7 +27,7 @@ from app.model.projection import (
     fov_x_from_fov_y,
     fov_y_from_focal_length_35mm,
 )
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
@@ -250,9 +250,8 @@ def _beside_target(camera: Camera, offsets_uvn: list[Vector]) -> Array:
 
 _WIDE = preset_view("wide", 1280 / 720)
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 0.95, 0.0), Orbit(20.0, 8.0, _WIDE.distance)),
         Perspective(_WIDE.fov_y_deg, 0.1, 200.0),
@@ -266,12 +265,6 @@ PHENOMENON = Phenomenon(
         ),
         Parameter("enlarged", True, only_with=("preset", "tele")),
     ),
-    controls=("lens.fov_y_deg",),
-    leading="image",
     follow=_follow,
     implied=_implied,
-    own_mesh=True,
-    names=("nearest", "farthest", "d"),
-    shot=Shot(-62.0, 35.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

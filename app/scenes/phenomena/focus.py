@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading
@@ -297,9 +297,8 @@ def _diagram(lens: _Focused) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001",),
     start=Projection(Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(28.0, 1.7, 22.0)),
     geometry=_geometry,
     show=_show,
@@ -308,9 +307,4 @@ PHENOMENON = Phenomenon(
         Parameter("aperture", 1.0, 0.5, 1e6, span=(0.5, 64.0), logarithmic=True),
         Parameter("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
     ),
-    controls=("lens.fov_y_deg",),
-    own_mesh=True,
-    names=("eye", "sharp-from", "in-focus", "sharp-to"),
-    shot=Shot(-50.0, 30.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -148,6 +148,24 @@ class Appearance:
     pale: frozenset[str] = frozenset()
 
 
+def _shot(text: str) -> Shot:
+    azimuth_deg, elevation_deg, *about = text.split()
+    return Shot(float(azimuth_deg), float(elevation_deg), "camera" if about else "scene")
+
+
+_READ: dict[str, Callable[[str], Any]] = {
+    **dict.fromkeys(
+        ("lectures", "controls", "replaces", "names"), lambda text: tuple(text.split())
+    ),
+    **dict.fromkeys(("leaves_out", "pale"), lambda text: frozenset(text.split())),
+    **dict.fromkeys(("shot", "upright"), _shot),
+    **dict.fromkeys(("leading", "fixed"), str),
+    "numbers": int,
+    "own_mesh": lambda text: text == "yes",
+}
+"""How the content file of a phenomenon states these fields: below the heading "Shown"."""
+
+
 @dataclass(frozen=True, eq=False)
 class Phenomenon(Appearance):
     """A phenomenon that the lectures name, as a scene.
@@ -190,6 +208,12 @@ class Phenomenon(Appearance):
     check: Callable[[Settings], None] = lambda _: None
     own_mesh: bool = False
     own_mesh_crosses: bool = False
+
+    @classmethod
+    def of(cls, words: PhenomenonWords, **computed: Any) -> Phenomenon:
+        """The phenomenon of a content file, with what is computed."""
+        shown = {name: _READ[name](text) for name, text in words.shown.items()}
+        return cls(words, **shown, **computed)
 
     @property
     def name(self) -> str:

@@ -24,7 +24,7 @@ import numpy as np
 
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Text, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading, Spot
@@ -205,9 +205,8 @@ def _readings(
     )
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("002", "003"),
     start=Projection(Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(50.0, 3.0, 24.0)),
     geometry=_geometry,
     show=_show,
@@ -216,11 +215,5 @@ PHENOMENON = Phenomenon(
         Parameter("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
         Parameter("pattern", "checks"),
     ),
-    controls=("camera.azimuth_deg",),
-    leading="image",
     requires=frozenset({"texture"}),
-    own_mesh=True,
-    names=("half-on-screen", "half-in-world"),
-    shot=Shot(-92.0, 44.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -25,7 +25,7 @@ from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.cheap import Hardware, cheap
 from app.precision.drift import errors_px
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading
@@ -146,9 +146,8 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
     ), times
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("003", "004"),
     start=Projection(
         Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)),
         Perspective(40.0, 5.0, 15.0),
@@ -161,11 +160,4 @@ PHENOMENON = Phenomenon(
         Parameter("way", "world"),
         Parameter("frame", float(FRAMES), 0.0, float(FRAMES), per_second=12.0, whole=True),
     ),
-    leading="image",
-    numbers=4,
-    own_mesh=True,
-    names=("eye", "P", "smooth", "drawn"),
-    shot=Shot(-40.0, 20.0, "camera"),
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
-    pale=frozenset({"image"}),
 )

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
-from app.model.parameters import ALPHA, BETA, NEAR
+from app.model.parameters import ALPHA, BETA
 from app.model.projection import (
     Array,
     Camera,
@@ -23,7 +23,7 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
@@ -215,10 +215,8 @@ def _projectors(projection: Projection, corners: Array, view: Array) -> Marks:
     return Marks.of(*rays, *(Dot(foot, "accent", 0.7) for foot in feet), *letters)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    replaces=("preset", "receding", "receding_deg"),
-    lectures=("002",),
     start=oblique(
         Projection(
             Camera((0.0, 1.0, 8.0), (0.0, 1.0, 0.0)),
@@ -237,11 +235,6 @@ PHENOMENON = Phenomenon(
         Parameter("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
         Parameter("morph", 1.0, 0.0, 1.0, per_second=0.5),
     ),
-    leading="image",
     follow=_follow,
     implied=_implied,
-    own_mesh=True,
-    names=(*_SCALE_NAMES, NEAR.name, "x", "x'"),
-    shot=Shot(-65.0, 22.0),
-    leaves_out=frozenset({"near-picture"}),
 )

@@ -16,7 +16,7 @@ from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import Array, Camera, Frustum, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Grip, Mark, Marks, Polyline, Text, plate, segment
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading
@@ -227,9 +227,8 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return replace(seen, lens=kept)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002", "003"),
     start=Projection(
         Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
         # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
@@ -241,11 +240,6 @@ PHENOMENON = Phenomenon(
         Parameter("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
         Parameter("screens", "2"),
     ),
-    controls=("lens.left", "lens.right"),
     follow=_follow,
     implied=_implied,
-    own_mesh=True,
-    names=("l", "r", "b", "t", "eye", "window"),
-    shot=Shot(50.0, 30.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )

@@ -24,7 +24,7 @@ from app.model.limits import NOT_ZERO, vector
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import REFUSALS, Refusal, format_value
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
@@ -246,9 +246,8 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     return Marks.of(*world)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("002",),
     start=Projection(Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(32.0, 4.0, 24.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)),
     show=_show,
@@ -258,11 +257,6 @@ PHENOMENON = Phenomenon(
         Parameter("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
         Parameter("clip", True),
     ),
-    numbers=3,
     check=_check,
-    own_mesh=True,
-    names=("light", "P", "P'", "ground"),
-    shot=Shot(-12.0, 24.0),
     # The lamp casts the shadow, whatever the eye sees; beside the eye it would be half as large.
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

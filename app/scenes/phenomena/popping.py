@@ -21,7 +21,7 @@ from app.model.limits import ABOVE, vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
@@ -271,9 +271,8 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
     return Diagram(WORDS["diagram"], tuple(curves), *axes, x_label="w", y_label="%")
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001",),
     start=Projection(Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)), Perspective(45.0, 5.0, 60.0)),
     geometry=_geometry,
     show=_show,
@@ -296,13 +295,8 @@ PHENOMENON = Phenomenon(
         Parameter("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
         Parameter("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
     ),
-    controls=("lens.far",),
-    leading="image",
     follow=_follow,
     implied=_implied,
     check=_check,
     requires=frozenset({"fog", "levels"}),
-    names=("far", "next-tree"),
-    shot=Shot(41.0, 25.0),
-    upright=Shot(30.0, 45.0),
 )

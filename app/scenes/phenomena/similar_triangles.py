@@ -14,7 +14,7 @@ import numpy as np
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import REFUSALS, Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Copy,
     Dot,
@@ -175,9 +175,8 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
     return np.array([eye, hit if distance > w else end])
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "001", "002", "004"),
     start=Projection(Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(40.0, 2.0, 14.0)),
     geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
     show=_show,
@@ -185,14 +184,6 @@ PHENOMENON = Phenomenon(
         Parameter("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
         Parameter("point", (1.5, 5.0, 0.5)),
     ),
-    controls=("lens.fov_y_deg", "camera.distance"),
-    numbers=6,
     check=_check,
-    own_mesh=True,
-    names=("y", "y_p", "d", "-z", "eye", "P", "P'"),
     inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
-    shot=Shot(-35.0, 12.0),
-    fixed="side",
-    leaves_out=frozenset({"frustum", "near-picture", "grid"}),
-    pale=frozenset({"world"}),
 )

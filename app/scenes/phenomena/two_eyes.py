@@ -22,7 +22,7 @@ from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
     Aperture,
     Eyes,
@@ -157,9 +157,8 @@ def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
     return Marks.of(*marks)
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002", "003"),
     start=Projection(Camera((0.0, 1.8, 8.0), (0.0, 1.8, 0.0)), Perspective(45.0, 4.0, 14.0)),
     geometry=_geometry,
     show=_show,
@@ -170,11 +169,6 @@ PHENOMENON = Phenomenon(
         Parameter("pictures", "beside"),
         Parameter("point", (1.0, 0.8, 3.0), only_with=("cameras", "toed-in")),
     ),
-    numbers=4,
     follow=_follow,
     implied=lambda projection, _: {"screen": projection.camera.distance},
-    own_mesh=True,
-    names=("left-eye", "right-eye", "screen", "P", "P_l", "P_r"),
-    shot=Shot(35.0, 35.0),
-    leaves_out=frozenset({"camera", "frustum", "near-picture"}),
 )

@@ -31,7 +31,7 @@ from app.precision.unprojecting import (
     off_there,
 )
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
@@ -114,9 +114,8 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
     return None
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "004"),
     start=Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 0.1, 1000.0)),
     geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
     show=_show,
@@ -126,12 +125,5 @@ PHENOMENON = Phenomenon(
         Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
         Parameter("point", (1.5, 4.5, 0.5)),
     ),
-    numbers=5,
     clicked="point",
-    own_mesh=True,
-    names=("P", "back", "error", "eye"),
-    shot=Shot(-35.0, 15.0),
-    upright=Shot(45.0, 15.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
-    pale=frozenset({"world"}),
 )

@@ -16,7 +16,7 @@ import numpy as np
 from app.model.limits import vector
 from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import (
     SIDES,
@@ -387,9 +387,8 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     return {"points": next(views, "free") if projection.lens.central else "free"}
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("002", "003"),
     start=Projection(
         Camera.from_orbit((0.0, 1.3, 0.0), Orbit(*_VIEWS["2"], 6.0)),
         # No ground is seen before the near plane, so that there is room for the marks on it.
@@ -402,13 +401,6 @@ PHENOMENON = Phenomenon(
         Parameter("edge", "z"),
         Parameter("t", 0.6, 0.0, 2.0, per_second=0.15),
     ),
-    controls=("camera.azimuth_deg",),
-    numbers=4,
-    leading="image",
     follow=_follow,
     implied=_implied,
-    own_mesh=True,
-    names=("V_x", "V_y", "V_z", "P", "horizon", "eye"),
-    shot=Shot(-14.0, 42.0),
-    leaves_out=frozenset({"frustum"}),
 )

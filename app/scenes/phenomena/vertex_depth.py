@@ -20,7 +20,7 @@ import numpy as np
 
 from app.model.parameter import Parameter, Settings, number
 from app.model.projection import Array, Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices, outline
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
 from app.scenes.shapes import Coloured, box_corners, box_faces, flat, ground_grid, joined
@@ -148,9 +148,8 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )  # fmt: skip
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("000", "002"),
     start=_START,
     geometry=_geometry,
     show=_show,
@@ -161,11 +160,5 @@ PHENOMENON = Phenomenon(
             only_with=("depth", "vertex"),
         ),
     ),
-    controls=("lens.far",),
-    leading="image",
     requires=frozenset({"vertices"}),
-    names=("floor", "drawn", "foundation"),
-    shot=Shot(-64.0, 12.0),
-    upright=Shot(-64.0, 35.0),
-    leaves_out=frozenset({"frustum", "near-picture"}),
 )  # fmt: skip

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from app.model.parameter import ImpliedSettings, Parameter, Settings
 from app.model.parameters import ALPHA, FAR, NEAR
 from app.model.projection import Camera, Perspective, Projection
-from app.scenes.phenomena.illustration import Illustration, Phenomenon, Shot, Subject
+from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
 from app.scenes.phenomena.words import PhenomenonWords, Reading
@@ -163,17 +163,12 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     return {"volume": "oblique" if ALPHA in lens.parameters else "box"}
 
 
-PHENOMENON = Phenomenon(
+PHENOMENON = Phenomenon.of(
     WORDS,
-    lectures=("001",),
     start=Projection(Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
     geometry=_geometry,
     show=_show,
     adjustable=(Parameter("volume", "pyramid"),),
-    controls=("lens.near", "lens.far"),
-    numbers=4,
     follow=_follow,
     implied=_implied,
-    names=("A", "B", "C", "D", "E", NEAR.name, FAR.name),
-    shot=Shot(55.0, 27.0),
 )

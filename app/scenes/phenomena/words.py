@@ -5,6 +5,9 @@ The file is Markdown in the manner of a lesson. Every text stands on one line::
     # Title of the scene
     The explanation.
 
+    ## Shown
+    - names: P eye
+
     ## Try
     - A question, or something to do.
 
@@ -157,6 +160,11 @@ class PhenomenonWords:
         return self._sections[self.title].text[0]
 
     @property
+    def shown(self) -> dict[str, str]:
+        """Some fields of its `Phenomenon`: what it shows, and from where."""
+        return self._sections["Shown"].named
+
+    @property
     def tries(self) -> tuple[str, ...]:
         return tuple(self._sections["Try"].items)
 
@@ -183,7 +191,7 @@ class PhenomenonWords:
             texts.update(section.text)
             if heading.startswith(_COMPARE):
                 texts.update(section.named)
-            elif heading != "Try":
+            elif heading not in ("Try", "Shown"):
                 texts.update(section.named.values())
             if heading.endswith("}"):
                 texts.add(heading.rpartition(" {#")[0])
