@@ -181,7 +181,9 @@ class StageStrip(QWidget, Playing):
                 self.slider.setRange(self.first * STEPS, IMAGE * STEPS)
                 self.slider.setValue(round(self._at * STEPS))
             self._rows = 0
-            self._fit()
+            self._stagger(1)
+            if self.isVisible():
+                self._fit()
         self.direction.setVisible(bool(self._tiles))
         self._name_stops()
         self._show_stop()
