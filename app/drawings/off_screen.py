@@ -63,7 +63,8 @@ class OffScreen:
     def clear(self, width: int, height: int) -> None:
         """Return to the first state, in another size, but keep the compiled shaders."""
         window = self.render_window
-        window.RemoveObservers("StartEvent")
+        for event in ("StartEvent", "EndEvent"):  # a window of Qt's has observers of its own
+            window.RemoveObservers(event)
         for renderer in list(window.GetRenderers()):
             window.RemoveRenderer(renderer)
         window.SetNumberOfLayers(1)

@@ -531,6 +531,7 @@ def test_extremes_are_drawn_from_every_view(off_screen: MakeScreen, view: str) -
         assert not any("nan" in text for text in texts_of(screen))
         drawing.show_projection(START)
         drawing.refit()
+        drawing.refit()  # a label may follow where another one has made room
         assert not drawing.refit()
         drawing.remove()
 

@@ -103,7 +103,7 @@ class Lens(Geometry):
 
     def __init_subclass__(cls) -> None:
         super().__init_subclass__()
-        if "kind" in vars(cls):
+        if "kind" in vars(cls) and "title" not in vars(cls):
             cls.title, words = section_of(cls.kind, _WORDS)
             cls.tip = words.text[0]
 
