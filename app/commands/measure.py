@@ -18,7 +18,9 @@ from app.commands.terminal import (
     write_out,
 )
 from app.document.files import write_bytes_atomically
+from app.document.lengths import PX_PER, Size
 from app.drawings import off_screen
+from app.drawings.figure import Figure
 from app.measure import chart, measuring
 from app.measure.meaning import meaning
 from app.measure.results import GAPS, Measurements, table, to_csv, to_json
@@ -42,7 +44,7 @@ def run(arguments: Sequence[str]) -> int:
         raise CliError(f"--chart = {options.chart!r}: must end in {known}.")
     if options.size and options.width:
         raise CliError("--width: its height is free; leave out --size.")
-    if not options.chart and (options.size or options.width or options.text_size):
+    if not options.chart and (options.size or options.width or options.text_size is not None):
         raise CliError("--size, --width and --text-size: need --chart.")
     # Check now: the measurement takes long.
     for option, out in targets.items():
@@ -53,6 +55,11 @@ def run(arguments: Sequence[str]) -> int:
     file = words[0] if words else None
     document = document_of(file, settings)
     scene = load_scene(document.scene, document.mesh, file)
+    if options.size or options.width or options.text_size is not None:
+        side = (options.width or 0.0) / PX_PER["mm"]
+        size = Size(side, side, "mm") if side else options.size
+        # A chart has the bounds of a pane: this is a `Refusal` beyond them.
+        Figure(document, scene, ("ndc",), size, text_pt=options.text_size)
     if document.projection.lens.planes is None:
         raise CliError(
             "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"

@@ -71,7 +71,9 @@ def content_of(path: Path, largest: int) -> bytes:
     with open_regular(path) as file:
         content = file.read(largest + 1)
     if len(content) > largest:
-        raise Refusal.in_document(TOO_LARGE, largest // 2**20)
+        is_small = largest < 2**20
+        limit = f"{largest // 2**10} KiB" if is_small else f"{largest // 2**20} MiB"
+        raise Refusal.in_document(TOO_LARGE, limit)
     return content
 
 
@@ -124,7 +126,7 @@ def read(
                     projection = cameras[_chosen(cameras, view, choose)](document.projection)
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
-                raise Refusal.in_document(TOO_LARGE, LARGEST_DOCUMENT // 2**20)
+                raise Refusal.in_document(TOO_LARGE, f"{LARGEST_DOCUMENT // 2**20} MiB")
             text, note = _decode(content)
             document = parse(text, folder)
             log_warning(path, note)

@@ -281,7 +281,7 @@ class WorldDrawing(Drawing):
         elif self.fit == "scene":
             inside = {"subject": inside["subject"]}
         offsets = np.concatenate(list(inside.values())) - middle
-        lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-300)
+        lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-100)
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
         return Framed(
             at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,

@@ -243,3 +243,21 @@ def test_help_names_every_trade_and_sweep() -> None:
     text = run("measure", "--help").stdout
     for name in (*TRADES, *SWEEPS):
         assert name in text
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--width", "1mm"), "width = 1 mm: must be from 2.71 to 1387 mm."),
+        (("--size", "9000mmx90mm"), "width = 9000 mm: must be from 2.71 to 1387 mm."),
+        (("--text-size", "0"), "text size = 0: must be from 0.24 to "),
+        (("--text-size", "-4"), "text size = -4: must be from 0.24 to "),
+        (("--width", "84mm", "--text-size", "100"), "text size = 100: must be from 0.24 to "),
+    ],
+)
+def test_a_chart_of_no_possible_size_is_refused_before_it_is_measured(
+    tmp_path: Path, words: tuple[str, ...], said: str
+) -> None:
+    done = run_here("measure", "--trade", "drift", "--chart", tmp_path / "chart.png", *words)
+    assert done.returncode == 2 and done.stderr.count("\n") == 1 and said in done.stderr
+    assert not done.stdout and not list(tmp_path.iterdir())

@@ -33,7 +33,14 @@ from app.bootstrap import ROOT
 from app.document import codec, files
 from app.document.codec import SHORTEST, parse, to_json, to_tree
 from app.document.document import MESH_ENDINGS, Document, is_mesh
-from app.document.files import extract, holds_document, read, write, write_bytes_atomically
+from app.document.files import (
+    extract,
+    holds_document,
+    read,
+    read_letters,
+    write,
+    write_bytes_atomically,
+)
 from app.document.settings import set_values
 from app.document.view import FIELDS as VIEW_FIELDS
 from app.document.view import FIXED, LAYERS, PANELS, PANES, STAGES, View
@@ -678,6 +685,7 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:
     assert read(path) == Document()
     path.write_bytes(WRITTEN.encode() + b" " * (2**20 - len(WRITTEN) + 1))
     assert sentence(read, path) == f"{path} is larger than 1 MiB."
+    assert sentence(read_letters, path) == f"{path} is larger than 39 KiB."
     # A picture may be larger.
     path.write_bytes(carrier(json.dumps(json.loads(DESIGN) | {"pad": "x" * 2**20})))
     assert read(path).projection == parse(DESIGN).projection

@@ -29,6 +29,7 @@ from app.model.projection import (
     PLANES,
     Array,
     Camera,
+    Chain,
     FreeMatrix,
     Frustum,
     Oblique,
@@ -383,6 +384,16 @@ def test_the_reach_is_continuous_and_the_pane_stands_still(make_view: MakeView) 
 def colour_at(image: Pixels, pixel: Array) -> list[int]:
     column, row = np.floor(pixel).astype(int)
     return [int(part) for part in image[row, column]]
+
+
+def test_an_object_of_one_point_is_drawn_from_very_far(make_view: MakeView) -> None:
+    """Nothing overflows, which would be a warning."""
+    camera = Camera((0.0, 0.0, 1e90), (0.0, 0.0, 0.0))
+    one_point = Chain.read("scale 0,0,0")
+    view = make_view()
+    view.drawing.show_projection(replace(START, camera=camera, placement=one_point))
+    view.drawing.reset_view()
+    assert view.pixels().any()
 
 
 @pytest.mark.parametrize("style", [LIGHT, DARK])

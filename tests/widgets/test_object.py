@@ -109,12 +109,14 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
 def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> None:
     editor = build(window, "off scale 1e20,1,1; scale 1e20,1,1")
     editor.cards[0].switch.click()
+    assert editor.refusal.text().startswith("Not possible. ")
     assert "product" in editor.refusal.text() and not editor.cards[0].switch.isChecked()
     assert chain_of(window).text == "off scale 1e+20,1,1; scale 1e+20,1,1"
     editor = build(window, "matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
     column = editor.rows["matrix_x"]
     column.edited.emit((0.0, 0.0, 0.0))
     assert "inverse" in column.error and chain_of(window).is_identity
+    assert column.error.count("Not possible.") == editor.refusal.text().count("Not possible.") + 1
     editor = build(window, "; ".join(["mirror x"] * 8))
     assert not editor.add.isEnabled()
 

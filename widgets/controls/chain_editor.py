@@ -190,7 +190,7 @@ class ChainEditor(QWidget, RowHolder):
 
         def refuse(said: str) -> None:
             self._show_tiles()
-            self.refusal.show_text(said)
+            self.refusal.show_text(refusal(said))
 
         self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
 
@@ -226,7 +226,7 @@ class ChainEditor(QWidget, RowHolder):
         try:
             self._adopt(make())
         except Refusal as error:
-            refuse(refusal(sentence(error)))
+            refuse(sentence(error))
 
     def _adopt(self, chain: Chain) -> None:
         if chain != self._chain:
