@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 import shutil
 import subprocess
@@ -81,6 +82,18 @@ def test_a_whole_number_is_swept_in_whole_steps() -> None:
         sweep = "--set=scene=jitter", "--sweep=settings.frame=1:24", f"--frames={frames}"
         found, _ = Parser("export").read(["a.gif", *sweep])
         assert [each.settings["frame"] for each in states(found, None)] == list(shown)
+
+
+def test_steps_are_equal_or_in_equal_ratios_or_slow_at_both_ends() -> None:
+    for ease, shown in {
+        "linear": [1.0, 1.75, 2.5, 3.25, 4.0],
+        "log": [1.0, math.sqrt(2.0), 2.0, math.sqrt(8.0), 4.0],
+        "smooth": [2.5 - 1.5 * math.cos(math.pi * k / 4.0) for k in range(5)],
+    }.items():
+        sweep = "--sweep=lens.near=1:4", f"--ease={ease}", "--frames=5", "--loop=once"
+        options, _ = Parser("export").read(["a.gif", *sweep])
+        nears = [each.projection.lens.near for each in states(options, None)]
+        assert nears == pytest.approx(shown, rel=1e-12), ease
 
 
 def states_of(folder: Path, count: int) -> list[Document]:

@@ -148,6 +148,22 @@ def test_labels_go_where_the_ink_is_not() -> None:
     assert edge <= 246.0 and left > 100.0
 
 
+def test_at_rest_a_label_leaves_a_place_that_hides_much_more_and_no_other() -> None:
+    spot, size = (240.0, 160.0), (60.0, 14.0)
+    wishes = [wish("a", spot, size, 0.0)]
+    was = {"a": place(wishes, Ground(FRAME, EM))["a"].kept}
+    left, low, right, high = box_of(place(wishes, Ground(FRAME, EM))["a"], size)
+    for every_px, stays in ((2.0, False), (30.0, True)):
+        lines = np.array([[(x, low), (x, high)] for x in np.arange(left + 1.0, right, every_px)])
+        inked = partial(Ground, FRAME, EM, lambda ground, lines=lines: ground.ink_lines(lines))
+        best = {"a": place(wishes, inked())["a"].kept}
+        assert best["a"].is_elsewhere(was["a"])
+        rested = place(wishes, inked(), was, best=best)["a"].kept
+        dragged = place(wishes, inked(), was)["a"].kept
+        assert not dragged.is_elsewhere(was["a"]), "a hand that drags moves no label aside"
+        assert rested.is_elsewhere(was["a"]) != stays, every_px
+
+
 def test_a_label_far_from_its_mark_has_a_leader_that_ends_at_its_box() -> None:
     spot, size = (240.0, 160.0), (60.0, 14.0)
     ground = Ground(FRAME, EM)
