@@ -134,6 +134,11 @@ class Store(QObject):
             self._gesture_start = document
         return self._show(document)
 
+    def take_steps(self, other: Store) -> None:
+        """Take over what undo and redo know in another store, whose document this one has."""
+        self.origin, self._undo, self._redo = other.origin, other._undo, other._redo
+        self.history_changed.emit()
+
     def mark_saved(self) -> None:
         """Record that the current document is in its file."""
         self.origin.saved = self._document

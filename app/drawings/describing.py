@@ -1,6 +1,6 @@
 """A document in words: what each pane shows, what is cut off, and what is risky."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
 from app.drawings.scene_bounds import bounds_px, predictions
+from app.languages import translate
 from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
@@ -20,14 +21,8 @@ from app.precision.risks import NO_PICTURE, risks
 from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
-Translate = Callable[[str, str], str]  # from a text and its context to the text in another language
-
 WORLDS = SENTENCES["Description/worlds"]
 STAGES = tuple(SENTENCES["Description/stages"].values())
-
-
-def in_english(text: str, _context: str) -> str:
-    return text
 
 
 class Description(NamedTuple):
@@ -56,12 +51,8 @@ def describe(
     document: Document,
     scene: Scene,
     panes: Sequence[str] = PANES,
-    translate: Translate = in_english,
 ) -> Description:
-    """Say in words what the panes of a document show, what is cut off, and what is risky.
-
-    `translate` puts every text of the program into another language.
-    """
+    """Say in words what the panes of a document show, what is cut off, and what is risky."""
     projection, letters = document.projection, document.view.letters
     illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()
@@ -73,7 +64,7 @@ def describe(
         general.append(
             translate(DESCRIPTION["content"], "Description").format(scene.triangles, *own)
         )
-    general += [*_camera(projection, translate), *_points(document, translate)]
+    general += [*_camera(projection), *_points(document)]
     risky = []
     if scene.has_vertices:
         drawing_px = max(bounds_px(projection, scene))
@@ -95,7 +86,7 @@ def describe(
     return Description(
         title,
         tuple(general),
-        {pane: _pane(pane, document, scene, translate) for pane in panes},
+        {pane: _pane(pane, document, scene) for pane in panes},
         tuple(
             translate(template, "Description").format(
                 ", ".join(translate(plane, "Plane") for plane in planes)
@@ -106,7 +97,7 @@ def describe(
     )
 
 
-def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
+def _camera(projection: Projection) -> Iterator[str]:
     camera, lens = projection.camera, projection.lens
     if projection.has_camera:
         yield translate(DESCRIPTION["camera"], "Description").format(
@@ -126,7 +117,7 @@ def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
         yield translate(DESCRIPTION["angle"], "Description").format(angle)
 
 
-def _points(document: Document, translate: Translate) -> Iterator[str]:
+def _points(document: Document) -> Iterator[str]:
     """Say where the marked points are; omit the rays of pixels."""
     probes = [probe for probe in document.view.probes if probe.row is not None]
     places, pixels = list[Vector](), list[list[float]]()
@@ -145,14 +136,14 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
         yield translate(template, "Description").format(probe.number, place, pixel)
 
 
-def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> str:
+def _pane(pane: str, document: Document, scene: Scene) -> str:
     view, projection = document.view, document.projection
     if pane == "world":
         said = translate(WORLDS[seen_from(view, scene) or "free"], "Description")
     elif pane == "equation":
         said = translate(DESCRIPTION["equation"], "Description").format(view.equation)
     elif pane == "ndc":
-        said = _stage(view.stage, projection, translate)
+        said = _stage(view.stage, projection)
     else:
         said = translate(DESCRIPTION["image"], "Description").format(*projection.image_size)
     if view.compare and view.compares_in == pane:
@@ -160,7 +151,7 @@ def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> 
     return said
 
 
-def _stage(at: float, projection: Projection, translate: Translate) -> str:
+def _stage(at: float, projection: Projection) -> str:
     before, after = int(max(at, 0.0)), int(np.ceil(max(at, 0.0)))
     lens = projection.lens
     if not lens.has_steps:  # a typed matrix leads from view to NDC at once
