@@ -37,22 +37,23 @@ _LATIN = str.maketrans(
 _CAPITAL = "[\u0402-\u040f\u0410-\u042f]"
 _IN_CAPITALS = re.compile(f"(?<={_CAPITAL})[ЉЊЏ]|[ЉЊЏ](?={_CAPITAL})")
 _NUMBERS = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?:, *[-−+]?\d+(?:\.\d+)?)+(?![\w.]*\d)")
+_TYPED = re.compile(r"[=:]\S*\d\.\d|ndc: |16\.16")  # texts with what stays as it is typed
 _POINT = re.compile(r"(?<=\d)\.(?=\d)(?!\d+\.\d)(?<!\d\.\d\.)")
 
 
-class _Choice:
+class _Chosen:
     """The language that the program speaks, and that of an open lesson, if it has its own."""
 
     program = lesson = ENGLISH
 
 
 def chosen() -> str:
-    return _Choice.program
+    return _Chosen.program
 
 
 def choose(language: str) -> None:
     """Speak a language from now on; what is shown already stays as it is."""
-    _Choice.program = _Choice.lesson = language
+    _Chosen.program = _Chosen.lesson = language
 
 
 def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
@@ -64,7 +65,7 @@ def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
 
     @wraps(function)
     def result(*given: _P.args, **_named: _P.kwargs) -> _T:
-        return kept(_Choice.program, *given)
+        return kept(_Chosen.program, *given)
 
     return result
 
@@ -92,19 +93,19 @@ def of_system(environment: Mapping[str, str] = os.environ) -> str:
 
 def translate(text: str, context: str, count: int | None = None) -> str:
     """Return a text in the language of the program; in English where it has no translation."""
-    if _Choice.program == ENGLISH:
+    if _Chosen.program == ENGLISH:
         return text
-    forms = texts("program", _Choice.program).get((context, text))
+    forms = texts("program", _Chosen.program).get((context, text))
     if forms is None:
         return text
-    return forms[0 if count is None or len(forms) == 1 else plural(_Choice.program, count)]
+    return forms[0 if count is None or len(forms) == 1 else plural(_Chosen.program, count)]
 
 
 def sentence_of(lesson: str, text: str) -> str:
     """Return a sentence of a lesson of the program, by the name of its file."""
-    if _Choice.program == ENGLISH:
+    if _Chosen.program == ENGLISH:
         return text
-    return texts("lessons", _Choice.program).get((lesson, text), (text,))[0]
+    return texts("lessons", _Chosen.program).get((lesson, text), (text,))[0]
 
 
 @cache
@@ -122,7 +123,9 @@ def texts(part: str, language: str) -> Mapping[tuple[str, str], Forms]:
                 continue
             forms = tuple(form.text or "" for form in translation) or (translation.text or "",)
             if all(forms):
-                known_texts[name, message.findtext("source", "")] = forms
+                source = message.findtext("source", "")
+                is_typed = name == "Options" or _TYPED.search(source)
+                known_texts[name, source] = forms if is_typed else tuple(map(with_comma, forms))
     return known_texts
 
 
@@ -144,10 +147,17 @@ def in_latin(text: str) -> str:
     return text.translate(_LATIN)
 
 
-def with_comma(text: str) -> str:
+def listed(numbers: Iterable[str]) -> str:
+    """Return numbers in a row: ``0.5, 1, 2``, and ``0,5; 1; 2`` where they have commas."""
+    return (", " if _Chosen.program == ENGLISH else "; ").join(numbers)
+
+
+def with_comma(text: str, *, in_tex: bool = False) -> str:
     """Return a text with its numbers as the language writes them: 1,5 and (0,5; 1; 2)."""
-    if _Choice.program == ENGLISH:
+    if _Chosen.program == ENGLISH or "." not in text:
         return text
+    if in_tex:  # where a bare comma has a space behind it
+        return _POINT.sub("{,}", text)
     text = _NUMBERS.sub(
         lambda match: re.sub(", *", "; ", match[0]) if "." in match[0] else match[0], text
     )

@@ -99,7 +99,7 @@ class Translator(QTranslator):
     def translate(
         self, context: str, text: str, _disambiguation: str | None = None, count: int = -1
     ) -> str:
-        """Return a text of the window in its language, or as it is: Qt shows "" for a missing one."""
+        """Return a text of the window in its language; as it is where none is known."""
         return languages.translate(text, context, None if count < 0 else count)
 
 
