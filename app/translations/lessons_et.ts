@@ -113,11 +113,11 @@
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">lähitasand 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">lähitasand 2</translation>
     </message>
     <message>
         <source>Near is a z, so it is negative</source>
@@ -233,11 +233,11 @@
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">venitatud</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">variant X</translation>
     </message>
     <message>
         <source>X adjusts x</source>
@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">variant Y</translation>
     </message>
     <message>
         <source>The slant grows with alpha</source>
@@ -835,7 +835,7 @@
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
@@ -938,1562 +938,1562 @@
     <name>l03-field-of-view</name>
     <message>
         <source>Which angle is the field of view?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline nurk on frustumi nurk?</translation>
     </message>
     <message>
         <source>How wide is 60 degrees?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lai on 60 kraadi?</translation>
     </message>
     <message>
         <source>The number in *Field of view* is the vertical angle, from the bottom of the picture to its top. The picture is 16 wide and 9 high. **World**, seen from *Above*, shows half of the horizontal angle at the eye: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Frustumi nurga* arv on vertikaalne nurk, pildi alumisest servast ülemiseni. Pildi laius on 16 ja kõrgus 9. **Maailm**, vaadatuna *Ülalt*, näitab silma juures poolt horisontaalsest nurgast: {0}.</translation>
     </message>
     <message>
         <source>The vertical angle is set to 60°. How large is the horizontal one?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikaalseks nurgaks seatakse 60°. Kui suur on horisontaalne?</translation>
     </message>
     <message>
         <source>Widths are proportional to the tangent of half the angle. Look at 120° upwards: 16/9 times that would be 213°, more than half a turn; {0} is 72.0°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laiused on võrdelised poole nurga tangensiga. Vaadake 120° püstsihis: 16/9 korda see oleks 213°, rohkem kui pool pööret; {0} on 72.0°.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at this square picture: only here both are 60°, and {0} is 30°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse horisontaalse nurga asemel vertikaalne. Vaadake seda ruudukujulist pilti: ainult siin on mõlemad 60° ja {0} on 30°.</translation>
     </message>
     <message>
         <source>The sides of the picture are in the ratio 16 to 9, and so are the tangents of the half angles: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi küljed on suhtes 16 ja 9, ning sama suhe on poolte nurkade tangensitel: {0}.</translation>
     </message>
     <message>
         <source>From one angle to the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühest nurgast teiseni</translation>
     </message>
     <message>
         <source>Lecture 003 has {0} for the horizontal angle, {1} for the vertical one, and {2} for the proportions, here {3}. At the distance {4} from the eye the picture reaches from {5} to {6}, and from {7} to {8}. So</source>
-        <translation type="unfinished"></translation>
+        <translation>Loengus 003 on horisontaalne nurk {0}, vertikaalne {1} ja proportsioonid {2}, siin {3}. Kaugusel {4} silmast ulatub pilt kohast {5} kohani {6} ja kohast {7} kohani {8}. Järelikult</translation>
     </message>
     <message>
         <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}: {1}, seega {2} ja {3}. Lähitasandi akna külg on x-sihis {4} ja y-sihis {5}. Külgriba jaotises *Veel objektiivist* on **Horisontaalne FOV** ja **Fookuskaugus e**.</translation>
     </message>
     <message>
         <source>A right angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Täisnurk</translation>
     </message>
     <message>
         <source>The picture is still 16 by 9.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on endiselt 16 korda 9.</translation>
     </message>
     <message>
         <source>Make the horizontal angle 90°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke horisontaalseks nurgaks 90°.</translation>
     </message>
     <message>
         <source>At 90° the half angle is 45°, and its tangent is 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>90° korral on pool nurka 45° ja selle tangens on 1.</translation>
     </message>
     <message>
         <source>Then e is 1, and the vertical half angle has the tangent a = 9/16.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis on e 1 ja vertikaalse poolnurga tangens on a = 9/16.</translation>
     </message>
     <message>
         <source>Right: e is 1, and the vertical angle is 58.7°, if the picture is 16 by 9.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: e on 1 ja vertikaalne nurk on 58.7°, kui pilt on 16 korda 9.</translation>
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
     </message>
     <message>
         <source>Now the picture is 1000 by 500 pixels, and the vertical angle is 40°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on pilt 1000 korda 500 pikslit ja vertikaalne nurk on 40°.</translation>
     </message>
     <message>
         <source>How large is the horizontal angle?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on horisontaalne nurk?</translation>
     </message>
     <message>
         <source>Widths are proportional to the tangent of half the angle. Look from above at 100° upwards: twice that would be 200°, more than half a turn; {0} is 67.2°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laiused on võrdelised poole nurga tangensiga. Vaadake ülalt 100° püstsihis: kaks korda see oleks 200°, rohkem kui pool pööret; {0} on 67.2°.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look from above at a square picture: only here both are 40°, and {0} is 20°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse horisontaalse nurga asemel vertikaalne. Vaadake ülalt ruudukujulist pilti: ainult siin on mõlemad 40° ja {0} on 20°.</translation>
     </message>
     <message>
         <source>Take the tangent of half the vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Võtke poole vertikaalse nurga tangens.</translation>
     </message>
     <message>
         <source>tan 20° = 0.364. What is twice that the tangent of?</source>
-        <translation type="unfinished"></translation>
+        <translation>tan 20° = 0.364. Mille tangens on sellest kaks korda suurem?</translation>
     </message>
     <message>
         <source>tan(α/2) = 2·tan 20° = 0.728, so α/2 = 36.05° and α = 72.1°.</source>
-        <translation type="unfinished"></translation>
+        <translation>tan(α/2) = 2·tan 20° = 0.728, seega α/2 = 36.05° ja α = 72.1°.</translation>
     </message>
     <message>
         <source>The focal length e</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookuskaugus e</translation>
     </message>
     <message>
         <source>Here the picture is square, so both angles are 50°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on pilt ruudukujuline, nii et mõlemad nurgad on 50°.</translation>
     </message>
     <message>
         <source>How large is {0} for {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on {0}, kui {1}?</translation>
     </message>
     <message>
         <source>The triangle of eye, axis and edge has half of the angle at the eye. Look at {0}: the edge is as far from the axis as from the eye, so {1}; {2} would be 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja serva kolmnurgas on silma juures pool nurka. Vaadake juhtu {0}: serv on teljest sama kaugel kui silmast, seega {1}; {2} oleks 0.</translation>
     </message>
     <message>
         <source>The cotangent takes my 25</source>
-        <translation type="unfinished"></translation>
+        <translation>Kootangensile kõlbab minu 25</translation>
     </message>
     <message>
         <source>This is the cotangent of 25 radians, almost four turns. Look at the angle: 25° is 0.436 radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on 25 radiaani kootangens, peaaegu neli pööret. Vaadake nurka: 25° on 0.436 radiaani.</translation>
     </message>
     <message>
         <source>In the triangle between eye, axis and the picture&apos;s edge, the angle at the eye is α/2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja pildi serva vahelises kolmnurgas on nurk silma juures α/2.</translation>
     </message>
     <message>
         <source>e = cot 25° = 2.145. The wider the angle, the smaller e.</source>
-        <translation type="unfinished"></translation>
+        <translation>e = cot 25° = 2.145. Mida laiem nurk, seda väiksem e.</translation>
     </message>
     <message>
         <source>A wide picture on purpose</source>
-        <translation type="unfinished"></translation>
+        <translation>Meelega lai pilt</translation>
     </message>
     <message>
         <source>The picture is 1000 by 500 again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on jälle 1000 korda 500.</translation>
     </message>
     <message>
         <source>Keep the picture twice as wide as high, and make the horizontal angle 100°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke pildi laiuseks kaks korda kõrgus ja tehke horisontaalseks nurgaks 100°.</translation>
     </message>
     <message>
         <source>Half of 100° has the tangent 1.192.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole 100° tangens on 1.192.</translation>
     </message>
     <message>
         <source>The vertical half angle has half that tangent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikaalse poolnurga tangens on sellest pool.</translation>
     </message>
     <message>
         <source>Right: tan(β/2) = 1.192/2, so the vertical angle is 61.6°, not 50°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: tan(β/2) = 1.192/2, seega on vertikaalne nurk 61.6°, mitte 50°.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to multiply the angle by 16/9, like the width: {0}. That would be right if the picture were bent round the eye. But the picture is flat: the tangent of the half angle grows evenly, and far from the axis a degree takes more and more of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on korrutada nurk 16/9-ga nagu laius: {0}. See oleks õige, kui pilt oleks ümber silma painutatud. Aga pilt on tasane: ühtlaselt kasvab poole nurga tangens ja teljest kaugel võtab üks kraad pildist aina suurema osa.</translation>
     </message>
     <message>
         <source>The wider the angle, the larger the error: here the vertical angle is 120°. Multiplied, it would be 213° across, more than half a turn. The model has 144°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida laiem nurk, seda suurem viga: siin on vertikaalne nurk 120°. Korrutatuna oleks see rõhtsihis 213°, rohkem kui pool pööret. Mudelis on 144°.</translation>
     </message>
     <message>
         <source>Practise: how wide?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui lai?</translation>
     </message>
     <message>
         <source>The field of view is the vertical angle {0}; {1} is the horizontal one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk on vertikaalne nurk {0}; {1} on horisontaalne.</translation>
     </message>
     <message>
         <source>The picture has {0} by {1} pixels, and {2}. How large is {3} then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildis on {0} korda {1} pikslit ja {2}. Kui suur on siis {3}?</translation>
     </message>
     <message>
         <source>Widths are proportional to the tangent of half the angle. Look at {0}: {1} times that would be {2}°, more than half a turn, but the pyramid stays narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laiused on võrdelised poole nurga tangensiga. Vaadake juhtu {0}: {1} korda see oleks {2}°, rohkem kui pool pööret, aga püramiid jääb kitsamaks.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture: only here both are {0}°, and the pyramid is narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse horisontaalse nurga asemel vertikaalne. Vaadake ruudukujulist pilti: ainult siin on mõlemad {0}° ja püramiid on kitsam.</translation>
     </message>
     <message>
         <source>Half of the vertical angle has the tangent {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole vertikaalse nurga tangens on {0}.</translation>
     </message>
     <message>
         <source>The tangents of the half angles are in the ratio of the sides, {0} to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poolte nurkade tangensid on samas suhtes kui küljed: {0} ja {1}.</translation>
     </message>
     <message>
         <source>Practise: the focal length e</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: fookuskaugus e</translation>
     </message>
     <message>
         <source>At the distance {0} from the eye the picture reaches from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugusel {0} silmast ulatub pilt kohast {1} kohani {2}.</translation>
     </message>
     <message>
         <source>The horizontal angle is {0}, and the picture is 16 by 9. How large is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Horisontaalne nurk on {0} ja pilt on 16 korda 9. Kui suur on {1}?</translation>
     </message>
     <message>
         <source>The cotangent takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Kootangensile kõlbavad minu kraadid</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on mitu pööret. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
     </message>
     <message>
         <source>This takes the vertical angle for the horizontal one. Look at a square picture with the same vertical angle: only here is it the horizontal one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse horisontaalse nurga asemel vertikaalne. Vaadake sama vertikaalse nurgaga ruudukujulist pilti: ainult siin on see ka horisontaalne nurk.</translation>
     </message>
     <message>
         <source>Draw the triangle of the eye, the axis, and the picture&apos;s right edge: {0} along the axis, 1 across it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistage kolmnurk silma, telje ja pildi parema serva vahele: {0} piki telge, 1 sellega risti.</translation>
     </message>
     <message>
         <source>Its angle at the eye is half of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle nurk silma juures on pool nurgast {0}.</translation>
     </message>
     <message>
         <source>Practise: a wide picture on purpose</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: meelega lai pilt</translation>
     </message>
     <message>
         <source>Set the vertical angle in the dock; the picture keeps its pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke vertikaalne nurk külgribal; pilt säilitab oma pikslid.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Make the horizontal angle {1}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildis on {0} korda 600 pikslit. Tehke horisontaalseks nurgaks {1}°.</translation>
     </message>
     <message>
         <source>Half of {0}° has the tangent {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole {0}° tangens on {1}.</translation>
     </message>
     <message>
         <source>Half of the vertical angle has {0} of that tangent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole vertikaalse nurga tangens on sellest {0}.</translation>
     </message>
     <message>
         <source>The field of view that you set is the vertical one. Look from above: the pyramid is wider than {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk, mille te seate, on vertikaalne. Vaadake ülalt: püramiid on laiem kui {0}°.</translation>
     </message>
     <message>
         <source>Angles are not in the ratio of the sides; the tangents of the half angles are. Look from above: the pyramid is narrower than {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Külgede suhtes ei ole nurgad, vaid poolte nurkade tangensid. Vaadake ülalt: püramiid on kitsam kui {0}°.</translation>
     </message>
 </context>
 <context>
     <name>l04-view-volumes</name>
     <message>
         <source>What fits into the view volume?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis mahub nähtavasse ruumi?</translation>
     </message>
     <message>
         <source>Twice as deep in the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks korda sügavamal risttahukas</translation>
     </message>
     <message>
         <source>Only what lies in the view volume is drawn. Here it is a pyramid without its tip: **World** shows it, with five test cubes of one size, A to E. Cube B (probe 1) is 4 units deep, A (probe 2) is 8 units deep. B lies outside the pyramid, so its name is grey there. A box that contains both cubes will now replace the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistatakse ainult see, mis on nähtavas ruumis. Siin on selleks püramiid, millel ei ole tippu: seda näitab **Maailm** koos viie ühesuuruse katsekuubiga A kuni E. Kuubi B (sond 1) sügavus on 4 ühikut, kuubil A (sond 2) 8 ühikut. B on püramiidist väljas, seepärast on selle nimi seal hall. Nüüd asendab püramiidi risttahukas, kuhu mahuvad mõlemad kuubid.</translation>
     </message>
     <message>
         <source>In the picture of the box: how wide is cube A, as a multiple of cube B, which is half as deep?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lai on risttahuka pildil kuup A, võrreldes kuubiga B, mille sügavus on sellest pool?</translation>
     </message>
     <message>
         <source>This divides by the depth, as a pyramid does. Look at a pyramid wide enough for both: here A is half as wide as B, because its projectors meet. Those of the box do not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega, nagu teeb püramiid. Vaadake püramiidi, mis on mõlema jaoks piisavalt lai: siin on A poole kitsam kui B, sest projektsioonikiired kohtuvad. Risttahuka kiired ei kohtu.</translation>
     </message>
     <message>
         <source>Nothing is larger for being farther away. Twice the depth would halve it in a pyramid. Look at the box: A and B are equally wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Miski ei ole suurem sellepärast, et ta on kaugemal. Püramiidis jääks kahekordse sügavuse korral suurus pooleks. Vaadake risttahukat: A ja B on ühelaiused.</translation>
     </message>
     <message>
         <source>The projectors of a box are parallel. Everything is divided by the same w = 1, whatever its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka projektsioonikiired on paralleelsed. Kõik jagatakse sama arvuga w = 1, sügavusest olenemata.</translation>
     </message>
     <message>
         <source>The pyramid grows, the box does not</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiid kasvab, risttahukas mitte</translation>
     </message>
     <message>
         <source>With the vertical angle {0} the pyramid reaches, at the depth {1}, up to</source>
-        <translation type="unfinished"></translation>
+        <translation>Vertikaalse nurga {0} korral ulatub püramiid sügavusel {1} kuni kõrguseni</translation>
     </message>
     <message>
         <source>above the axis, and {0} of that to the side. Here {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>teljest ülespoole ja {0} sellest kõrvale. Siin {1}.</translation>
     </message>
     <message>
         <source>depth</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavus</translation>
     </message>
     <message>
         <source>height</source>
-        <translation type="unfinished"></translation>
+        <translation>kõrgus</translation>
     </message>
     <message>
         <source>to the side</source>
-        <translation type="unfinished"></translation>
+        <translation>kõrvale</translation>
     </message>
     <message>
         <source>4, cube B</source>
-        <translation type="unfinished"></translation>
+        <translation>4, kuup B</translation>
     </message>
     <message>
         <source>8, cube A</source>
-        <translation type="unfinished"></translation>
+        <translation>8, kuup A</translation>
     </message>
     <message>
         <source>12, cube C</source>
-        <translation type="unfinished"></translation>
+        <translation>12, kuup C</translation>
     </message>
     <message>
         <source>The box has, at every depth, the sides that the pyramid has at the target, 8 units away: 2.91 and 5.18. Cube B stands 3 to the side: outside 2.59, inside 5.18. **World**, seen from *Above*, shows the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukal on igal sügavusel need küljed, mis püramiidil on sihtpunkti juures, 8 ühiku kaugusel: 2.91 ja 5.18. Kuup B on 3 võrra kõrval: väljaspool arvu 2.59, seespool arvu 5.18. **Maailm**, vaadatuna *Ülalt*, näitab püramiidi.</translation>
     </message>
     <message>
         <source>In the box, not in the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas, aga mitte püramiidis</translation>
     </message>
     <message>
         <source>Now the volume is the box. Probe 1 is at cube A, in both volumes. Drag it in **Image**, or type {0}, {1}, {2} in the world in *Probe*. The eye is at {3} and looks along {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on nähtav ruum risttahukas. Sond 1 on kuubis A, mõlemas nähtavas ruumis. Lohistage seda paanis **Pilt** või sisestage paneelis *Sond* maailma {0}, {1}, {2}. Silm on kohal {3} ja vaatab suunas {4}.</translation>
     </message>
     <message>
         <source>Keep the box, and bring probe 1 to a place that is in the box but was outside the 40° pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke risttahukas ja viige sond 1 kohta, mis on risttahukas, aga oli väljaspool 40° püramiidi.</translation>
     </message>
     <message>
         <source>Where is the pyramid narrower than the box?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on püramiid risttahukast kitsam?</translation>
     </message>
     <message>
         <source>Nearer to the eye than the target: there a point at the side of the box is beside the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silmale lähemal kui sihtpunkt: seal on punkt risttahuka ääres püramiidi kõrval.</translation>
     </message>
     <message>
         <source>Right: in front of the target the box is wider than the pyramid, behind it narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: sihtpunkti ees on risttahukas püramiidist laiem, selle taga kitsam.</translation>
     </message>
     <message>
         <source>The other way round</source>
-        <translation type="unfinished"></translation>
+        <translation>Vastupidi</translation>
     </message>
     <message>
         <source>The pyramid again, with near at 3 and far at 13. A grey name in **World** is outside. In the dock, *View volume* switches between the box and the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jälle püramiid, lähitasand kaugusel 3 ja kaugtasand kaugusel 13. Hall nimi paanis **Maailm** tähendab, et kuup on väljas. Külgribal vahetab *Nähtav ruum* risttahuka ja püramiidi.</translation>
     </message>
     <message>
         <source>Which cube is in the pyramid, but not in the box?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline kuup on püramiidis, aga mitte risttahukas?</translation>
     </message>
     <message>
         <source>B</source>
-        <translation type="unfinished"></translation>
+        <translation>B</translation>
     </message>
     <message>
         <source>B is the other way round: in the box, but beside the pyramid. Look at the box: B is inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>B-ga on vastupidi: see on risttahukas, aga püramiidi kõrval. Vaadake risttahukat: B on sees.</translation>
     </message>
     <message>
         <source>C</source>
-        <translation type="unfinished"></translation>
+        <translation>C</translation>
     </message>
     <message>
         <source>E</source>
-        <translation type="unfinished"></translation>
+        <translation>E</translation>
     </message>
     <message>
         <source>E is in both: it is deep, but close to the axis. Look at the box: E is inside, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>E on mõlemas: see on sügaval, aga telje lähedal. Vaadake risttahukat: ka E on sees.</translation>
     </message>
     <message>
         <source>None: C is 13.9 from the eye, beyond far</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte ükski: C on silmast 13.9 kaugusel, kaugtasandist kaugemal</translation>
     </message>
     <message>
         <source>Far is a plane across the axis: only the depth of 12 counts, not the 13.9. Look from above: C lies before far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on teljega risti olev tasand: loeb ainult sügavus 12, mitte 13.9. Vaadake ülalt: C on kaugtasandi ees.</translation>
     </message>
     <message>
         <source>C is 12 deep and 7 to the side. There the pyramid reaches 7.76 to the side, the box only 5.18.</source>
-        <translation type="unfinished"></translation>
+        <translation>C sügavus on 12 ja see on 7 võrra kõrval. Seal ulatub püramiid kõrvale 7.76, risttahukas ainult 5.18.</translation>
     </message>
     <message>
         <source>How high at depth 10?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrgel sügavusel 10?</translation>
     </message>
     <message>
         <source>Now the angle is 50° and the depth is 10.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on nurk 50° ja sügavus 10.</translation>
     </message>
     <message>
         <source>How far above the axis does the pyramid reach there?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrgele teljest ulatub püramiid seal?</translation>
     </message>
     <message>
         <source>The triangle of eye, axis and upper plane has half of the angle at the eye. Look at 90°: there the pyramid is as high as it is deep, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja ülemise tasandi kolmnurgas on silma juures pool nurka. Vaadake 90°: seal on püramiid sama kõrge kui sügav, {0}.</translation>
     </message>
     <message>
         <source>The tangent takes my 25</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangensile kõlbab minu 25</translation>
     </message>
     <message>
         <source>This is the tangent of 25 radians, almost four turns. Look at the angle: 25° is 0.436 radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on 25 radiaani tangens, peaaegu neli pööret. Vaadake nurka: 25° on 0.436 radiaani.</translation>
     </message>
     <message>
         <source>The right-angled triangle between eye, axis and upper plane has half of the angle at the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja ülemise tasandi vahelises täisnurkses kolmnurgas on silma juures pool nurka.</translation>
     </message>
     <message>
         <source>h = 10·tan 25° = 4.66</source>
-        <translation type="unfinished"></translation>
+        <translation>h = 10·tan 25° = 4.66</translation>
     </message>
     <message>
         <source>Three to the side at depth 6</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm kõrvale sügavusel 6</translation>
     </message>
     <message>
         <source>The picture is 16 by 9. **World** shows the pyramid from *Above*; the label at the eye gives half of the horizontal angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on 16 korda 9. **Maailm** näitab püramiidi *Ülalt*; silt silma juures annab poole horisontaalsest nurgast.</translation>
     </message>
     <message>
         <source>Keep the pyramid, and set the field of view so that it reaches 3 units to each side of the axis at depth 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke püramiid ja seadke frustumi nurk nii, et see ulatuks sügavusel 6 teljest kummalegi poole 3 ühikut.</translation>
     </message>
     <message>
         <source>Half of the horizontal angle has the tangent 3/6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole horisontaalse nurga tangens on 3/6.</translation>
     </message>
     <message>
         <source>Half of the vertical one has 9/16 of that tangent: 0.281.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole vertikaalse nurga tangens on sellest 9/16: 0.281.</translation>
     </message>
     <message>
         <source>Right: horizontally 53.1°, vertically 31.4° in this picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: sellel pildil horisontaalselt 53.1°, vertikaalselt 31.4°.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to expect the farther cube to be smaller: every picture of an eye or a camera shows it so, and it is true of the pyramid, whose section grows with the depth. A cube takes a smaller share of a larger section.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on oodata, et kaugem kuup on väiksem: iga silma või kaamera pilt näitab seda nii ja püramiidi kohta see kehtib, sest selle ristlõige kasvab sügavusega. Kuup võtab suuremast ristlõikest väiksema osa.</translation>
     </message>
     <message>
         <source>The section of the box does not grow. A cube takes the same share of it at every depth. The picture loses the impression of depth: in **Image** nothing says that B is the nearer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka ristlõige ei kasva. Kuup võtab sellest igal sügavusel sama suure osa. Pilt kaotab sügavuse mulje: paanis **Pilt** ei ütle miski, et B on lähem.</translation>
     </message>
     <message>
         <source>Practise: which point goes first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: milline punkt kaob esimesena?</translation>
     </message>
     <message>
         <source>You see the pyramid from above. Points 1, 2 and 3 are in it, at the height of the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Näete püramiidi ülalt. Punktid 1, 2 ja 3 on selle sees, silma kõrgusel.</translation>
     </message>
     <message>
         <source>The far plane moves towards the eye. Mark the point that it cuts off first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand liigub silma poole. Märkige punkt, mille see esimesena ära lõikab.</translation>
     </message>
     <message>
         <source>Far is a plane, so the depth counts, not the distance from the eye. Look at far, moved in: it has cut off another point, and this one is still before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on tasand, seega loeb sügavus, mitte kaugus silmast. Vaadake lähemale toodud kaugtasandit: see on ära lõiganud teise punkti ja see siin on endiselt tasandi ees.</translation>
     </message>
     <message>
         <source>Far meets the nearest point first</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand jõuab esimesena lähima punktini</translation>
     </message>
     <message>
         <source>The far plane reaches this point last: it is the one that is least deep. Look at far, moved in to just behind this point: the other two are cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle punktini jõuab kaugtasand viimasena: selle sügavus on kõige väiksem. Vaadake kaugtasandit, mis on toodud kohe selle punkti taha: teised kaks on ära lõigatud.</translation>
     </message>
     <message>
         <source>How does the far plane look from above?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuidas kaugtasand ülalt paistab?</translation>
     </message>
     <message>
         <source>It is {0} deep, the one at the side {1}, and the third {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle sügavus on {0}, kõrval oleval {1} ja kolmandal {2}.</translation>
     </message>
     <message>
         <source>Practise: how high?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui kõrgele?</translation>
     </message>
     <message>
         <source>You see the pyramid from the side; {0} is its vertical angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Näete püramiidi küljelt; {0} on selle vertikaalne nurk.</translation>
     </message>
     <message>
         <source>Here {0}. How far above the axis does the pyramid reach at the depth {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}. Kui kõrgele teljest ulatub püramiid sügavusel {1}?</translation>
     </message>
     <message>
         <source>The tangent takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangensile kõlbavad minu kraadid</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians, which are several turns. Look at the angle: it is less than a quarter of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}° asemel {1} radiaani, mis on mitu pööret. Vaadake nurka: see on väiksem kui veerandpööre.</translation>
     </message>
     <message>
         <source>In the triangle of eye, axis and upper plane, the angle at the eye is half of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja ülemise tasandi kolmnurgas on nurk silma juures pool nurgast {0}.</translation>
     </message>
     <message>
         <source>Practise: how far to the side?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui kaugele kõrvale?</translation>
     </message>
     <message>
         <source>The picture is 16 by 9. **World** shows the pyramid from above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on 16 korda 9. **Maailm** näitab püramiidi ülalt.</translation>
     </message>
     <message>
         <source>Set the field of view so that the pyramid reaches {0} units to each side of the axis at the depth {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke frustumi nurk nii, et püramiid ulatuks sügavusel {1} teljest kummalegi poole {0} ühikut.</translation>
     </message>
     <message>
         <source>Half of the horizontal angle has the tangent {0}/{1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole horisontaalse nurga tangens on {0}/{1}.</translation>
     </message>
     <message>
         <source>Half of the vertical angle has 9/16 of that tangent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole vertikaalse nurga tangens on sellest 9/16.</translation>
     </message>
     <message>
         <source>Half of the vertical angle has the tangent {0}, so the angle is {1} {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole vertikaalse nurga tangens on {0}, seega on nurk {1} {2}.</translation>
     </message>
     <message>
         <source>The triangle of eye, axis and side has half of the horizontal angle at the eye. Look from above: at the depth {0} the pyramid does not reach {1} to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja külje kolmnurgas on silma juures pool horisontaalsest nurgast. Vaadake ülalt: sügavusel {0} ei ulatu püramiid kõrvale nii kaugele kui {1}.</translation>
     </message>
     <message>
         <source>The field of view is the vertical angle. Look from above: at the depth {0} the pyramid reaches {1} to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk on vertikaalne nurk. Vaadake ülalt: sügavusel {0} ulatub püramiid kõrvale {1}.</translation>
     </message>
 </context>
 <context>
     <name>l05-similar-triangles</name>
     <message>
         <source>How big on the picture plane?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suurelt pilditasandil?</translation>
     </message>
     <message>
         <source>The plane moves out</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasand nihkub kaugemale</translation>
     </message>
     <message>
         <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P&apos;, {1} above the axis. The plane will now move to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilditasand on silma ees kaugusel {0}. P sügavus on 5 ühikut ja see on teljest 2 ühikut kõrgemal. Paanis **Maailm**, vaadatuna *Küljelt*, läheb selle projektsioonikiir silma ja kohtab tasandit punktis P&apos;, mis on teljest {1} kõrgemal. Tasand nihkub nüüd kaugusele {2}.</translation>
     </message>
     <message>
         <source>How many times as high as before is P&apos; above the axis then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu korda kõrgemal teljest kui enne on siis P&apos;?</translation>
     </message>
     <message>
         <source>This measures from the plane to P. The two triangles share the corner at the eye. Look at {0}: from the eye P is 5 deep, wherever the plane is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse tasandist P-ni. Kahel kolmnurgal on ühine nurk silma juures. Vaadake suurust {0}: silmast on P sügavus 5, ükskõik kus tasand on.</translation>
     </message>
     <message>
         <source>The area of an image grows 4 times. Its height and its width grow in proportion to d. Look at {0} and {1}: both are twice as long as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutise pindala kasvab 4 korda. Selle kõrgus ja laius kasvavad võrdeliselt d-ga. Vaadake suurusi {0} ja {1}: mõlemad on kaks korda pikemad kui enne.</translation>
     </message>
     <message>
         <source>The height is proportional to d as long as P stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõrgus on võrdeline d-ga, kuni P jääb oma kohale.</translation>
     </message>
     <message>
         <source>Two similar triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks sarnast kolmnurka</translation>
     </message>
     <message>
         <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P&apos;: {2} and {3}. Both have the same angle at the eye:</source>
-        <translation type="unfinished"></translation>
+        <translation>Suur kolmnurk ulatub silmast piki telge P sügavuseni ja sealt üles P-ni: selle küljed on {0} ja {1}. Väike ulatub piki telge tasandini ja sealt üles P&apos;-ni: {2} ja {3}. Mõlemal on silma juures sama nurk:</translation>
     </message>
     <message>
         <source>P is {0} in camera space. With {1}: {2}. The dock has the numbers and the matrix with {3}. It takes P to {4}; divided by the last number, that is {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>P on kaamerafreimis {0}. Kui {1}: {2}. Külgribal on arvud ja maatriks, milles on {3}. See teisendab P punktiks {4}; jagatuna viimase arvuga on see {5}.</translation>
     </message>
     <message>
         <source>Half as large as the thing itself</source>
-        <translation type="unfinished"></translation>
+        <translation>Poole väiksem kui asi ise</translation>
     </message>
     <message>
         <source>You can also use the triangles the other way round: how far away must the plane be?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmnurki saab kasutada ka vastupidi: kui kaugel peab tasand olema?</translation>
     </message>
     <message>
         <source>Make the image of P half as far from the axis as P itself: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et P kujutis on teljest poole lähemal kui P ise: {0}, {1}.</translation>
     </message>
     <message>
         <source>The scale is {0}. It is a number in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on {0}. See on üks külgriba arvudest.</translation>
     </message>
     <message>
         <source>The plane must be halfway between the eye and the depth of P.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasand peab olema silma ja P sügavuse vahel poolel teel.</translation>
     </message>
     <message>
         <source>Right: half way, half the size. Nothing else affects the scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: pool teed, pool suurust. Miski muu mastaapi ei mõjuta.</translation>
     </message>
     <message>
         <source>Another point</source>
-        <translation type="unfinished"></translation>
+        <translation>Teine punkt</translation>
     </message>
     <message>
         <source>Now P is at {0} in camera space, and the plane is at {1}. The numbers in the dock come back with your answer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on P kaamerafreimis {0} ja tasandi kaugus on {1}. Külgriba arvud tulevad tagasi koos teie vastusega.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on {0}?</translation>
     </message>
     <message>
         <source>This divides by the distance from the plane to P. Look at {0} and {1}: both begin at the eye, where the two triangles have their common corner.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse kaugusega tasandist P-ni. Vaadake suurusi {0} ja {1}: mõlemad algavad silmast, kus on kahe kolmnurga ühine nurk.</translation>
     </message>
     <message>
         <source>In front of the eye {0} is negative, so divide by {1}. Look at the plane behind the eye: only there is the image below the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma ees on {0} negatiivne, seega jagage arvuga {1}. Vaadake tasandit silma taga: ainult seal on kujutis teljest allpool.</translation>
     </message>
     <message>
         <source>The ratio of {0} to {1} equals the ratio of {2} to the depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suuruste {0} ja {1} suhe on sama mis suuruse {2} ja sügavuse suhe.</translation>
     </message>
     <message>
         <source>The cell with d</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahter, kus on d</translation>
     </message>
     <message>
         <source>As a matrix (000, formula 2) the projection leaves {0}, {1} and {2} as they are and makes the fourth coordinate {3}. The division does the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksina (000, valem 2) jätab projektsioon {0}, {1} ja {2} samaks ning teeb neljandaks koordinaadiks {3}. Ülejäänu teeb jagamine.</translation>
     </message>
     <message>
         <source>The plane is at {0}. Which number is in row 4, column 3?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandi kaugus on {0}. Milline arv on reas 4 ja veerus 3?</translation>
     </message>
     <message>
         <source>There is no minus in the matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksis ei ole miinust</translation>
     </message>
     <message>
         <source>Then the fourth coordinate would be {0}. For points in front of the eye {1} is negative, so {2} and {3} would change their signs. Look at the plane of this matrix: it is behind the eye, and the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis oleks neljas koordinaat {0}. Silma ees olevate punktide {1} on negatiivne, seega vahetaksid {2} ja {3} märki. Vaadake selle maatriksi tasandit: see on silma taga ja kujutis on tagurpidi.</translation>
     </message>
     <message>
         <source>This is row 3, column 4. Row 4 makes the fourth coordinate, {0}, and column 3 is the share of {1}. Look at {2} and {3}: their ratio is the divisor.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on rida 3, veerg 4. Neljanda koordinaadi {0} annab rida 4 ja veerg 3 on suuruse {1} osa. Vaadake suurusi {2} ja {3}: nende suhe on jagaja.</translation>
     </message>
     <message>
         <source>Row 4 times (x, y, z, 1) must equal {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 4 korda (x, y, z, 1) peab olema võrdne: {0}.</translation>
     </message>
     <message>
         <source>{0}. For points in front {1} is negative, and so {2} is positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Silma ees olevate punktide {1} on negatiivne, seega on {2} positiivne.</translation>
     </message>
     <message>
         <source>Set the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke tasand</translation>
     </message>
     <message>
         <source>P is at {0} in camera space again, and the plane is at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>P on kaamerafreimis jälle {0} ja tasandi kaugus on {1}.</translation>
     </message>
     <message>
         <source>Keep P in its place, and move the plane until the image of P is 1.5 above the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke P oma kohale ja nihutage tasandit, kuni P kujutis on teljest 1.5 kõrgemal.</translation>
     </message>
     <message>
         <source>1.5 is three quarters of 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>1.5 on kolmveerand arvust 2.</translation>
     </message>
     <message>
         <source>Right: three quarters of the height, three quarters of the way: d = 3.75.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: kolmveerand kõrgusest, kolmveerand teest: d = 3.75.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to measure from the plane to P: 4 units before, 3 units after, so {0} against {1}, which is 2.67 times. But the two triangles share the corner at the eye. Measured from there, P stays 5 units deep wherever the plane is, and {2} grows from {3} to {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on mõõta tasandist P-ni: enne 4 ühikut, pärast 3 ühikut, seega {0} võrreldes arvuga {1}, mis teeb 2.67 korda. Aga kahel kolmnurgal on ühine nurk silma juures. Sealt mõõdetuna jääb P sügavuseks 5 ühikut, ükskõik kus tasand on, ja {2} kasvab arvust {3} arvuni {4}.</translation>
     </message>
     <message>
         <source>This also says what happens to the *picture* when the plane moves: everything grows by the same factor, and nothing moves against the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>See ütleb ka, mis juhtub *pildiga*, kui tasand liigub: kõik kasvab sama arv kordi ja miski ei nihku ülejäänu suhtes.</translation>
     </message>
     <message>
         <source>Practise: how high is the image?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui kõrgel on kujutis?</translation>
     </message>
     <message>
         <source>P is in camera space, and the picture plane is at the distance {0} from the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>P on antud kaamerafreimis ja pilditasandi kaugus silmast on {0}.</translation>
     </message>
     <message>
         <source>P is at {0}, and {1}. How large is {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>P on {0} ja {1}. Kui suur on {2}?</translation>
     </message>
     <message>
         <source>The two similar triangles share the corner at the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahel sarnasel kolmnurgal on ühine nurk silma juures.</translation>
     </message>
     <message>
         <source>Practise: the matrix with -1/d</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: maatriks, milles on -1/d</translation>
     </message>
     <message>
         <source>The matrix keeps {0}, {1} and {2}; its row 4 has {3} in column 3 and zeros elsewhere. The division comes afterwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriks säilitab {0}, {1} ja {2}; selle rea 4 veerus 3 on {3} ja mujal nullid. Jagamine tuleb hiljem.</translation>
     </message>
     <message>
         <source>The plane is at {0}. What does the matrix make of {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandi kaugus on {0}. Mis saab maatriksiga korrutades punktist {1}?</translation>
     </message>
     <message>
         <source>In front of the eye {0} is negative, so the division would change the signs of {1} and {2}. Look at the plane of this matrix: it is behind the eye, and the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma ees on {0} negatiivne, seega muudaks jagamine koordinaatide {1} ja {2} märgid. Vaadake selle maatriksi tasandit: see on silma taga ja kujutis on tagurpidi.</translation>
     </message>
     <message>
         <source>This has {0} in row 3, column 4. Row 4 makes the fourth coordinate, and column 3 is the share of {1}. Look at {2} and {3}: their ratio is the divisor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on {0} reas 3 ja veerus 4. Neljanda koordinaadi annab rida 4 ja veerg 3 on suuruse {1} osa. Vaadake suurusi {2} ja {3}: nende suhe on jagaja.</translation>
     </message>
     <message>
         <source>Row 4 times {0} is {1} times {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 4 korda {0} on {1} korda {2}.</translation>
     </message>
     <message>
         <source>Divided by its last number, it is P&apos;: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagatuna viimase arvuga on see P&apos;: {0}.</translation>
     </message>
     <message>
         <source>Practise: set the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: seadke tasand</translation>
     </message>
     <message>
         <source>The plane is at {0}. Drag it, or type {1} in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandi kaugus on {0}. Lohistage seda või sisestage {1} külgribal.</translation>
     </message>
     <message>
         <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P&apos; is {2} above the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>P sügavus on {0} ja see on teljest {1} kõrgemal. Jätke see sinna ja nihutage tasandit, kuni kujutis P&apos; on teljest {2} kõrgemal.</translation>
     </message>
     <message>
         <source>Your plane is behind the eye. Look at P&apos;: it is below the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teie tasand on silma taga. Vaadake punkti P&apos;: see on teljest allpool.</translation>
     </message>
     <message>
         <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {0} above the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse P sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P&apos;: see on teljest vähem kui {0} kõrgemal.</translation>
     </message>
 </context>
 <context>
     <name>l06-off-axis-frustum</name>
     <message>
         <source>Why six numbers?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks kuus arvu?</translation>
     </message>
     <message>
         <source>The window goes to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken läheb paremale</translation>
     </message>
     <message>
         <source>A frustum is given by six numbers: left, right, bottom and top of its window on the near plane, and near and far. The window here reaches from {0} to {1}; the point straight ahead of the eye, probe 1, is in the middle of **Image**. The eye stays where it is, and the window moves to the right: {2}, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi määravad kuus arvu: selle lähitasandil oleva akna vasak, parem, alumine ja ülemine serv ning lähi- ja kaugtasand. Siin ulatub aken kohast {0} kohani {1}; punkt otse silma ees, sond 1, on paani **Pilt** keskel. Silm jääb paigale ja aken liigub paremale: {2}, {3}.</translation>
     </message>
     <message>
         <source>Where is probe 1 in the picture then? NDC has {0} at the left edge and {1} at the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on siis sond 1 pildil? NDC-s on vasakul serval {0} ja paremal {1}.</translation>
     </message>
     <message>
         <source>Straight ahead is in the middle only if the window is as far to the left as to the right. Look at this window: it reaches 2 to each side, and probe 1 is in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otse ees olev on keskel ainult siis, kui aken ulatub vasakule sama kaugele kui paremale. Vaadake seda akent: see ulatub kummalegi poole 2 ja sond 1 on keskel.</translation>
     </message>
     <message>
         <source>This moves the picture with its window. Look at the window that has moved to the left: only then is probe 1 at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liigutatakse pilti koos selle aknaga. Vaadake akent, mis on liikunud vasakule: ainult siis on sond 1 kohal {0}.</translation>
     </message>
     <message>
         <source>There is now 1 unit of window left of the axis, and 3 units right of it. So the axis is a quarter of the way across.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on teljest vasakul 1 ühik akent ja paremal 3 ühikut. Seega on telg veerandi peal akna laiusest.</translation>
     </message>
     <message>
         <source>From the window to [-1, 1]</source>
-        <translation type="unfinished"></translation>
+        <translation>Aknast vahemikku [-1, 1]</translation>
     </message>
     <message>
         <source>First the point comes to the near plane, by similar triangles: {0}. Then the range {1} becomes {2}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõigepealt viiakse punkt lähitasandile, sarnaste kolmnurkade järgi: {0}. Siis saab vahemikust {1} vahemik {2}:</translation>
     </message>
     <message>
         <source>With {0}, {1}, {2} the cells are {3} and {4}. The second one stands in column 3: it is multiplied by {5}, which is negative, and so the axis comes to {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, {1}, {2}, on lahtrid {3} ja {4}. Teine neist on veerus 3: see korrutatakse suurusega {5}, mis on negatiivne, ja nii satub telg kohale {6}.</translation>
     </message>
     <message>
         <source>Bottom, top and y work the same way. *Matrices* shows the whole matrix as clip ← view. For {0} that cell is 0, as in gluPerspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alumise ja ülemise serva ning y-iga käib kõik samamoodi. *Maatriksid* näitab kogu maatriksit nimega kärperuum ← vaade. Kui {0}, on see lahter 0, nagu gluPerspective&apos;is.</translation>
     </message>
     <message>
         <source>The axis on the other side</source>
-        <translation type="unfinished"></translation>
+        <translation>Telg teisel pool</translation>
     </message>
     <message>
         <source>Probe 1 still is straight ahead of the eye. *Probe*, below the pictures, has its {0} in the row NDC.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sond 1 on endiselt otse silma ees. Piltide all olevas paneelis *Sond* on selle {0} reas NDC.</translation>
     </message>
     <message>
         <source>Bring the axis to the right half of the picture, to x&apos; = 0.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige telg pildi paremasse poolde, kohta x&apos; = 0.5.</translation>
     </message>
     <message>
         <source>Which side must the window reach farther to?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kummale poole peab aken kaugemale ulatuma?</translation>
     </message>
     <message>
         <source>Three times as far to the left as to the right: Left −3, Right 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vasakule kolm korda kaugemale kui paremale: Vasak −3, Parem 1.</translation>
     </message>
     <message>
         <source>Right: three quarters of the window are left of the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: kolmveerand aknast on teljest vasakul.</translation>
     </message>
     <message>
         <source>The cell beside 2n/(r-l)</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahter 2n/(r-l) kõrval</translation>
     </message>
     <message>
         <source>The window now reaches from {0} to {1} on the near plane at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd ulatub aken lähitasandil, kus {2}, kohast {0} kohani {1}.</translation>
     </message>
     <message>
         <source>Which number is in row 1, column 3 of the frustum matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline arv on frustumi maatriksi reas 1 ja veerus 3?</translation>
     </message>
     <message>
         <source>The cell is positive if the window reaches farther to the right; {0}, which is negative, turns the sign. Look at the window from −4 to 1: it is the one with −0.6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahter on positiivne, kui aken ulatub kaugemale paremale; märgi pöörab {0}, mis on negatiivne. Vaadake akent −4-st 1-ni: see on see, mille lahter on −0.6.</translation>
     </message>
     <message>
         <source>This is row 3, column 1. Row 1 makes {0}, and its column 3 is the share of {1}. Look at a symmetric window: only there is this share 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on rida 3, veerg 1. Suuruse {0} annab rida 1 ja selle veerg 3 on suuruse {1} osa. Vaadake sümmeetrilist akent: ainult seal on see osa 0.</translation>
     </message>
     <message>
         <source>r + l is 3, r - l is 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>r + l on 3, r - l on 5.</translation>
     </message>
     <message>
         <source>(r + l)/(r - l) = 3/5. The cell is multiplied by z, which is negative; that turns the sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>(r + l)/(r - l) = 3/5. Lahter korrutatakse z-iga, mis on negatiivne; see pöörab märgi.</translation>
     </message>
     <message>
         <source>The cell for the depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavuse lahter</translation>
     </message>
     <message>
         <source>Row 3 is {0} with {1} and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 3 on {0}, kus {1} ja {2}.</translation>
     </message>
     <message>
         <source>Near is 2 and far is 10. How large is {0}, in row 3, column 4?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on 2 ja kaugtasand 10. Kui suur on {0}, mis on reas 3 ja veerus 4?</translation>
     </message>
     <message>
         <source>This uses {0} and {1}, but near and far are lengths. Look at the planes: both are in front of the eye, at negative {2}, and the formula already contains that minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin kasutatakse {0} ja {1}, aga lähi- ja kaugtasand on pikkused. Vaadake tasandeid: mõlemad on silma ees, kus {2} on negatiivne, ja valemis on see miinus juba olemas.</translation>
     </message>
     <message>
         <source>This is row 4, column 3, which makes {0}. {1} is added to {2} in row 3. Look at near and far: {3} and {4} take them to {5} and {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on rida 4, veerg 3, mis annab {0}. {1} liidetakse suurusele {2} reas 3. Vaadake lähi- ja kaugtasandit: {3} ja {4} viivad need kohtadele {5} ja {6}.</translation>
     </message>
     <message>
         <source>n and f are distances, and positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>n ja f on kaugused ja positiivsed.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to move the picture with the window: to the right, {0}. But the window is the frame through which you see the scene. If you move a frame to the right, you see more of what is on the right, and what was in the middle is now left of the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on pilti liigutada koos aknaga: paremale, {0}. Aga aken on raam, mille kaudu te stseeni näete. Kui te raami paremale nihutate, näete rohkem sellest, mis on paremal, ja mis oli keskel, on nüüd keskkohast vasakul.</translation>
     </message>
     <message>
         <source>The plus in {0} does not contradict this. The cell is multiplied by {1}, and {2} is {3} at probe 1: {4}. Lecture 002 writes a plus where its own signs require a minus. So always try such a sign on a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Plussmärk avaldises {0} ei räägi sellele vastu. Lahter korrutatakse suurusega {1}, ja sondi 1 juures on {2} {3}: {4}. Loeng 002 kirjutab plussi kohta, kus tema enda märgid nõuavad miinust. Proovige seepärast sellist märki alati mõne punktiga.</translation>
     </message>
     <message>
         <source>Two eyes, one window</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks silma, üks aken</translation>
     </message>
     <message>
         <source>A stereo pair needs two such frusta: both eyes look through one window, the screen plane at {0}. The right eye is {1} to the right, so its window on the near plane, at {2}, is {3} farther left. Both {4} and {5} are 0.2 less; only the cell {6} changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stereopaar vajab kahte sellist frustumit: mõlemad silmad vaatavad läbi ühe akna, milleks on ekraanitasand kaugusel {0}. Parem silm on {1} võrra paremal, nii et selle aken lähitasandil, kus {2}, on {3} võrra vasakul. Nii {4} kui ka {5} on 0.2 võrra väiksemad; muutub ainult lahter {6}.</translation>
     </message>
     <message>
         <source>{0}, below the middle and right of it, is equally high in both pictures. Now both cameras get a symmetric frustum and turn to the middle of the screen plane, as eyes turn.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mis on keskkohast allpool ja paremal, on mõlemal pildil ühel kõrgusel. Nüüd saavad mõlemad kaamerad sümmeetrilise frustumi ja pöörduvad ekraanitasandi keskkoha poole, nagu silmad pöörduvad.</translation>
     </message>
     <message>
         <source>How high is {0} in the right picture then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrgel on siis {0} parempoolsel pildil?</translation>
     </message>
     <message>
         <source>Lower than in the left one</source>
-        <translation type="unfinished"></translation>
+        <translation>Madalamal kui vasakpoolsel</translation>
     </message>
     <message>
         <source>As high as in the left one</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama kõrgel kui vasakpoolsel</translation>
     </message>
     <message>
         <source>Each turned camera divides by the depth along its own axis, and no pair of eyes can look up with one eye and down with the other. Look at {0}: it is not equally high in both pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumbki pööratud kaamera jagab sügavusega piki omaenda telge ja ükski silmapaar ei saa ühe silmaga üles ja teisega alla vaadata. Vaadake punkti {0}: see ei ole mõlemal pildil ühel kõrgusel.</translation>
     </message>
     <message>
         <source>Higher than in the left one</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõrgemal kui vasakpoolsel</translation>
     </message>
     <message>
         <source>The right camera turns left, so {0}, on the right, is less deep for it. It divides by less, and {1} is farther from the middle. Look at {2} in both pictures: in the right one it is lower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parem kaamera pöördub vasakule, nii et paremal oleva punkti {0} sügavus on selle jaoks väiksem. See jagab väiksema arvuga ja {1} on keskkohast kaugemal. Vaadake punkti {2} mõlemal pildil: parempoolsel on see madalamal.</translation>
     </message>
     <message>
         <source>Each camera divides by the depth along its own axis: 5.06 for the left one, 4.96 for the right one. The right one divides by less, so {0} is 3.5 pixels lower there. Off the axis both divide by 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumbki kaamera jagab sügavusega piki omaenda telge: vasak arvuga 5.06, parem arvuga 4.96. Parem jagab väiksema arvuga, nii et {0} on seal 3.5 pikslit madalamal. Teljeväliselt jagavad mõlemad arvuga 5.</translation>
     </message>
     <message>
         <source>Practise: the row with l and r</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: rida, kus on l ja r</translation>
     </message>
     <message>
         <source>The window on the near plane, at the distance {0}, reaches from {1} to {2} in x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken lähitasandil, kaugusel {0}, ulatub x-sihis kohast {1} kohani {2}.</translation>
     </message>
     <message>
         <source>Here {0}, {1} and {2}. Which four numbers are in row 1 of the frustum matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}, {1} ja {2}. Millised neli arvu on frustumi maatriksi reas 1?</translation>
     </message>
     <message>
         <source>The cell is positive if the window reaches farther to the right; {0}, which is negative, turns the sign. Look at the mirrored window: it is the one with your row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahter on positiivne, kui aken ulatub kaugemale paremale; märgi pöörab {0}, mis on negatiivne. Vaadake peegeldatud akent: see on see, millel on teie rida.</translation>
     </message>
     <message>
         <source>Row 1 makes {0}, and its column 3 is the share of {1}. Look at a symmetric window: only there is this share 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suuruse {0} annab rida 1 ja selle veerg 3 on suuruse {1} osa. Vaadake sümmeetrilist akent: ainult seal on see osa 0.</translation>
     </message>
     <message>
         <source>Row 1 times {0} is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 1 korda {0} on {1}.</translation>
     </message>
     <message>
         <source>The axis comes to {0}, because {1} is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Telg satub kohale {0}, sest {1} on negatiivne.</translation>
     </message>
     <message>
         <source>Practise: two images in the screen plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaks kujutist ekraanitasandil</translation>
     </message>
     <message>
         <source>Two eyes, {0} apart, look through the screen plane at the distance {1}. For each eye {2}, at the distance {3}, has an image there: {4} and {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks silma vahekaugusega {0} vaatavad läbi ekraanitasandi, mille kaugus on {1}. Punktil {2} kaugusega {3} on kummagi silma jaoks seal kujutis: {4} ja {5}.</translation>
     </message>
     <message>
         <source>The eyes are {0} apart, the screen plane is at {1}, and {2} is at {3}. How far to the right of {4} is {5}, in the screen plane? If it is to the left, the number is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silmade vahe on {0}, ekraanitasandi kaugus {1} ja punkti {2} kaugus {3}. Kui palju on ekraanitasandil {5} punktist {4} paremal? Kui see on vasakul, on arv negatiivne.</translation>
     </message>
     <message>
         <source>The screen&apos;s distance is the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Ekraani kaugus on kõrgus</translation>
     </message>
     <message>
         <source>This takes the screen&apos;s distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse suure kolmnurga kõrguseks ekraani kaugus. See kolmnurk ulatub punktist {0} silmadeni ja selle kõrgus on {1}. Vaadake mõlemat kolmnurka.</translation>
     </message>
     <message>
         <source>Two symmetric frusta will do</source>
-        <translation type="unfinished"></translation>
+        <translation>Piisab kahest sümmeetrilisest frustumist</translation>
     </message>
     <message>
         <source>This is what two symmetric frusta side by side show: what is infinitely far away would lie in the screen plane. The windows move by {0} against each other, so add {1}. Look at {2} and {3}: {4} is behind the screen plane, and they are closer together than the eyes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seda näitavad kaks kõrvuti sümmeetrilist frustumit: lõpmata kaugel olev oleks ekraanitasandil. Aknad on üksteise suhtes nihkes, nihe on {0}; seega liitke {1}. Vaadake punkte {2} ja {3}: {4} on ekraanitasandi taga ja need on teineteisele lähemal kui silmad.</translation>
     </message>
     <message>
         <source>Both eyes and {0} are a triangle, {1}, {2} and {3} another one, similar to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemad silmad ja {0} moodustavad ühe kolmnurga, {1}, {2} ja {3} teise, mis on sellega sarnane.</translation>
     </message>
     <message>
         <source>Their heights are {0} and {1}. Before the screen plane the second one stands upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nende kõrgused on {0} ja {1}. Ekraanitasandi ees on teine tagurpidi.</translation>
     </message>
     <message>
         <source>The triangles are similar, so {0}. What lies in the screen plane has {1}, and nothing behind it reaches {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmnurgad on sarnased, seega {0}. Ekraanitasandil oleva punkti puhul {1}, ja ükski selle taga olev ei küüni väärtuseni {2}.</translation>
     </message>
     <message>
         <source>Practise: move the window</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: nihutage akent</translation>
     </message>
     <message>
         <source>The window reaches from {0} to {1} on the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken ulatub lähitasandil kohast {0} kohani {1}.</translation>
     </message>
     <message>
         <source>Make the cell in row 1, column 3 of the frustum matrix equal to {0}, and leave the cell in row 1, column 1 at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke frustumi maatriksi rea 1 ja veeru 3 lahter võrdseks arvuga {0} ning jätke rea 1 ja veeru 1 lahtriks {1}.</translation>
     </message>
     <message>
         <source>The cells are {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahtrid on {0} ja {1}.</translation>
     </message>
     <message>
         <source>If {0} stays at {1}, the width {2} stays 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0} jääb arvuks {1}, jääb laiuseks {2} 4.</translation>
     </message>
     <message>
         <source>With {0} the width {1} stays {2}, and {3}. So {4} and {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, jääb laius {1} samaks: {2}, ja {3}. Seega {4} ja {5}.</translation>
     </message>
     <message>
         <source>The cell has the sign of {0}. Look at your window: it reaches farther to the other side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahtril on sama märk kui avaldisel {0}. Vaadake oma akent: see ulatub kaugemale teisele poole.</translation>
     </message>
 </context>
 <context>
     <name>l07-proportions</name>
     <message>
         <source>A picture of another shape</source>
-        <translation type="unfinished"></translation>
+        <translation>Teise kujuga pilt</translation>
     </message>
     <message>
         <source>A wide window in a square picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Lai aken ruudukujulisel pildil</translation>
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken lähitasandil on 4 lai ja 2 kõrge: {0} -2-st 2-ni, {1} -1-st 1-ni. Pildis on 720 korda 720 pikslit. Sellesse venitatult on F-täht kaks korda kõrgem, kui see olema peaks. Loengus 000 on kaks abinõu. Variant X asendab suuruse {2} suurusega {3} (ja {4} suurusega {5}), nii et proportsioonid on õiged.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on {0}?</translation>
     </message>
     <message>
         <source>Variant X *keeps* x. Look at variant Y: it is the one that leaves y as it is, and adjusts x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X *säilitab* x-i. Vaadake varianti Y: see on see, mis jätab y samaks ja kohandab x-i.</translation>
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 6 high and 4 wide now, and the F is too low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 6 kõrge ja 4 lai ning F on liiga madal.</translation>
     </message>
     <message>
         <source>The window must become as high as it is wide, 4. It grows equally at both ends: by 1 below and by 1 above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken peab saama sama kõrgeks, kui see on lai, 4. See kasvab mõlemas otsas võrdselt: 1 võrra all ja 1 võrra üleval.</translation>
     </message>
     <message>
         <source>The number k</source>
-        <translation type="unfinished"></translation>
+        <translation>Arv k</translation>
     </message>
     <message>
         <source>Only the proportions matter: circles stay round if</source>
-        <translation type="unfinished"></translation>
+        <translation>Loevad ainult proportsioonid: ringid jäävad ümaraks, kui</translation>
     </message>
     <message>
         <source>Variant X keeps {0} and adds {1} at both ends of {2}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X säilitab {0} ja liidab {1} suuruse {2} mõlemas otsas:</translation>
     </message>
     <message>
         <source>Here {0}, so {1} goes from {2} to {3}. Variant Y keeps {4}: {5}, and {6} goes from {7} to {8}. **World** has {9}, {10} and {11} at the window. **Image** shows the three: stretched, variant Y, variant X. In the dock they are **Proportions**, in *More of the lens*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}, seega ulatub {1} kohast {2} kohani {3}. Variant Y säilitab {4}: {5}, ja {6} ulatub kohast {7} kohani {8}. Paanis **Maailm** on akna juures {9}, {10} ja {11}. **Pilt** näitab kolme: venitatud, variant Y, variant X. Külgribal on need **Proportsioonid** jaotises *Veel objektiivist*.</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>venitatud</translation>
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished"></translation>
+        <translation>variant Y</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished"></translation>
+        <translation>variant X</translation>
     </message>
     <message>
         <source>Cubes that are cubes</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuubid, mis on kuubid</translation>
     </message>
     <message>
         <source>The picture is stretched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on venitatud.</translation>
     </message>
     <message>
         <source>Give the picture its right proportions: choose keep x, fit y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andke pildile õiged proportsioonid: valige säilita x, sobita y.</translation>
     </message>
     <message>
         <source>Find Proportions in the dock: More of the lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otsige külgribalt Proportsioonid: Veel objektiivist.</translation>
     </message>
     <message>
         <source>Right: a unit of x has as many pixels as a unit of y. The fields still show the typed window.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: ühes x-i ühikus on sama palju piksleid kui ühes y-i ühikus. Väljad näitavad endiselt sisestatud akent.</translation>
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
     </message>
     <message>
         <source>The window is {0} from -3 to 3, {1} from -1 to 1. The picture has 1000 by 500 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken on {0} -3-st 3-ni, {1} -1-st 1-ni. Pildis on 1000 korda 500 pikslit.</translation>
     </message>
     <message>
         <source>Variant X: how large is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X: kui suur on {0}?</translation>
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 4 high and 6 wide now, not twice as wide as high, and the F is too low.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 4 kõrge ja 6 lai, laius ei ole kaks korda kõrgus ja F on liiga madal.</translation>
     </message>
     <message>
         <source>How high must a window be that is 6 wide, for a picture of 1000 by 500?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrge peab olema aken, mis on 6 lai, kui pilt on 1000 korda 500?</translation>
     </message>
     <message>
         <source>3 high, and it is 2 high now.</source>
-        <translation type="unfinished"></translation>
+        <translation>3 kõrge, aga praegu on see 2 kõrge.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega ulatub {1} kohast {2} kohani 1.5.</translation>
     </message>
     <message>
         <source>Variant Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant Y</translation>
     </message>
     <message>
         <source>Variant Y keeps {0} and adds {1} at both ends of {2}: {3}. (The last line of the handout has {4} there, which is a slip.)</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant Y säilitab {0} ja liidab {1} suuruse {2} mõlemas otsas: {3}. (Jaotusmaterjali viimasel real on seal {4}, mis on näpuviga.)</translation>
     </message>
     <message>
         <source>The window is {0} from -1 to 3, {1} from -2 to 2, the picture 1000 by 500.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken on {0} -1-st 3-ni, {1} -2-st 2-ni, pilt 1000 korda 500.</translation>
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 12 wide and 4 high now, not twice as wide as high, and the F is too narrow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 12 lai ja 4 kõrge, laius ei ole kaks korda kõrgus ja F on liiga kitsas.</translation>
     </message>
     <message>
         <source>Variant Y *keeps* y. Look at variant X: it is the one that leaves x as it is, and adjusts y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant Y *säilitab* y-i. Vaadake varianti X: see on see, mis jätab x-i samaks ja kohandab y-it.</translation>
     </message>
     <message>
         <source>The window must become 8 wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken peab saama 8 laiaks.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 5. Its middle is still 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega ulatub {1} kohast {2} kohani 5. Selle keskkoht on endiselt 1.</translation>
     </message>
     <message>
         <source>X by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>X käsitsi</translation>
     </message>
     <message>
         <source>The picture is 720 by 720 and stretched; the window is {0} from -2 to 2, {1} from -1 to 1 again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on 720 korda 720 ja venitatud; aken on jälle {0} -2-st 2-ni, {1} -1-st 1-ni.</translation>
     </message>
     <message>
         <source>Leave Proportions at stretch, and give Bottom and Top the values that variant X would.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke Proportsioonid valikule venita ning andke väljadele Alumine ja Ülemine need väärtused, mille annaks variant X.</translation>
     </message>
     <message>
         <source>The window must be as high as it is wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken peab olema sama kõrge, kui see on lai.</translation>
     </message>
     <message>
         <source>Right: keep x does exactly this, and repeats it whenever the picture changes its shape.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: säilita x teeb täpselt seda ja kordab seda iga kord, kui pildi kuju muutub.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>Two answers are tempting. The answer 3 adds 2 units at each end, so the window would be 6 high instead of 4. {0} is *half* of what is missing, because it is added twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlevad on kaks vastust. Vastus 3 liidab kummaski otsas 2 ühikut, nii et akna kõrgus oleks 4 asemel 6. {0} on *pool* sellest, mis puudub, sest see liidetakse kaks korda.</translation>
     </message>
     <message>
         <source>The answer 1 leaves {0} as it is: the name of the variant sounds as if X changed. But X is what it *keeps*. With the same letter F and the same eye, X shows more of the scene above and below; Y takes away at the sides.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vastus 1 jätab {0} samaks: variandi nimi kõlab, nagu X muutuks. Aga X on see, mida ta *säilitab*. Sama F-tähe ja sama silmaga näitab X stseenist rohkem ülal ja all; Y võtab külgedelt ära.</translation>
     </message>
     <message>
         <source>Practise: how wide does Y make it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui laiaks Y selle teeb?</translation>
     </message>
     <message>
         <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on venitatud. Variant Y säilitab {0} ja teeb akna nii laiaks, kui pildi proportsioonid nõuavad.</translation>
     </message>
     <message>
         <source>The window is {0} from {1} to {2}, {3} from {4} to {5}, the picture {6} by {7} pixels. How large is {8} in variant Y?</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken on {0} kohast {1} kohani {2}, {3} kohast {4} kohani {5}, pilt {6} korda {7} pikslit. Kui suur on variandis Y {8}?</translation>
     </message>
     <message>
         <source>Both ends get the same share, so each gets half of what is missing. Look at variant Y: as much is added on the left as on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub. Vaadake varianti Y: vasakul lisatakse sama palju kui paremal.</translation>
     </message>
     <message>
         <source>How wide must the window be for a picture of {0} by {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lai peab aken olema, kui pilt on {0} korda {1}?</translation>
     </message>
     <message>
         <source>{0} wide; it is {1} wide now. Both ends get the same share.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} lai; praegu on see {1} lai. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>Practise: where does X put it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kuhu X selle paneb?</translation>
     </message>
     <message>
         <source>The picture is that of variant X: {0} as given, {1} adjusted. Its frame has the numbers of the pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on variandi X pilt: {0} nagu antud, {1} kohandatud. Selle raamil on pikslite numbrid.</translation>
     </message>
     <message>
         <source>The given window is {0} from {1} to {2} and {3} from {4} to {5}. Mark where variant X puts the point with {6}, {7} of the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Antud aken on {0} kohast {1} kohani {2} ja {3} kohast {4} kohani {5}. Märkige, kuhu variant X paneb lähitasandi punkti, mille {6}, {7}.</translation>
     </message>
     <message>
         <source>Variant X *keeps* x. Look at variant Y: it is the one that leaves y as it is, and your place belongs to its picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X *säilitab* x-i. Vaadake varianti Y: see on see, mis jätab y samaks, ja teie koht kuulub selle pildile.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. Look at the numbers beside the frame: 0 is at the top, so a positive {0} lies in the upper half.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ridu loetakse ülalt. Vaadake numbreid raami kõrval: 0 on üleval, nii et positiivne {0} on ülemises pooles.</translation>
     </message>
     <message>
         <source>In variant X the window reaches from {0} to {1} in x. How far does it reach in y?</source>
-        <translation type="unfinished"></translation>
+        <translation>Variandis X ulatub aken x-sihis kohast {0} kohani {1}. Kui kaugele see y-sihis ulatub?</translation>
     </message>
     <message>
         <source>Its height and width are as {0} to {1}, so {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle kõrguse ja laiuse suhe on {0} ja {1}, seega {2}.</translation>
     </message>
     <message>
         <source>{0}. From the middle, the place is {1} of half the width to the right, and {2} of half the height up.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Keskkohast on see koht paremale {1} poolest laiusest ja üles {2} poolest kõrgusest.</translation>
     </message>
     <message>
         <source>Practise: X by hand</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: X käsitsi</translation>
     </message>
     <message>
         <source>*Proportions*, in *More of the lens*, stay at stretch.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Proportsioonid* jaotises *Veel objektiivist* jäävad valikule venita.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Give *Bottom* and *Top* the values {1} and {2} of variant X.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildis on {0} korda 600 pikslit. Andke väljadele *Alumine* ja *Ülemine* variandi X väärtused {1} ja {2}.</translation>
     </message>
     <message>
         <source>How high must a window be that is {0} wide, for {1} by 600 pixels?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrge peab olema aken, mis on {0} lai, kui piksleid on {1} korda 600?</translation>
     </message>
     <message>
         <source>{0} high; it is {1} high now. Both ends get the same share.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kõrge; praegu on see {1} kõrge. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>{0} {1}. Half of it goes to each end: {2} and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1}. Pool sellest läheb kumbagi otsa: {2} ja {3}.</translation>
     </message>
     <message>
         <source>Both ends get the same share, so each gets half of what is missing. Look at variant X: the F has its proportions again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub. Vaadake varianti X: F-il on jälle õiged proportsioonid.</translation>
     </message>
     <message>
         <source>Variant X *keeps* x, and you have changed it. Look at variant Y: it adjusts x as you did.</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X *säilitab* x-i, aga te olete seda muutnud. Vaadake varianti Y: see kohandab x-i nii, nagu teie tegite.</translation>
     </message>
 </context>
 <context>
     <name>l08-depth-not-affine</name>
     <message>
         <source>Why not Az + B for the depth?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks mitte Az + B sügavuse jaoks?</translation>
     </message>
     <message>
         <source>A straight segment in the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge lõik kuubis</translation>
     </message>
     <message>
         <source>In space PQ is straight, and both ends are 6 units deep. {0} and {1} are divided by {2}. The depth could just be scaled and shifted, {3}, so that near comes to {4} and far to {5}. With both ends equally deep the segment is still straight in **NDC**: the deviation in the dock is 0 %. Now P will come nearer, to a depth of 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruumis on PQ sirge ja mõlema otsa sügavus on 6 ühikut. {0} ja {1} jagatakse suurusega {2}. Sügavust võiks ainult skaleerida ja nihutada, {3}, nii et lähitasand satub kohale {4} ja kaugtasand kohale {5}. Kui mõlemad otsad on ühel sügavusel, on lõik paanis **NDC** endiselt sirge: kõrvalekalle külgribal on 0 %. Nüüd tuleb P lähemale, sügavusele 2.</translation>
     </message>
     <message>
         <source>What does {0} make of the straight segment PQ then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mille teeb {0} siis sirgest lõigust PQ?</translation>
     </message>
     <message>
         <source>A straight segment: scaling and shifting bend nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge lõigu: skaleerimine ja nihutamine ei kõverda midagi</translation>
     </message>
     <message>
         <source>Az + B bends nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>Az + B ei kõverda midagi</translation>
     </message>
     <message>
         <source>They bend nothing in space. But {0} and {1} are divided by {2} and the depth is not, so halfway between the images of P and Q the depth is not halfway. Look at the line {3}: it is bent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruumis need ei kõverda midagi. Aga {0} ja {1} jagatakse suurusega {2} ja sügavust ei jagata, nii et P ja Q kujutiste vahel poolel teel ei ole sügavus poolel teel. Vaadake joont {3}: see on kõver.</translation>
     </message>
     <message>
         <source>A bow</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaare</translation>
     </message>
     <message>
         <source>A straight segment, but from other ends</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge lõigu, aga teistest otstest</translation>
     </message>
     <message>
         <source>The ends are right: near and far come to −1 and 1 either way. What changes lies between them. Look at the two lines: they have the same ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Otsad on õiged: lähi- ja kaugtasand satuvad mõlemal juhul kohtadele −1 ja 1. Muutub see, mis on nende vahel. Vaadake kaht joont: neil on samad otsad.</translation>
     </message>
     <message>
         <source>x and y are divided, but z is not. Along the image of PQ the depth does not grow evenly.</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse, aga z-i mitte. Piki PQ kujutist ei kasva sügavus ühtlaselt.</translation>
     </message>
     <message>
         <source>The middle of the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi keskkoht</translation>
     </message>
     <message>
         <source>P is 2 deep, Q is 6 deep, {0}, {1}. Halfway between their images the depth is not 4. {2} changes evenly on the screen, so the depth there is {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>P sügavus on 2, Q sügavus 6, {0}, {1}. Nende kujutiste vahel poolel teel ei ole sügavus 4. Ekraanil muutub ühtlaselt {2}, seega on sügavus seal {3}.</translation>
     </message>
     <message>
         <source>depth</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavus</translation>
     </message>
     <message>
         <source>middle of the ends</source>
-        <translation type="unfinished"></translation>
+        <translation>otste keskkoht</translation>
     </message>
     <message>
         <source>scaled and shifted</source>
-        <translation type="unfinished"></translation>
+        <translation>skaleeritud ja nihutatud</translation>
     </message>
     <message>
         <source>divided as well</source>
-        <translation type="unfinished"></translation>
+        <translation>ka jagatud</translation>
     </message>
     <message>
         <source>In the first row, 3 does not come to the middle of the ends; in the second it does:</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimeses reas ei satu 3 otste keskkohta; teises satub:</translation>
     </message>
     <message>
         <source>with {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>kus {0}, {1}.</translation>
     </message>
     <message>
         <source>Bend it</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõverdage seda</translation>
     </message>
     <message>
         <source>Both ends are 6 deep again. Drag P and Q in **World**, or type them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlema otsa sügavus on jälle 6. Lohistage P ja Q paanis **Maailm** või sisestage need.</translation>
     </message>
     <message>
         <source>Make the bow deviate by more than 5 % of its length.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et kaar kaldub kõrvale rohkem kui 5 % oma pikkusest.</translation>
     </message>
     <message>
         <source>If both ends are equally deep, nothing is bent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui mõlemad otsad on ühel sügavusel, ei kõverdu midagi.</translation>
     </message>
     <message>
         <source>Bring P nearer to the eye: larger z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tooge P silmale lähemale: suurem z.</translation>
     </message>
     <message>
         <source>Right: the larger the ratio of the two depths, the more the segment is bent.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: mida suurem on kahe sügavuse suhe, seda rohkem lõik kõverdub.</translation>
     </message>
     <message>
         <source>The depth of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti sügavus</translation>
     </message>
     <message>
         <source>Now the planes are {0} and {1}, and a point is 4 units deep, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on tasandid {0} ja {1} ning ühe punkti sügavus on 4 ühikut, {2}.</translation>
     </message>
     <message>
         <source>How large is {0} of the perspective projection?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on perspektiivse projektsiooni {0}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between the planes. But {0} changes with {1}, fast just behind near. Look at point 1, 4 deep, in the cube: it is beyond the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus tasandite vahel ühtlaselt. Aga {0} muutub koos suurusega {1}, kohe lähitasandi taga kiiresti. Vaadake kuubis punkti 1, mille sügavus on 4: see on keskkohast kaugemal.</translation>
     </message>
     <message>
         <source>This stops before the division by {0}. Look at point 1, 4 deep, in the cube: it is inside, so its {1} is less than 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli enne jagamist: {0}. Vaadake kuubis punkti 1, mille sügavus on 4: see on sees, seega on selle {1} väiksem kui 1.</translation>
     </message>
     <message>
         <source>Az + B = 8/6. It is not yet divided.</source>
-        <translation type="unfinished"></translation>
+        <translation>Az + B = 8/6. See ei ole veel jagatud.</translation>
     </message>
     <message>
         <source>The middle of the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuubi keskkoht</translation>
     </message>
     <message>
         <source>The planes are the same: {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandid on samad: {0}, {1}.</translation>
     </message>
     <message>
         <source>How deep is the point with {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui sügaval on punkt, mille {0}?</translation>
     </message>
     <message>
         <source>This is the middle in the world. Look at point 1, 5 deep, in the cube: it is beyond the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on keskkoht maailmas. Vaadake kuubis punkti 1, mille sügavus on 5: see on keskkohast kaugemal.</translation>
     </message>
     <message>
         <source>-A - B/z = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>-A - B/z = 0</translation>
     </message>
     <message>
         <source>{0}, and its depth is {1}. The first half of the cube ends there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja selle sügavus on {1}. Seal lõpeb kuubi esimene pool.</translation>
     </message>
     <message>
         <source>Place the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Paigutage keskkoht</translation>
     </message>
     <message>
         <source>Probe 1 is 4 units deep; near is 1 and far is 9.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sondi 1 sügavus on 4 ühikut; lähitasand on 1 ja kaugtasand 9.</translation>
     </message>
     <message>
         <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z&apos; = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke lähi- ja kaugtasand nii, et sond 1, mille sügavus on 4, satub kuubi keskele: z&apos; = 0.</translation>
     </message>
     <message>
         <source>Use 1/z: 1/4 must be halfway between 1/near and 1/far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasutage suurust 1/z: 1/4 peab olema poolel teel 1/near ja 1/far vahel.</translation>
     </message>
     <message>
         <source>With far at 9, near must be 2.57; with near at 3, far must be 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kaugtasand on 9, peab lähitasand olema 2.57; kui lähitasand on 3, peab kaugtasand olema 6.</translation>
     </message>
     <message>
         <source>Right: 2nf/(n + f) = 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: 2nf/(n + f) = 4.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to trust {0}, because in space it bends nothing. But after {1} and {2} are divided by {3}, equal steps along the picture are unequal steps of depth, and a straight line stays straight only if the depth is divided as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on usaldada avaldist {0}, sest ruumis see midagi ei kõverda. Aga kui {1} ja {2} on jagatud suurusega {3}, on võrdsed sammud piki pilti ebavõrdsed sügavuse sammud ja sirge jääb sirgeks ainult siis, kui ka sügavus jagatakse.</translation>
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõverad jooned rikuksid sügavuspuhvri: kolmnurga nurkade vahel interpoleeritakse sügavusi pikslite kaupa ühtlaselt. Arvutatud sügavus ei oleks õige ja taga olev pind võidaks joonistada ette.</translation>
     </message>
     <message>
         <source>Practise: the depth of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: punkti sügavus</translation>
     </message>
     <message>
         <source>The planes are at the depths {0} and {1}. In the cube they come to {2} and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandid on sügavustel {0} ja {1}. Kuubis satuvad need kohtadele {2} ja {3}.</translation>
     </message>
     <message>
         <source>Here {0} and {1}. Point 1 is at {2}. How large is its {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0} ja {1}. Punkt 1 on kohal {2}. Kui suur on selle {3}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between the planes. But {0} changes with {1}, fast just behind near. Look at point 1, moved to where {2}: it is closer to near than to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus tasandite vahel ühtlaselt. Aga {0} muutub koos suurusega {1}, kohe lähitasandi taga kiiresti. Vaadake punkti 1, mis on viidud kohta, kus {2}: see on lähitasandile lähemal kui kaugtasandile.</translation>
     </message>
     <message>
         <source>This stops before the division by {0}. Look at point 1, moved to far: there {1} is {2}, and only the division makes it 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli enne jagamist suurusega {0}. Vaadake punkti 1, mis on viidud kaugtasandile: seal on {1} {2} ja alles jagamine teeb sellest 1.</translation>
     </message>
     <message>
         <source>{0}, with {1} and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus {1} ja {2}.</translation>
     </message>
     <message>
         <source>Practise: the middle of the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kuubi keskkoht</translation>
     </message>
     <message>
         <source>You see the segment PQ from the side. P is on the near plane, and Q on the far plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Näete lõiku PQ küljelt. P on lähitasandil ja Q kaugtasandil.</translation>
     </message>
     <message>
         <source>Near is {0} and far is {1}. Which point of PQ comes to {2} in the cube? Mark it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on {0} ja kaugtasand {1}. Milline PQ punkt satub kuubis kohale {2}? Märkige see.</translation>
     </message>
     <message>
         <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube&apos;s middle lies before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on PQ keskkoht maailmas. Aga {0} muutub koos suurusega {1}, kohe lähitasandi taga kiiresti. Vaadake punkti 1: see on teie märgitud koht ja kuubi keskkoht jääb sellest ettepoole.</translation>
     </message>
     <message>
         <source>At which depth is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millisel sügavusel kehtib {0}?</translation>
     </message>
     <message>
         <source>At {0}, which is {1} deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohal {0}, mille sügavus on {1}.</translation>
     </message>
     <message>
         <source>It is {0} deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle sügavus on {0}.</translation>
     </message>
     <message>
         <source>Practise: place the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: paigutage keskkoht</translation>
     </message>
     <message>
         <source>**World** shows the planes and probe 1 from the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>**Maailm** näitab tasandeid ja sondi 1 küljelt.</translation>
     </message>
     <message>
         <source>Probe 1 is {0} deep. Leave far at {1}, and set near so that the depth {2} comes to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sondi 1 sügavus on {0}. Jätke kaugtasandiks {1} ja seadke lähitasand nii, et sügavus {2} satub kohale {3}.</translation>
     </message>
     <message>
         <source>The middle of the cube is {0} deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuubi keskkoha sügavus on {0}.</translation>
     </message>
     <message>
         <source>So {0} is halfway between {1} and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seega on {0} poolel teel {1} ja {2} vahel.</translation>
     </message>
     <message>
         <source>{0}, so {1} {2} {3}, more than half of {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega {1} {2} {3}, rohkem kui pool arvust {4}.</translation>
     </message>
     <message>
         <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube&apos;s middle is nearer to near than the point is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii satub punkt maailmas tasandite vahel poolele teele. Aga {0} muutub koos suurusega {1}. Vaadake tasandeid: kuubi keskkoht on lähitasandile lähemal kui punkt.</translation>
     </message>
 </context>
 <context>
@@ -2620,7 +2620,7 @@
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{0}, kus {1}.</translation>
     </message>
     <message>
         <source>{0}, here 0.5/8.5.</source>
@@ -2668,7 +2668,7 @@
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
@@ -2755,721 +2755,721 @@
     <name>l10-parallel-lens</name>
     <message>
         <source>What does depth do in a parallel lens?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida teeb sügavus paralleelses objektiivis?</translation>
     </message>
     <message>
         <source>Twice as far away</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks korda kaugemal</translation>
     </message>
     <message>
         <source>Post 1 is 5 units in front of the eye, post 2 is 9.8, and both are equally high. With the perspective lens, post 2 is drawn about half as high (0.51 times): look at *Image*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Post 1 on silmast 5 ühikut eespool, post 2 9.8, ja mõlemad on ühekõrgused. Perspektiivne objektiiv joonistab posti 2 umbes poole madalamana (0.51 korda): vaadake paani *Pilt*.</translation>
     </message>
     <message>
         <source>The lens becomes orthographic; camera and posts stay. How many times as high as post 1 is post 2 drawn now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiivist saab ortograafiline; kaamera ja postid jäävad paigale. Mitu korda kõrgemana kui post 1 joonistatakse nüüd post 2?</translation>
     </message>
     <message>
         <source>1 times: both are equally high</source>
-        <translation type="unfinished"></translation>
+        <translation>1 kord: mõlemad on ühekõrgused</translation>
     </message>
     <message>
         <source>0.51 times, as before</source>
-        <translation type="unfinished"></translation>
+        <translation>0.51 korda, nagu enne</translation>
     </message>
     <message>
         <source>This divides by the depth, as the perspective lens does. The projectors of a parallel lens do not meet, so its pictures are not divided by anything: equal heights stay equal at every depth. Look at the two posts: they are equally high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega, nagu teeb perspektiivne objektiiv. Paralleelse objektiivi projektsioonikiired ei kohtu, seepärast ei jagata selle pilte millegagi: võrdsed kõrgused jäävad igal sügavusel võrdseks. Vaadake kaht posti: need on ühekõrgused.</translation>
     </message>
     <message>
         <source>More than half, but not as high</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohkem kui pool, aga mitte sama kõrge</translation>
     </message>
     <message>
         <source>There is nothing in between: the lens either divides by the depth, or not. The orthographic one does not. Look at the two posts: they are equally high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahepealset ei ole: objektiiv kas jagab sügavusega või ei jaga. Ortograafiline ei jaga. Vaadake kaht posti: need on ühekõrgused.</translation>
     </message>
     <message>
         <source>The projectors are parallel: nothing is divided by the depth, and the heights in the picture are those of the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiired on paralleelsed: sügavusega ei jagata midagi ja kõrgused pildil on samad mis maailmas.</translation>
     </message>
     <message>
         <source>The box becomes the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukast saab kuup</translation>
     </message>
     <message>
         <source>A parallel lens has a box, from {0} to {1}, {2} to {3} and {4} to {5}. Each range is moved to the middle and scaled to length 2:</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelsel objektiivil on risttahukas {0} kuni {1}, {2} kuni {3} ja {4} kuni {5}. Iga vahemik nihutatakse keskele ja skaleeritakse pikkuseks 2:</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space. With {1}, {2} it has {3}; its depth of 5 affects only {4}. The Probe panel shows every step: the division is by 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on kaamerafreimis {0}. Kui {1}, {2}, siis {3}; selle sügavus 5 mõjutab ainult suurust {4}. Paneel Sond näitab iga sammu: jagatakse 1-ga.</translation>
     </message>
     <message>
         <source>The same height, by another lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama kõrgus teise objektiiviga</translation>
     </message>
     <message>
         <source>The lens is perspective again, and point 1 is at {0} in view space: its {1} is less than {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiiv on jälle perspektiivne ja punkt 1 on kaamerafreimis {0}: selle {1} on väiksem kui {2}.</translation>
     </message>
     <message>
         <source>Bring point 1 to {0} with an orthographic lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige punkt 1 ortograafilise objektiiviga kohta {0}.</translation>
     </message>
     <message>
         <source>Choose *orthographic* for the lens, then set bottom and top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige objektiiviks *ortograafiline*, siis seadke alumine ja ülemine.</translation>
     </message>
     <message>
         <source>Move the camera back and forth. What happens to {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage kaamerat edasi-tagasi. Mis juhtub suurusega {0}?</translation>
     </message>
     <message>
         <source>Only the height of the window matters. The distance of the point does not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeb ainult akna kõrgus. Punkti kaugus ei loe.</translation>
     </message>
     <message>
         <source>Cells and coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahtrid ja koordinaadid</translation>
     </message>
     <message>
         <source>This box is not in the middle: {0}, {1}, {2}, {3}, from 1 to 9. The window is stretched to the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>See risttahukas ei ole keskel: {0}, {1}, {2}, {3}, sügavus 1 kuni 9. Aken on venitatud pildi järgi.</translation>
     </message>
     <message>
         <source>What is in row 1, column 4 of clip ← view?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on maatriksi kärperuum ← vaade reas 1 ja veerus 4?</translation>
     </message>
     <message>
         <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse risttahuka keskkohta kaugemale välja. Lahter liidetakse suurusele {0}; see peab viima keskkoha {1} kohta {2}. Vaadake ülalt: risttahuka keskkoht on silma teljest paremal.</translation>
     </message>
     <message>
         <source>This is row 4, column 1. Row 1 computes {0} from x, y, z and 1; its last cell is what is added. Look from above: the box reaches farther to the right, so something must be added to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on rida 4, veerg 1. Suuruse {0} arvutab x-ist, y-ist, z-ist ja 1-st rida 1; selle viimane lahter on see, mis liidetakse. Vaadake ülalt: risttahukas ulatub kaugemale paremale, seega tuleb suurusele {1} midagi liita.</translation>
     </message>
     <message>
         <source>The middle of the box, {0}, must come to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka keskkoht {0} peab sattuma kohale {1}.</translation>
     </message>
     <message>
         <source>{0}: the middle of the box is right of the axis, so it is moved to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: risttahuka keskkoht on teljest paremal, seega nihutatakse see vasakule.</translation>
     </message>
     <message>
         <source>What is {0} of the point (1, 1, −5) in view space?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on {0} kaamerafreimi punktil (1, 1, −5)?</translation>
     </message>
     <message>
         <source>This divides by the depth of 5. The projectors of a parallel lens do not meet: {0} does not contain z. Look at points 1 and 2, 5 and 8 deep: they are equally high in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega 5. Paralleelse objektiivi projektsioonikiired ei kohtu: suuruses {0} ei ole z-i. Vaadake punkte 1 ja 2 sügavustel 5 ja 8: need on pildil ühel kõrgusel.</translation>
     </message>
     <message>
         <source>{0}, and {1}: there is nothing to divide by.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}: ei ole, millega jagada.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>Far things look small to an eye, and to every lens whose projectors meet in a point. It is tempting to take this for a law of pictures. In a box the projectors never meet: the last row of the matrix is 0, 0, 0, 1, so {0} at every depth, and x and y do not depend on z. The depth is not lost: {1} keeps it and decides what hides what. That is why the posts are drawn equally high, side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kauged asjad paistavad väikesed silmale ja igale objektiivile, mille projektsioonikiired ühes punktis kohtuvad. Ahvatlev on pidada seda kõigi piltide seaduseks. Risttahukas ei kohtu projektsioonikiired kunagi: maatriksi viimane rida on 0, 0, 0, 1, seega on igal sügavusel {0} ning x ja y ei sõltu z-ist. Sügavus ei ole kadunud: {1} säilitab selle ja otsustab, mis mida varjab. Seepärast joonistatakse postid ühekõrgustena, kõrvuti.</translation>
     </message>
     <message>
         <source>Practise: the first row</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: esimene rida</translation>
     </message>
     <message>
         <source>A parallel lens takes its box, from {0} to {1} in x, to {2} from {3} to {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelne objektiiv viib oma risttahuka, x-sihis kohast {0} kohani {1}, suuruseks {2} kohast {3} kohani {4}.</translation>
     </message>
     <message>
         <source>The box reaches from {0} to {1}. What is in row 1 of clip ← view?</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas ulatub kohast {0} kohani {1}. Mis on maatriksi kärperuum ← vaade reas 1?</translation>
     </message>
     <message>
         <source>This moves the middle of the box farther out. The row&apos;s last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye&apos;s axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse risttahuka keskkohta kaugemale välja. Rea viimane lahter liidetakse suurusele {0}, seega peab see olema {1}: siis satub keskkoht {2} kohale {3}. Vaadake ülalt: risttahuka keskkoht ei ole silma teljel.</translation>
     </message>
     <message>
         <source>This is column 1. Row 1 computes {0} from x, y, z and 1, so what is added to x stands in its last cell. Look from above: the box reaches farther to one side, so something must be added to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on veerg 1. Rida 1 arvutab suuruse {0} x-ist, y-ist, z-ist ja 1-st, seega on x-ile liidetav selle viimases lahtris. Vaadake ülalt: risttahukas ulatub ühele poole kaugemale, seega tuleb suurusele {1} midagi liita.</translation>
     </message>
     <message>
         <source>{0} is {1} plus a number that brings the middle of the box to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on {1} pluss arv, mis viib risttahuka keskkoha kohta 0.</translation>
     </message>
     <message>
         <source>The middle of the box, {0}, comes to {1}, and its width {2} to 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka keskkoht {0} satub kohale {1} ja selle laiusest {2} saab 2.</translation>
     </message>
     <message>
         <source>Practise: a point in a parallel lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: punkt paralleelses objektiivis</translation>
     </message>
     <message>
         <source>A parallel lens has a box from {0} to {1} in y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelse objektiivi risttahukas ulatub y-sihis kohast {0} kohani {1}.</translation>
     </message>
     <message>
         <source>The box reaches from {0} to {1}. Point 1 is at {2} in view space, {3} in front of the eye. What is its {4}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas ulatub kohast {0} kohani {1}. Punkt 1 on kaamerafreimis kohal {2}, silmast {3} eespool. Kui suur on selle {4}?</translation>
     </message>
     <message>
         <source>This divides by the depth of {0}. The projectors of a parallel lens do not meet: {1} does not contain z. Look at points 1 and 2: they have the same {2} at two depths, and the same {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega {0}. Paralleelse objektiivi projektsioonikiired ei kohtu: suuruses {1} ei ole z-i. Vaadake punkte 1 ja 2: neil on kahel sügavusel sama {2} ja sama {3}.</translation>
     </message>
     <message>
         <source>The middle moves out</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskkoht nihkub välja</translation>
     </message>
     <message>
         <source>This moves the middle of the box farther out instead of to 0: from {0} the lens subtracts {1}. Look at point 2, at {2}: it is in the middle of the picture, where {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse risttahuka keskkohta kaugemale välja, mitte kohta 0: suurusest {0} lahutab objektiiv avaldise {1}. Vaadake punkti 2 kohal {2}: see on pildi keskel, kus {3}.</translation>
     </message>
     <message>
         <source>{0} comes to {1} and {2} to {3}. What does the depth change?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} satub kohale {1} ja {2} kohale {3}. Mida muudab sügavus?</translation>
     </message>
     <message>
         <source>The depth of {0} does not matter: the division is by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus {0} ei loe: jagatakse arvuga {1}.</translation>
     </message>
     <message>
         <source>Practise: a height in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kõrgus pildil</translation>
     </message>
     <message>
         <source>Point 1 is seen by a parallel lens. Its box reaches from {0} to {1} in y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti 1 näeb paralleelne objektiiv. Selle risttahukas ulatub y-sihis kohast {0} kohani {1}.</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space, {1} in front of the eye. Keep the lens parallel and bring the point to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on kaamerafreimis kohal {0}, silmast {1} eespool. Jätke objektiiv paralleelseks ja viige punkt kohta {2}.</translation>
     </message>
     <message>
         <source>With {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, siis {1}.</translation>
     </message>
     <message>
         <source>{0} {1}, and {2}. The depth of {3} has no part in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} ja {2}. Sügavus {3} ei puutu siia.</translation>
     </message>
     <message>
         <source>A parallel lens divides by nothing but the half height of its box. Look at a box with {0}, twice as high as the point: there the point is at {1}, whatever its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelne objektiiv ei jaga millegi muuga kui poole oma risttahuka kõrgusega. Vaadake risttahukat, mille {0}, kaks korda kõrgem kui punkt: seal on punkt kohal {1}, olgu sügavus milline tahes.</translation>
     </message>
 </context>
 <context>
     <name>l11-oblique-drawing</name>
     <message>
         <source>Where receding edges go</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu lähevad sügavusse minevad servad</translation>
     </message>
     <message>
         <source>Half the scale</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool mastaapi</translation>
     </message>
     <message>
         <source>The front of this body is parallel to the picture, so it keeps its shape. If the projectors slant, edges along n are drawn too. A cavalier drawing shows them at full length; its projectors meet the picture at 45°. A cabinet drawing shows them half as long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle keha esikülg on pildiga paralleelne, seepärast säilitab see oma kuju. Kui projektsioonikiired on kaldu, joonistatakse ka n-sihilised servad. Cavalier-joonis näitab neid täispikkuses; selle projektsioonikiired lõikavad pilti 45° nurga all. Cabinet-joonis näitab neid poole lühematena.</translation>
     </message>
     <message>
         <source>At which angle do the projectors of a cabinet drawing meet the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise nurga all lõikavad pilti cabinet-joonise projektsioonikiired?</translation>
     </message>
     <message>
         <source>67.5°: half the scale is half the slant</source>
-        <translation type="unfinished"></translation>
+        <translation>67.5°: pool mastaapi on pool kallet</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. One unit of depth and half a unit along the picture are the legs of a right triangle: the angle between projector and picture has the tangent 2, and is 63.4°. Look from above at the lines to the near plane: they go 2 deep for 1 to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et nurk on mastaabiga võrdeline. Üks ühik sügavust ja pool ühikut piki pilti on täisnurkse kolmnurga kaatetid: projektsioonikiire ja pildi vahelise nurga tangens on 2 ja nurk ise 63.4°. Vaadake ülalt jooni lähitasandini: need lähevad 2 sügavusse, kui 1 kõrvale.</translation>
     </message>
     <message>
         <source>45°, as in every oblique drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>45°, nagu igal kaldnurgalisel joonisel</translation>
     </message>
     <message>
         <source>At 45° a projector goes as far along the picture as into the depth, so edges along n are drawn at full length. That is the cavalier drawing. Look from above at its lines to the near plane: they go 1 deep for 1 to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>45° korral läheb projektsioonikiir piki pilti sama kaugele kui sügavusse, nii et n-sihilised servad joonistatakse täispikkuses. See on cavalier-joonis. Vaadake ülalt selle jooni lähitasandini: need lähevad 1 sügavusse, kui 1 kõrvale.</translation>
     </message>
     <message>
         <source>A projector that goes 1 unit deep moves by the scale {0} along the picture: {1}, and {2} is the angle with {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiir, mis läheb 1 ühiku sügavusse, nihkub piki pilti mastaabi {0} võrra: {1}, ja {2} on nurk, mille {3}.</translation>
     </message>
     <message>
         <source>The matrix H</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriks H</translation>
     </message>
     <message>
         <source>A projector that meets the near plane at {0} (seen from above) and {1} (from the side) moves a point by</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiir, mis lõikab lähitasandit nurga {0} (ülalt vaadatuna) ja {1} (küljelt) all, nihutab punkti nii:</translation>
     </message>
     <message>
         <source>That is a shear: the matrix {0}, which leaves the near plane as it is. Here {1}, {2} and {3}: one unit behind the near plane {4}, and x moves by {5}. *Matrices* shows it as *sheared ← view*. After {6} the slanted box is straight, so {7}; the three matrices stand side by side.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kaldnihe: maatriks {0}, mis jätab lähitasandi samaks. Siin {1}, {2} ja {3}: üks ühik lähitasandi taga {4}, ja x nihkub {5} võrra. *Maatriksid* näitab seda nimega *kaldnihkega ← vaade*. Pärast maatriksit {6} on rööptahukas sirge, seega {7}; need kolm maatriksit on kõrvuti.</translation>
     </message>
     <message>
         <source>Make it a cabinet drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke sellest cabinet-joonis</translation>
     </message>
     <message>
         <source>The scale of receding edges is {0}; their direction in the picture is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusse minevate servade mastaap on {0}; nende suund pildil on vaba.</translation>
     </message>
     <message>
         <source>Set the lens so that {0}, in any direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke objektiiv nii, et {0}, mis tahes suunas.</translation>
     </message>
     <message>
         <source>The numbers below the scene&apos;s controls give the drawn scale.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvud stseeni juhtelementide all annavad joonise mastaabi.</translation>
     </message>
     <message>
         <source>The scale is 1/2 then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on siis 1/2.</translation>
     </message>
     <message>
         <source>A unit of depth is drawn half as long, in whatever direction it recedes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavuse ühik joonistatakse poole lühemana, ükskõik mis suunas see sügavusse läheb.</translation>
     </message>
     <message>
         <source>How far H moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui palju H nihutab</translation>
     </message>
     <message>
         <source>The letter F with an oblique lens: {0}, {1}, and the near plane is 2 in front of the eye, so {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>F-täht kaldnurgalise objektiiviga: {0}, {1} ja lähitasand on silmast 2 eespool, seega {2}.</translation>
     </message>
     <message>
         <source>What is in row 1, column 4 of H, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on maatriksi H reas 1 ja veerus 4: {0}?</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. At {1} the projectors are straight and shift nothing, so the slant is {2}. Look from above at {3}: the box is almost straight, {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kaldeks {0}. Kui {1}, on projektsioonikiired sirged ja ei nihuta midagi, seega on kalle {2}. Vaadake ülalt juhtu {3}: rööptahukas on peaaegu sirge, {4}.</translation>
     </message>
     <message>
         <source>The near plane is at z = 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on kohal z = 2</translation>
     </message>
     <message>
         <source>{0} is {1}, so {2} is positive. With this cell, points of the near plane would move. Look from above: the box slants away from near, and near stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on {1}, seega on {2} positiivne. Sellise lahtriga nihkuksid lähitasandi punktid. Vaadake ülalt: rööptahukas kaldub lähitasandist eemale ja lähitasand jääb oma kohale.</translation>
     </message>
     <message>
         <source>{0} itself is negative here.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ise on siin negatiivne.</translation>
     </message>
     <message>
         <source>{0}. With {1} it is 0: the projectors are straight then.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kui {1}, on see 0: siis on projektsioonikiired sirged.</translation>
     </message>
     <message>
         <source>By how much does H change x of a point 3 units behind the near plane?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui palju muudab H punkti x-i, kui punkt on 3 ühikut lähitasandi taga?</translation>
     </message>
     <message>
         <source>What recedes goes to the right</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusse minev läheb paremale</translation>
     </message>
     <message>
         <source>The size is right. Behind the near plane {0} is positive, and the formula subtracts it: x becomes smaller. Look from above at the sides of the box: they lean to the right, and H moves them back to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suurus on õige. Lähitasandi taga on {0} positiivne ja valem lahutab selle: x väheneb. Vaadake ülalt rööptahuka külgi: need on paremale kaldu ja H viib need vasakule tagasi.</translation>
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus {1}.</translation>
     </message>
     <message>
         <source>{0}: receding points move to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: sügavusse minevad punktid nihkuvad vasakule.</translation>
     </message>
     <message>
         <source>Projectors at 70°</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiired 70° all</translation>
     </message>
     <message>
         <source>Between the cabinet drawing and the orthographic one the projectors are even steeper.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cabinet-joonise ja ortograafilise joonise vahel on projektsioonikiired veel järsemad.</translation>
     </message>
     <message>
         <source>Draw with projectors that meet the picture at 70°, within 1 %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistage projektsioonikiirtega, mis lõikavad pilti 70° nurga all, täpsusega 1 %.</translation>
     </message>
     <message>
         <source>Which scale belongs to this angle? It is {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline mastaap kuulub selle nurga juurde? See on {0}.</translation>
     </message>
     <message>
         <source>The scale is 0.364 there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seal on mastaap 0.364.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>Scale 0 belongs to 90°, scale 1 to 45°, so it is tempting to take the middle, 67.5°, for scale 1/2. But the angle does not change evenly with the scale. One unit of depth and {0} units along the picture are the legs of a right triangle, and {1}: for 1/2 that is 63.4°. Look at *World* from above, with the lines from the corners of the body to the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap 0 kuulub 90° juurde, mastaap 1 45° juurde, nii et ahvatlev on võtta mastaabi 1/2 jaoks keskkoht, 67.5°. Aga nurk ei muutu mastaabiga ühtlaselt. Üks ühik sügavust ja {0} ühikut piki pilti on täisnurkse kolmnurga kaatetid ning {1}: 1/2 puhul on see 63.4°. Vaadake paani *Maailm* ülalt, koos joontega keha nurkadest lähitasandini.</translation>
     </message>
     <message>
         <source>Practise: the first row of H</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: H esimene rida</translation>
     </message>
     <message>
         <source>{0} takes x along the projectors to the near plane, which is at {1}. {2} is its matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib x-i piki projektsioonikiiri lähitasandile, mis on kohal {1}. {2} on selle maatriks.</translation>
     </message>
     <message>
         <source>The projectors will slant, with {0}. The near plane is {1} in front of the eye: {2}. What is in row 1 of {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiired lähevad kaldu nii, et {0}. Lähitasand on silmast {1} eespool: {2}. Mis on maatriksi {3} reas 1?</translation>
     </message>
     <message>
         <source>The near plane is at a positive z</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandi z on positiivne</translation>
     </message>
     <message>
         <source>The last cell is {0}, and {1} is negative itself. With this row, points of the near plane would move. Look from above: the box slants away from near, and near stays where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viimane lahter on {0} ja {1} on ise negatiivne. Sellise reaga nihkuksid lähitasandi punktid. Vaadake ülalt: rööptahukas kaldub lähitasandist eemale ja lähitasand jääb oma kohale.</translation>
     </message>
     <message>
         <source>Multiply out: how often is z in {0}, and what is left without x and z?</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutage läbi: mitu korda on avaldises {0} z ja mis jääb ilma x-i ja z-ita üle?</translation>
     </message>
     <message>
         <source>{0}: points of the near plane stay where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: lähitasandi punktid jäävad oma kohale.</translation>
     </message>
     <message>
         <source>Practise: a far corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kauge nurk</translation>
     </message>
     <message>
         <source>Points that are {0} behind the front of the cube move by {1} in x and by {2} in y. The front stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktid, mis on kuubi esikülje taga {0} kaugusel, nihkuvad x-sihis {1} ja y-sihis {2}. Esikülg jääb paigale.</translation>
     </message>
     <message>
         <source>The picture shows a cube, 1 unit wide, from straight in front. With {0} and {1}, where will the corner of its back be drawn that is at {2}, {3} from the middle?</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt näitab kuupi, mille laius on 1 ühik, otse eest. Kui {0} ja {1}, siis kuhu joonistatakse tagakülje nurk, mis on keskkohast {2}, {3}?</translation>
     </message>
     <message>
         <source>This moves the corner by {0} and {1}. At 90° the projectors are straight and move nothing, so it is {2} and {3}. Look at the cube with 80° and 80°: its back has moved very little.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse nurka {0} ja {1} võrra. 90° korral on projektsioonikiired sirged ja ei nihuta midagi, seega on õiged {2} ja {3}. Vaadake kuupi, mille nurgad on 80° ja 80°: selle tagakülg on nihkunud väga vähe.</translation>
     </message>
     <message>
         <source>What recedes goes to the right and up</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusse minev läheb paremale ja üles</translation>
     </message>
     <message>
         <source>This moves the corner the opposite way. An angle below 90° moves what is behind the front to the left, or down; one above 90° to the right, or up. Look at the cube with 60° and 60°: its back has moved to the left and down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse nurka vastupidises suunas. Alla 90° nurk nihutab esikülje taga oleva vasakule või alla; üle 90° nurk paremale või üles. Vaadake kuupi, mille nurgad on 60° ja 60°: selle tagakülg on nihkunud vasakule ja alla.</translation>
     </message>
     <message>
         <source>What recedes goes up</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusse minev läheb üles</translation>
     </message>
     <message>
         <source>x is right. But y was moved the opposite way: {0} below 90° moves the back down, above 90° up. Look at the cube with 60° and 60°: its back has moved to the left and down.</source>
-        <translation type="unfinished"></translation>
+        <translation>x on õige. Aga y nihutati vastupidises suunas: {0} alla 90° nihutab tagakülje alla, üle 90° üles. Vaadake kuupi, mille nurgad on 60° ja 60°: selle tagakülg on nihkunud vasakule ja alla.</translation>
     </message>
     <message>
         <source>Which way is {0} here, and how many widths of the cube is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu poole on siin {0} ja mitu kuubi laiust see on?</translation>
     </message>
     <message>
         <source>The edges that lead to the back are all drawn alike, {0} to the right and {1} up. The picture is 8 units wide and 4.5 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Servad, mis viivad tagaküljeni, joonistatakse kõik ühtemoodi, {0} paremale ja {1} üles. Pildi laius on 8 ühikut ja kõrgus 4.5.</translation>
     </message>
     <message>
         <source>Practise: an angle of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: nurk teie valikul</translation>
     </message>
     <message>
         <source>The projectors of this drawing meet the picture at the angle {0}. Edges that recede are drawn {1} times as long as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle joonise projektsioonikiired lõikavad pilti nurga {0} all. Sügavusse minevad servad joonistatakse {1} korda nii pikana, kui need on.</translation>
     </message>
     <message>
         <source>Make {0}, to within 1 %. The direction of the receding edges is free.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et {0}, täpsusega 1 %. Sügavusse minevate servade suund on vaba.</translation>
     </message>
     <message>
         <source>Choose *Free scale*. Which scale belongs to this angle?</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige *Vaba mastaap*. Milline mastaap kuulub selle nurga juurde?</translation>
     </message>
     <message>
         <source>A projector goes {0} along the picture for 1 unit of depth. Draw the right triangle with the angle {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiir läheb 1 ühiku sügavuse kohta piki pilti {0}. Joonistage täisnurkne kolmnurk nurgaga {1}.</translation>
     </message>
     <message>
         <source>The angle is not proportional to the scale: {0}. Look from above at the lines to the near plane: they are flatter than {1}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurk ei ole mastaabiga võrdeline: {0}. Vaadake ülalt jooni lähitasandini: need on laugemad kui {1}°.</translation>
     </message>
     <message>
         <source>The scale is the cotangent of the angle. Look from above at the lines to the near plane: they meet it at {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on nurga kootangens. Vaadake ülalt jooni lähitasandini: need lõikavad seda {0}° nurga all.</translation>
     </message>
 </context>
 <context>
     <name>l12-vanishing-points</name>
     <message>
         <source>How many vanishing points?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu koondumispunkti?</translation>
     </message>
     <message>
         <source>A box, turned</source>
-        <translation type="unfinished"></translation>
+        <translation>Pööratud risttahukas</translation>
     </message>
     <message>
         <source>A box has edges in three directions. With the camera straight in front of it, the edges that lead away from you meet in one point of the picture, {0}. This is a 1-point perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka servad on kolmes suunas. Kui kaamera on otse selle ees, kohtuvad teist eemale suunduvad servad pildi ühes punktis, {0}. See on 1-punkti perspektiiv.</translation>
     </message>
     <message>
         <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box&apos;s edges have now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera jääb horisontaalseks ja käib 30° ümber risttahuka. Mitu koondumispunkti on nüüd risttahuka servadel?</translation>
     </message>
     <message>
         <source>Still one</source>
-        <translation type="unfinished"></translation>
+        <translation>Endiselt üks</translation>
     </message>
     <message>
         <source>One belongs to a camera that looks straight at a side of the box. Turned by 30°, it sees two directions of level edges lead away. Look at the horizon: {0} and {1} lie on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks kuulub kaamerale, mis vaatab otse risttahuka külge. 30° pööratuna näeb see horisontaalseid servi eemale suundumas kahes suunas. Vaadake horisonti: {0} ja {1} on sellel.</translation>
     </message>
     <message>
         <source>Two</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks</translation>
     </message>
     <message>
         <source>Three: a box has three directions</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm: risttahukal on kolm suunda</translation>
     </message>
     <message>
         <source>This counts the directions of the box. Edges that are parallel to the picture stay parallel in it and meet nowhere; the uprights are, because the camera is level. Look at the uprights: they are parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse risttahuka suundi. Pildiga paralleelsed servad jäävad sellel paralleelseks ega kohtu kusagil; püstservad on sellised, sest kaamera on horisontaalne. Vaadake püstservi: need on pildil paralleelsed.</translation>
     </message>
     <message>
         <source>A direction has a vanishing point if it is not parallel to the picture plane, {0}. Uprights are parallel to the picture plane of a level camera and stay parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suunal on koondumispunkt, kui see ei ole pilditasandiga paralleelne, {0}. Püstsirged on horisontaalse kaamera pilditasandiga paralleelsed ja jäävad pildil paralleelseks.</translation>
     </message>
     <message>
         <source>A point that runs to infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt, mis jookseb lõpmatusse</translation>
     </message>
     <message>
         <source>{0} runs along an edge. At {1} its {2} is 0: it is no longer a point of space but the direction {3}. Its image is the point that it was heading for all the time.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} jookseb mööda serva. Kui {1}, on selle {2} 0: see ei ole enam ruumi punkt, vaid suund {3}. Selle kujutis on punkt, mille poole see kogu aeg läks.</translation>
     </message>
     <message>
         <source>For a direction {0} in view space the image on a plane at distance {1} is {2}, the same formula as for a point. The start of a line does not matter, so all lines in this direction meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimi suuna {0} kujutis tasandil kaugusega {1} on {2}, sama valem mis punktil. Sirge alguspunkt ei loe, nii et kõik selle suuna sirged kohtuvad seal.</translation>
     </message>
     <message>
         <source>Drag *t* to 1 and beyond: P returns from the other side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage *t* väärtuseni 1 ja kaugemale: P tuleb tagasi teiselt poolt.</translation>
     </message>
     <message>
         <source>Just one</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult üks</translation>
     </message>
     <message>
         <source>The camera looks down on the box: three directions, three vanishing points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab risttahukale ülalt: kolm suunda, kolm koondumispunkti.</translation>
     </message>
     <message>
         <source>Turn the camera until the picture has just one vanishing point, by any axis of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörake kaamerat, kuni pildil on ainult üks koondumispunkt, risttahuka mis tahes telje oma.</translation>
     </message>
     <message>
         <source>Elevation 0 removes the vanishing point of the uprights. What next?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tõusunurk 0 kaotab püstservade koondumispunkti. Mis edasi?</translation>
     </message>
     <message>
         <source>The camera&apos;s {0} must be one of the axes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera {0} peab olema üks telgedest.</translation>
     </message>
     <message>
         <source>Two of the three directions are parallel to the picture now; only the third one leads away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmest suunast kaks on nüüd pildiga paralleelsed; ainult kolmas suundub eemale.</translation>
     </message>
     <message>
         <source>Where, and how many</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus, ja mitu</translation>
     </message>
     <message>
         <source>Here the camera stands in front of the cube and looks down by 30°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on kaamera kuubi ees ja vaatab 30° alla.</translation>
     </message>
     <message>
         <source>How many of the cube&apos;s three directions have a vanishing point?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitmel kuubi kolmest suunast on koondumispunkt?</translation>
     </message>
     <message>
         <source>That would be a camera that looks along an axis of the cube. This one looks down: the edges along y and those along z both lead away. Look at the edges along y: they run together downwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>See oleks kaamera, mis vaatab piki kuubi telge. See siin vaatab alla: eemale suunduvad nii y-sihilised kui ka z-sihilised servad. Vaadake y-sihilisi servi: need koonduvad allapoole.</translation>
     </message>
     <message>
         <source>This counts the directions of the cube. The camera is straight in front of it, so the edges along x are parallel to the picture and stay parallel in it. Look at the edges along x: they are parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse kuubi suundi. Kaamera on otse selle ees, nii et x-sihilised servad on pildiga paralleelsed ja jäävad sellel paralleelseks. Vaadake x-sihilisi servi: need on pildil paralleelsed.</translation>
     </message>
     <message>
         <source>Which edges are parallel to the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised servad on pildiga paralleelsed?</translation>
     </message>
     <message>
         <source>{0}: its x is 0, so edges along x stay parallel. The other two directions have one vanishing point each.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: selle x on 0, seega jäävad x-sihilised servad paralleelseks. Teistel kahel suunal on kummalgi üks koondumispunkt.</translation>
     </message>
     <message>
         <source>Lines run along {0} in view space, one of them through {1}. At which x on the plane {2} do they meet?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirged kulgevad kaamerafreimis suunas {0}, üks neist läbi punkti {1}. Millise x-iga kohtuvad need tasandil {2}?</translation>
     </message>
     <message>
         <source>This is a point ten steps along the line, which falls short of the point where all lines meet. That point depends on the direction alone. Look at P on an edge of this box: as long as {0} is less than 1, it has not reached its vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt kümme sammu mööda sirget, mis ei küüni punktini, kus kõik sirged kohtuvad. See punkt sõltub ainult suunast. Vaadake punkti P selle risttahuka serval: kuni {0} on väiksem kui 1, ei ole see oma koondumispunkti jõudnud.</translation>
     </message>
     <message>
         <source>The lines meet in front of the eye, where z is negative: divide by {0}, which is positive. Look at P on an edge of this box: the edge leads away from you, and P has come to its vanishing point on the same side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirged kohtuvad silma ees, kus z on negatiivne: jagage suurusega {0}, mis on positiivne. Vaadake punkti P selle risttahuka serval: serv suundub teist eemale ja P on jõudnud oma koondumispunkti samal pool.</translation>
     </message>
     <message>
         <source>The image of the direction itself: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suuna enda kujutis: {0}.</translation>
     </message>
     <message>
         <source>{0}. After ten steps along the line you are at 0.571; the vanishing point is the limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Pärast kümmet sammu mööda sirget olete kohal 0.571; koondumispunkt on piirväärtus.</translation>
     </message>
     <message>
         <source>Three, with one below</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm, üks neist all</translation>
     </message>
     <message>
         <source>Photographs of high houses are often taken from below, or from a tower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõrgeid maju pildistatakse sageli alt või mõnest tornist.</translation>
     </message>
     <message>
         <source>Make a 3-point perspective whose {0} lies below the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke 3-punkti perspektiiv, mille {0} on pildist allpool.</translation>
     </message>
     <message>
         <source>Change the elevation. On which side does {0} appear?</source>
-        <translation type="unfinished"></translation>
+        <translation>Muutke tõusunurka. Kummale poole ilmub {0}?</translation>
     </message>
     <message>
         <source>A camera that looks down sees uprights run together below.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alla vaatav kaamera näeb püstservi all kokku jooksmas.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>A box has three directions, and everybody knows the name 3-point perspective, so three is tempting. But the number depends on the camera, not on the box. Each axis of the box that is parallel to the picture, {0}, has its vanishing point at infinity, and its edges stay parallel. A level camera keeps uprights upright, which is why architects keep it level. *Kinds of projection* has all of them as small pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukal on kolm suunda ja nime 3-punkti perspektiiv teavad kõik, nii et ahvatlev on kolm. Aga arv sõltub kaamerast, mitte risttahukast. Igal risttahuka teljel, mis on pildiga paralleelne, {0}, on koondumispunkt lõpmatuses ja selle servad jäävad paralleelseks. Horisontaalne kaamera jätab püstjooned püsti, seepärast hoiavad arhitektid seda horisontaalselt. *Projektsioonide liigid* sisaldab neid kõiki väikeste piltidena.</translation>
     </message>
     <message>
         <source>Practise: where lines meet</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kus sirged kohtuvad</translation>
     </message>
     <message>
         <source>All lines in one direction {0} of view space meet in one point of the picture, which lies on the plane {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik kaamerafreimi suuna {0} sirged kohtuvad pildi ühes punktis; pilt asub tasandil {1}.</translation>
     </message>
     <message>
         <source>The edges of the box that lead away run along {0} in view space. One more line of this direction starts at {1}. At which {2} do they all meet if {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka eemale suunduvad servad kulgevad kaamerafreimis suunas {0}. Veel üks selle suuna sirge algab punktist {1}. Millise {2} juures kohtuvad need kõik, kui {3}?</translation>
     </message>
     <message>
         <source>This is a point ten steps along the line, which is still before the point where the lines meet. That depends on the direction alone: {0}. Look at P, which runs along such an edge: before {1} it has not reached {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt kümme sammu mööda sirget, mis on alles enne seda punkti, kus sirged kohtuvad. Too sõltub ainult suunast: {0}. Vaadake punkti P, mis jookseb mööda sellist serva: enne kui {1}, ei ole see jõudnud punkti {2}.</translation>
     </message>
     <message>
         <source>The line ends where it starts</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge lõpeb seal, kus algab</translation>
     </message>
     <message>
         <source>This is the image of the point where the line starts. Where it starts does not matter, only its direction: {0}. Look at P at the start of its edge: it is not at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on sirge alguspunkti kujutis. Kust sirge algab, ei loe, loeb ainult selle suund: {0}. Vaadake punkti P oma serva alguses: see ei ole punktis {1}.</translation>
     </message>
     <message>
         <source>The lines meet in front of the eye, where z is negative: divide by {0}, which is positive. Look at P at {1}: it has come to {2} on the side to which the edges lead.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirged kohtuvad silma ees, kus z on negatiivne: jagage suurusega {0}, mis on positiivne. Vaadake punkti P, kui {1}: see on jõudnud punkti {2} sellel pool, kuhu servad suunduvad.</translation>
     </message>
     <message>
         <source>The formula for a point&apos;s image, {0}, holds for a direction too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti kujutise valem {0} kehtib ka suuna kohta.</translation>
     </message>
     <message>
         <source>The start of a line does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge alguspunkt ei loe.</translation>
     </message>
     <message>
         <source>Practise: find the point</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: leidke punkt</translation>
     </message>
     <message>
         <source>The grid&apos;s lines along z meet in one point of the picture, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruudustiku z-sihilised jooned kohtuvad pildi ühes punktis, {0}.</translation>
     </message>
     <message>
         <source>The camera&apos;s azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera asimuut on {0}°, tõusunurk {1}° ja frustumi nurk {2}°. Märkige {3}.</translation>
     </message>
     <message>
         <source>This is the end of the middle line of the grid. The grid ends, but the directions of its lines meet farther up: extend two of them. Look at the level lines: the farther away they are, the closer together they lie.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on ruudustiku keskmise joone lõpp. Ruudustik lõpeb, aga selle joonte suunad kohtuvad ülalpool: pikendage kaht neist. Vaadake horisontaalseid jooni: mida kaugemal need on, seda tihedamalt need asuvad.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. The camera looks down, so level lines meet above the middle of the picture. Look at the lines of the grid: they run together upwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ridu loetakse ülalt. Kaamera vaatab alla, seega kohtuvad horisontaalsed jooned pildi keskkohast kõrgemal. Vaadake ruudustiku jooni: need koonduvad ülespoole.</translation>
     </message>
     <message>
         <source>The lines meet on the other side</source>
-        <translation type="unfinished"></translation>
+        <translation>Jooned kohtuvad teisel pool</translation>
     </message>
     <message>
         <source>The height is right, the side is not: extend two lines along z, and look on which side of the middle they meet. Look at two of them: the gap between them closes towards one side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõrgus on õige, pool ei ole: pikendage kaht z-sihilist joont ja vaadake, kummal pool keskkohta need kohtuvad. Vaadake kaht neist: nende vahe sulgub ühele poole.</translation>
     </message>
     <message>
         <source>Two of the lines are enough; extend them with a ruler, or compute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahest joonest piisab; pikendage neid joonlauaga või arvutage.</translation>
     </message>
     <message>
         <source>The direction {0} is {1} in view space, with {2}, the elevation, and {3}, the azimuth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suund {0} on kaamerafreimis {1}, kus {2} on tõusunurk ja {3} asimuut.</translation>
     </message>
     <message>
         <source>{0} and {1}, with the elevation {2} and the azimuth {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, kus {2} on tõusunurk ja {3} asimuut.</translation>
     </message>
     <message>
         <source>Practise: as many as asked</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: nii palju, kui küsitud</translation>
     </message>
     <message>
         <source>A direction of the cube has a vanishing point if it is not parallel to the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuubi suunal on koondumispunkt, kui see ei ole pildiga paralleelne.</translation>
     </message>
     <message>
         <source>The cube is turned by {0}° about y. Set the camera so that exactly {1} of its three directions have a vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuupi on pööratud {0}° ümber y-telje. Seadke kaamera nii, et selle kolme suuna seas oleks koondumispunktiga suundi täpselt {1}.</translation>
     </message>
     <message>
         <source>Which elevation makes the uprights parallel to the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise tõusunurga korral on püstservad pildiga paralleelsed?</translation>
     </message>
     <message>
         <source>Azimuth {0}° looks straight at one side of the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asimuut {0}° vaatab otse kuubi üht külge.</translation>
     </message>
     <message>
         <source>The uprights are parallel to the picture if the camera looks level. From azimuth {0}° one more direction is; from another azimuth two have a vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Püstservad on pildiga paralleelsed, kui kaamera vaatab horisontaalselt. Asimuudilt {0}° on seda veel üks suund; teiselt asimuudilt on koondumispunkt kahel.</translation>
     </message>
 </context>
 <context>
@@ -3656,7 +3656,7 @@
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
@@ -3775,2059 +3775,2059 @@
     <name>l14-to-pixels</name>
     <message>
         <source>From NDC to pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC-st piksliteni</translation>
     </message>
     <message>
         <source>Which row is the top?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline rida on ülemine?</translation>
     </message>
     <message>
         <source>The picture is 1280 × 720 pixels. NDC goes from −1 to 1 in x and y, with y upwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on 1280 × 720 pikslit. NDC x ja y on −1-st 1-ni, y suunaga üles.</translation>
     </message>
     <message>
         <source>A point has {0}. At which y of the image is it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühel punktil on {0}. Millise y-i kohal on see pildil?</translation>
     </message>
     <message>
         <source>In NDC y runs upwards, but the rows of an image are counted from the top, as you read. 720 is the lower edge. Look at point 1, at {0}, and at the numbers beside the frame: 720 is at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC-s kasvab y ülespoole, aga pildi ridu loetakse ülalt, nagu te loete. 720 on alumine serv. Vaadake punkti 1, mille {0}, ja numbreid raami kõrval: 720 on all.</translation>
     </message>
     <message>
         <source>360, in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>360, keskel</translation>
     </message>
     <message>
         <source>The middle is at {0}, because NDC goes from −1 to 1. {1} is an edge of the picture. Look at point 1, at {2}: it is in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskkohas on {0}, sest NDC on −1-st 1-ni. {1} on pildi serv. Vaadake punkti 1, mille {2}: see on keskel.</translation>
     </message>
     <message>
         <source>The rows of an image are counted from the top, as you read. {0} reverses y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi ridu loetakse ülalt, nagu te loete. {0} pöörab y-i ümber.</translation>
     </message>
     <message>
         <source>The viewport transform</source>
-        <translation type="unfinished"></translation>
+        <translation>Viewport-teisendus</translation>
     </message>
     <message>
         <source>where {0} and {1} are the image&apos;s width and height. Point 1 has {2} and {3}:</source>
-        <translation type="unfinished"></translation>
+        <translation>kus {0} ja {1} on pildi laius ja kõrgus. Punktil 1 on {2} ja {3}:</translation>
     </message>
     <message>
         <source>The Probe panel shows both, in the rows *NDC* and *image px*. A whole number is an edge between pixels: the first pixel goes from 0 to 1, and its centre is at 0.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneel Sond näitab mõlemat ridades *NDC* ja *pilt px*. Täisarv on serv pikslite vahel: esimene piksel on 0-st 1-ni ja selle keskpunkt on kohal 0.5.</translation>
     </message>
     <message>
         <source>Into the corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurka</translation>
     </message>
     <message>
         <source>Point 1 is a corner of the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on üks F-i nurk.</translation>
     </message>
     <message>
         <source>Bring point 1 within one pixel of (0, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige punkt 1 kohale (0, 0) lähemale kui üks piksel.</translation>
     </message>
     <message>
         <source>Drag its mark in *Image*, or move the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage selle märki paanis *Pilt* või liigutage kaamerat.</translation>
     </message>
     <message>
         <source>In NDC it must come to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC-s peab see sattuma kohale {0}.</translation>
     </message>
     <message>
         <source>(0, 0) is the upper left corner of the picture: x&apos; is −1 there, and y&apos; is 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>(0, 0) on pildi ülemine vasak nurk: seal on x&apos; −1 ja y&apos; 1.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>The image is 1280 × 720 again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on jälle 1280 × 720.</translation>
     </message>
     <message>
         <source>What is in row 2, column 2 of image ← NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on maatriksi pilt ← NDC reas 2 ja veerus 2?</translation>
     </message>
     <message>
         <source>With this cell, {0} would come to the lowest row. Rows are counted from the top, so {1} changes its sign. Look at point 1, at {2}: it is at the top, in row 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sellise lahtriga satuks {0} kõige alumisse ritta. Ridu loetakse ülalt, nii et {1} vahetab märki. Vaadake punkti 1, mille {2}: see on üleval, real 0.</translation>
     </message>
     <message>
         <source>This takes {0} to run from 0 to 1. It runs from −1 to 1, over a length of 2, so each unit of {1} is half the height. Look at point 1, at {2}: it is in the middle of the picture, and only half the height is left above it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et {0} on 0-st 1-ni. See on −1-st 1-ni, pikkusega 2, nii et iga {1} ühik on pool kõrgusest. Vaadake punkti 1, mille {2}: see on pildi keskel ja sellest ülespoole jääb ainult pool kõrgusest.</translation>
     </message>
     <message>
         <source>It is the factor of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kordaja suuruse {0} ees.</translation>
     </message>
     <message>
         <source>{0}: half the height, because NDC is 2 high, and negative, because y is reversed.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: pool kõrgusest, sest NDC on 2 kõrge, ja negatiivne, sest y on ümber pööratud.</translation>
     </message>
     <message>
         <source>This counts the rows upwards, like {0}. They are counted from the top, so a point above the middle has a y below 360. Look at point 1: it is above the middle of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse ridu alt üles, nagu kasvab {0}. Neid loetakse ülalt, nii et keskkohast kõrgemal oleva punkti y on väiksem kui 360. Vaadake punkti 1: see on pildi keskkohast kõrgemal.</translation>
     </message>
     <message>
         <source>This takes {0} to run from 0 to 1. It runs from −1 to 1 and is 0 in the middle of the picture. Look at point 1: it is above the middle, so its row is less than 360.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et {0} on 0-st 1-ni. See on −1-st 1-ni ja pildi keskel 0. Vaadake punkti 1: see on keskkohast kõrgemal, seega on selle rida väiksem kui 360.</translation>
     </message>
     <message>
         <source>Four pixels wide</source>
-        <translation type="unfinished"></translation>
+        <translation>Nelja piksli laiune</translation>
     </message>
     <message>
         <source>This image has 4 × 2 pixels, counted from 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selles pildis on 4 × 2 pikslit, loetud alates 0-st.</translation>
     </message>
     <message>
         <source>At which {0} is the centre of pixel 1?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise {0} juures on piksli 1 keskpunkt?</translation>
     </message>
     <message>
         <source>This is the left edge of pixel 1. Its centre is half a pixel farther. Look at the numbers beside the frame, from 0 to 4: pixel 1 reaches from 1 to 2, and its centre is at 1.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on piksli 1 vasak serv. Selle keskpunkt on poole piksli võrra edasi. Vaadake numbreid raami kõrval, 0-st 4-ni: piksel 1 ulatub 1-st 2-ni ja selle keskpunkt on kohal 1.5.</translation>
     </message>
     <message>
         <source>This is the share of the width, from 0 to 1. {0} runs from −1 to 1. Look at the numbers beside the frame, from 0 to 4: 1.5 is left of the middle, where {1} is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on osa laiusest, 0-st 1-ni. {0} on −1-st 1-ni. Vaadake numbreid raami kõrval, 0-st 4-ni: 1.5 on keskkohast vasakul, kus {1} on negatiivne.</translation>
     </message>
     <message>
         <source>Pixel 1 goes from 1 to 2 along the image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel 1 on piki pilti 1-st 2-ni.</translation>
     </message>
     <message>
         <source>{0}. The outermost centres are at {1}, not at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kõige äärmised keskpunktid on kohtadel {1}, mitte kohtadel {2}.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>In a diagram y goes up, and in NDC too, so 720 is tempting for the top. But an image is stored row by row from the top, and y of the image counts these rows. The minus in {0} does all the work. If you forget it, the picture is upside down, and you notice. If you forget the half pixel, the picture is shifted by half a pixel, and you do not notice.</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagrammil kasvab y ülespoole ja NDC-s samuti, nii et ülemise serva jaoks on ahvatlev 720. Aga pilt salvestatakse ridade kaupa ülalt alates ja pildi y loeb neid ridu. Avaldises {0} teeb kogu töö miinus. Kui te selle unustate, on pilt tagurpidi ja te märkate seda. Kui te unustate poole piksli, on pilt poole piksli võrra nihkes ja te ei märka seda.</translation>
     </message>
     <message>
         <source>Practise: the viewport as a matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: viewport maatriksina</translation>
     </message>
     <message>
         <source>The viewport transform takes {0} to {1} by two rows of three numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viewport-teisendus viib {0} punktiks {1} kahe reaga, milles on kolm arvu.</translation>
     </message>
     <message>
         <source>The image has {0} × {1} pixels. Write down the two rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildis on {0} × {1} pikslit. Kirjutage need kaks rida.</translation>
     </message>
     <message>
         <source>With this, {0} comes to the lowest row. Rows are counted from the top: {1}. Look at point 1, at {2}: it is at the top, in row 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii satub {0} kõige alumisse ritta. Ridu loetakse ülalt: {1}. Vaadake punkti 1, mille {2}: see on üleval, real 0.</translation>
     </message>
     <message>
         <source>This takes {0} and {1} to run from 0 to 1. They run from {2} to {3}, over a length of 2, with 0 in the middle of the picture. Look at point 1, at {4}: it is in the middle of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et {0} ja {1} on 0-st 1-ni. Need on kohast {2} kohani {3}, pikkusega 2, ja pildi keskel on 0. Vaadake punkti 1, mille {4}: see on pildi keskel.</translation>
     </message>
     <message>
         <source>0 is the corner</source>
-        <translation type="unfinished"></translation>
+        <translation>0 on nurk</translation>
     </message>
     <message>
         <source>The factors are right. But {0} is the middle of the picture, at {1}, and this takes it to the corner. Look at point 1, at {2}: it is in the middle of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kordajad on õiged. Aga {0} on pildi keskkoht, kohal {1}, ja nii satub see nurka. Vaadake punkti 1, mille {2}: see on pildi keskel.</translation>
     </message>
     <message>
         <source>Where do {0} and {1} come to? And {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu satuvad {0} ja {1}? Ja {2}?</translation>
     </message>
     <message>
         <source>{0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}.</translation>
     </message>
     <message>
         <source>Practise: find a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: leidke punkt</translation>
     </message>
     <message>
         <source>{0} and {1} run from {2} to {3} in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1} on pildil kohast {2} kohani {3}.</translation>
     </message>
     <message>
         <source>Mark where a point with {0} and {1} is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märkige, kus on punkt, mille {0} ja {1}.</translation>
     </message>
     <message>
         <source>The column is right. But {0} runs upwards: {1} is the top of the picture. Look at point 1, at {2}: it is close to the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg on õige. Aga {0} kasvab ülespoole: {1} on pildi ülemine serv. Vaadake punkti 1, mille {2}: see on ülemise serva lähedal.</translation>
     </message>
     <message>
         <source>This takes {0} and {1} for shares of the picture from 0 to 1. Both are 0 in the middle of the picture, and {2} at its left and lower edges. Look at point 1, at {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0} ja {1} pildi osadeks 0-st 1-ni. Mõlemad on pildi keskel 0 ning selle vasakul ja alumisel serval {2}. Vaadake punkti 1, mille {3}.</translation>
     </message>
     <message>
         <source>Where is {0}, and where {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on {0} ja kus {1}?</translation>
     </message>
     <message>
         <source>{0} and {1}, where {2} and {3} are the image&apos;s width and height.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, kus {2} ja {3} on pildi laius ja kõrgus.</translation>
     </message>
     <message>
         <source>Practise: the centre of a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: piksli keskpunkt</translation>
     </message>
     <message>
         <source>The pixels of a row are counted from 0. {0} runs from {1} at the left edge of the picture to {2} at the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rea piksleid loetakse alates 0-st. {0} kasvab väärtusest {1} pildi vasakul serval väärtuseni {2} paremal.</translation>
     </message>
     <message>
         <source>The image is {0} pixels wide. At which {1} is the centre of pixel {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi laius on {0} pikslit. Millise {1} juures on piksli {2} keskpunkt?</translation>
     </message>
     <message>
         <source>This is the left edge of the pixel. Its centre is half a pixel farther, at {0}. Look at the numbers beside the frame, from 0 to {1}: pixel {2} reaches from {3} to {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on piksli vasak serv. Selle keskpunkt on poole piksli võrra edasi, kohal {0}. Vaadake numbreid raami kõrval, 0-st kuni {1}: piksel {2} ulatub kohast {3} kohani {4}.</translation>
     </message>
     <message>
         <source>This is its share of the width, from 0 to 1. {0} runs from {1} to {2}: take it twice and subtract 1. Look at the numbers beside the frame, from 0 to {3}: half-way is {4}, not {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on osa laiusest, 0-st 1-ni. {0} kasvab väärtusest {1} väärtuseni {2}: võtke see kaks korda ja lahutage 1. Vaadake numbreid raami kõrval, 0-st kuni {3}: poolel teel on {4}, mitte {5}.</translation>
     </message>
     <message>
         <source>The outermost centres are at the edges</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõige äärmised keskpunktid on servadel</translation>
     </message>
     <message>
         <source>This puts the centres of the outermost pixels at {0} and {1}. These are the edges of the picture; the outermost centres are half a pixel inside. Look at the numbers beside the frame, from 0 to {2}: the first centre is at 0.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii satuvad äärmiste pikslite keskpunktid kohtadele {0} ja {1}. Need on pildi servad; äärmised keskpunktid on poole piksli võrra seespool. Vaadake numbreid raami kõrval, 0-st kuni {2}: esimene keskpunkt on kohal 0.5.</translation>
     </message>
     <message>
         <source>Pixel {0} reaches from {1} to {2} along the row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel {0} ulatub piki rida kohast {1} kohani {2}.</translation>
     </message>
     <message>
         <source>The centre is at {0}, and {1} pixels are 2 wide in {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskpunkt on kohal {0} ja pikslite arvu {1} laius on suuruses {2} kokku 2.</translation>
     </message>
 </context>
 <context>
     <name>l15-clipping</name>
     <message>
         <source>What is cut, and when?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida lõigatakse ja millal?</translation>
     </message>
     <message>
         <source>Behind, and in the middle</source>
-        <translation type="unfinished"></translation>
+        <translation>Taga ja ometi keskel</translation>
     </message>
     <message>
         <source>The eye looks along {0}. A point lies behind it, at {1} in view space. If you divide by its {2} anyway, {3} and {4} are between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm vaatab suunas {0}. Üks punkt on selle taga, kaamerafreimis kohal {1}. Kui te jagate sellest hoolimata arvuga {2}, on {3} ja {4} −1 ja 1 vahel.</translation>
     </message>
     <message>
         <source>Is the point drawn?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kas see punkt joonistatakse?</translation>
     </message>
     <message>
         <source>No</source>
-        <translation type="unfinished"></translation>
+        <translation>Ei</translation>
     </message>
     <message>
         <source>Yes: its {0} and {1} are within the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Jah: selle {0} ja {1} on pildi piires</translation>
     </message>
     <message>
         <source>What is in the picture is in front</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on pildil, on ees</translation>
     </message>
     <message>
         <source>After the division it looks like a point of the picture, but {0} says that it is behind the eye. The test comes before the division, while the sign of {1} is still there. Look from above: point 1 is behind the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pärast jagamist näeb see välja nagu pildi punkt, aga {0} ütleb, et see on silma taga. Kontrollitakse enne jagamist, kui {1} märk on veel alles. Vaadake ülalt: punkt 1 on silma taga.</translation>
     </message>
     <message>
         <source>Yes, but upside down</source>
-        <translation type="unfinished"></translation>
+        <translation>Jah, aga tagurpidi</translation>
     </message>
     <message>
         <source>A camera is a dark box</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera on pime kast</translation>
     </message>
     <message>
         <source>The division would draw it mirrored, as on a film behind a hole. But a camera draws only what is in front of it: the point is removed before the division. Look from above: point 1 is behind the eye, and nothing of the pyramid is there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagamine joonistaks selle peegeldatult, nagu ava taga olevale filmile. Aga kaamera joonistab ainult seda, mis on selle ees: punkt eemaldatakse enne jagamist. Vaadake ülalt: punkt 1 on silma taga ja seal ei ole püramiidist midagi.</translation>
     </message>
     <message>
         <source>A point is kept if {0}. No point with a negative w satisfies this. The test comes before the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt jääb alles, kui {0}. Ükski negatiivse w-ga punkt seda ei rahulda. Kontrollitakse enne jagamist.</translation>
     </message>
     <message>
         <source>Six planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuus tasandit</translation>
     </message>
     <message>
         <source>Before the division the six planes of every lens are the same: {0}. What is wholly inside is drawn, what is wholly beyond one of them is not, and what crosses a plane is cut. An edge from {1} to {2} meets {3} at</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne jagamist on iga objektiivi kuus tasandit samad: {0}. Mis on tervenisti sees, joonistatakse, mis on tervenisti mõne tasandi taga, mitte, ja mis tasandit läbib, lõigatakse läbi. Serv punktist {1} punkti {2} kohtab tasandit {3} kohal</translation>
     </message>
     <message>
         <source>From {0} to {1}: {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktist {0} punkti {1}: {2}.</translation>
     </message>
     <message>
         <source>Step through *Planes that have cut*: each plane cuts what the plane before it has left, and adds two new corners where it crosses. The highlighted face of the cube is the plane of the step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge samm-sammult läbi *Tasandid, mis on lõiganud*: iga tasand lõikab seda, mille eelmine tasand on alles jätnud, ja lisab kaks uut nurka sinna, kus piiri läbib. Esile tõstetud kuubi tahk on selle sammu tasand.</translation>
     </message>
     <message>
         <source>One edge, two planes</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks serv, kaks tasandit</translation>
     </message>
     <message>
         <source>Points 1 and 2 are the ends of an edge: one is 4 units in front of the eye, the other 12. Both are inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktid 1 ja 2 on serva otsad: üks on silmast 4 ühikut eespool, teine 12. Mõlemad on sees.</translation>
     </message>
     <message>
         <source>Let the edge cross near and far, so that both planes cut it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et serv läbib lähi- ja kaugtasandi ja mõlemad tasandid lõikavad seda.</translation>
     </message>
     <message>
         <source>Near must lie beyond point 1, far in front of point 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand peab olema punkti 1 taga, kaugtasand punkti 2 ees.</translation>
     </message>
     <message>
         <source>The planes cut the edge into three pieces; the piece between them is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandid lõikavad serva kolmeks tükiks; nende vahel olev tükk joonistatakse.</translation>
     </message>
     <message>
         <source>Where it is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Kust see lõigatakse</translation>
     </message>
     <message>
         <source>Here are the test points A to E. The eye is at {0} and looks along {1}; far is 11. C is at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on katsepunktid A kuni E. Silm on kohal {0} ja vaatab suunas {1}; kaugtasand on 11. C on kohal {2}.</translation>
     </message>
     <message>
         <source>An edge runs from {0} to {1} in clip space. At which t does it meet {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Serv läheb kärperuumis punktist {0} punkti {1}. Millise t juures kohtab see tasandit {2}?</translation>
     </message>
     <message>
         <source>This looks for {0}. Before the division the plane is {1}, and {2} changes along the edge as well. Look from above at the side of the pyramid: it slants, because there {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii otsitakse kohta {0}. Enne jagamist on tasandiks {1} ja ka {2} muutub piki serva. Vaadake ülalt püramiidi külge: see on kaldu, sest seal {3}.</translation>
     </message>
     <message>
         <source>The share in the picture is the share of the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Osa pildil on osa servast</translation>
     </message>
     <message>
         <source>This is the place in the picture, after the division. Along the edge itself {0} changes evenly, {1} does not. Look from above at the side of the pyramid: an edge is cut there, in the world, before it is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on koht pildil, pärast jagamist. Piki serva ennast muutub ühtlaselt {0}, mitte {1}. Vaadake ülalt püramiidi külge: serv lõigatakse seal, maailmas, enne kui see joonistatakse.</translation>
     </message>
     <message>
         <source>{0} is 1 at one end and −5 at the other. Where is it 0?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on ühes otsas 1 ja teises −5. Kus on see 0?</translation>
     </message>
     <message>
         <source>{0}. Both x and w change along the edge; in NDC the same place is at 4/9.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Piki serva muutuvad nii x kui ka w; NDC-s on sama koht 4/9 peal.</translation>
     </message>
     <message>
         <source>From which value of far on is C inside?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millisest kaugtasandi väärtusest alates on C sees?</translation>
     </message>
     <message>
         <source>This measures straight from the eye to C. The far plane is a plane, not a sphere: only the depth along the axis counts. Look from above at far = 12.5: C is inside, though it is 13.9 away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse silmast otse C-ni. Kaugtasand on tasand, mitte kera: loeb ainult sügavus piki telge. Vaadake ülalt, kui kaugtasand = 12.5: C on sees, kuigi see on 13.9 kaugusel.</translation>
     </message>
     <message>
         <source>The far plane is a plane: only the depth matters.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on tasand: loeb ainult sügavus.</translation>
     </message>
     <message>
         <source>{0}, however far C is to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, ükskõik kui kaugel kõrval C on.</translation>
     </message>
     <message>
         <source>Just four</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult neli</translation>
     </message>
     <message>
         <source>A test point with a grey name is outside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Halli nimega katsepunkt on väljas.</translation>
     </message>
     <message>
         <source>With near and far alone, make exactly four of the five test points lie inside.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke ainult lähi- ja kaugtasandiga nii, et viiest katsepunktist oleks sees täpselt neli.</translation>
     </message>
     <message>
         <source>Which points lie outside because of their depth, and which are beyond a side?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised punktid on väljas oma sügavuse tõttu ja millised jäävad mõnest küljest väljapoole?</translation>
     </message>
     <message>
         <source>Take far back, and watch *test points inside*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige kaugtasand kaugemale ja jälgige arvu *katsepunkte sees*.</translation>
     </message>
     <message>
         <source>Neither near nor far brings back what the sides cut off.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seda, mille küljed ära lõikavad, ei too tagasi ei lähi- ega kaugtasand.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Selle {0} on −1 ja 1 vahel, seega on see pildil“: see on ahvatlev, sest pärast jagamist ei ole enam muud kontrolli. Aga jagamine on kaotanud {1} märgi. Silma taga olev punkt näeb siis välja nagu ees olev, tagurpidi ja teisel pool. Seepärast kärpige enne jagamist, tingimusega {2}; lähitasand eemaldab kõik, mille {3} ei ole positiivne.</translation>
     </message>
     <message>
         <source>Practise: where an edge leaves</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kus serv väljub</translation>
     </message>
     <message>
         <source>The edge from point 1 to point 2 leaves the view volume at the plane {0}. It is cut before the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>Serv punktist 1 punkti 2 väljub nähtavast ruumist tasandil {0}. See lõigatakse enne jagamist.</translation>
     </message>
     <message>
         <source>In clip space point 1 has {0}, {1} and point 2 has {2}, {3}. At which {4}, from point 1 to point 2, does the edge meet {5}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kärperuumis on punktil 1 {0}, {1} ja punktil 2 {2}, {3}. Millise {4} juures, punktist 1 punkti 2, kohtab serv tasandit {5}?</translation>
     </message>
     <message>
         <source>This is the place in the picture, after the division. Along the edge itself {0} changes evenly, {1} does not. Look from above at the edge from 1 to 2: it is cut there, not in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on koht pildil, pärast jagamist. Piki serva ennast muutub ühtlaselt {0}, mitte {1}. Vaadake ülalt serva 1-st 2-ni: see lõigatakse seal, mitte pildil.</translation>
     </message>
     <message>
         <source>{0} changes evenly along the edge. How large is it at point 1, and at point 2?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} muutub piki serva ühtlaselt. Kui suur on see punktis 1 ja punktis 2?</translation>
     </message>
     <message>
         <source>{0} is {1} at point 1 and negative at point 2; at {2} it is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on punktis 1 {1} ja punktis 2 negatiivne; kohal {2} on see 0.</translation>
     </message>
     <message>
         <source>Practise: cut by near</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: lõikab lähitasand</translation>
     </message>
     <message>
         <source>Point 1 is in front of the camera, point 2 behind it. The near plane cuts the edge between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on kaamera ees, punkt 2 selle taga. Lähitasand lõikab nendevahelist serva.</translation>
     </message>
     <message>
         <source>In view space point 1 is at {0}, point 2 at {1}, and near is {2}. In this picture {3}. Mark where the image of the edge ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimis on punkt 1 kohal {0}, punkt 2 kohal {1} ja lähitasand on {2}. Sellel pildil {3}. Märkige, kus serva kujutis lõpeb.</translation>
     </message>
     <message>
         <source>This divides point 2, which is behind the camera: its image is mirrored. First cut the edge at {0}, then divide. Look from above: point 2 is behind the eye, and near cuts the edge before it comes there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse punkti 2, mis on kaamera taga: selle kujutis on peegeldatud. Enne lõigake serv kohal {0}, siis jagage. Vaadake ülalt: punkt 2 on silma taga ja lähitasand lõikab serva, enne kui see sinna jõuab.</translation>
     </message>
     <message>
         <source>This goes from one image to the other by the right {0}. Cut the edge in view space: take {1} at this {2}, then divide. Look from above: near cuts the edge in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii minnakse ühest kujutisest teiseni õige {0} võrra. Lõigake serv kaamerafreimis: võtke selle {2} juures {1}, siis jagage. Vaadake ülalt: lähitasand lõikab serva maailmas.</translation>
     </message>
     <message>
         <source>At which {0} is {1}? Go from {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise {0} juures on {1}? Minge väärtusest {2} väärtuseni {3}.</translation>
     </message>
     <message>
         <source>{0} at the cut is {1}; {2} is the right edge of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on lõikekohas {1}; {2} on pildi parem serv.</translation>
     </message>
     <message>
         <source>{0}, and the x there is divided by its depth {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja sealne x jagatakse selle sügavusega {1}.</translation>
     </message>
     <message>
         <source>Practise: cut by far</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: lõikab kaugtasand</translation>
     </message>
     <message>
         <source>The far plane cuts the edge from point 1 to point 2; {0} is 0 at point 1 and 1 at point 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand lõikab serva punktist 1 punkti 2; {0} on punktis 1 0 ja punktis 2 1.</translation>
     </message>
     <message>
         <source>In view space point 1 is at {0} and point 2 at {1}. Set far so that it cuts the edge at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimis on punkt 1 kohal {0} ja punkt 2 kohal {1}. Seadke kaugtasand nii, et see lõikab serva kohal {2}.</translation>
     </message>
     <message>
         <source>Which depth does the edge have at {0}? It changes evenly from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline on serva sügavus kohal {0}? See muutub ühtlaselt väärtusest {1} väärtuseni {2}.</translation>
     </message>
     <message>
         <source>{0} {1} {2}. How far the points are to the side does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} {2}. Kui kaugel kõrval punktid on, ei loe.</translation>
     </message>
     <message>
         <source>This measures straight from the eye. Far is a plane across the axis, and only the depth counts. Look from above: your far cuts the edge too far out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse otse silmast. Kaugtasand on teljega risti olev tasand ja loeb ainult sügavus. Vaadake ülalt: teie kaugtasand lõikab serva liiga kaugel.</translation>
     </message>
 </context>
 <context>
     <name>l16-eye-plane</name>
     <message>
         <source>A line through the eye plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõik läbi silmatasandi</translation>
     </message>
     <message>
         <source>Both ends have an image</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemal otsal on kujutis</translation>
     </message>
     <message>
         <source>In camera space point 1 is A, at {0}, and point 2 is B, at {1}, behind the camera. With {2} the division gives {3} for each: 0.5 for A and −0.5 for B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimis on punkt 1 A, kohal {0}, ja punkt 2 B, kohal {1}, kaamera taga. Kui {2}, annab jagamine kummagi jaoks {3}: A jaoks 0.5 ja B jaoks −0.5.</translation>
     </message>
     <message>
         <source>Which {0} does the image of the segment AB cover?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised {0} katab lõigu AB kujutis?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, the way from one to the other</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5-st −0.5-ni, ühest teiseni</translation>
     </message>
     <message>
         <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab üle iga tõkke: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5-st lõpmatuseni</translation>
     </message>
     <message>
         <source>Just 0.5: B is behind the camera and does not count</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult 0.5: B on kaamera taga ja ei loe</translation>
     </message>
     <message>
         <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>A on ainult üks ots. See pool lõigust AB, mis on A ja tasandi {0} vahel, on kaamera ees ja selle igal punktil on kujutis. Vaadake pilti: kujutis algab punktist A&apos; ja väljub pildilt paremalt.</translation>
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
-        <translation type="unfinished"></translation>
+        <translation>A-st alates läheneb lõik silmatasandile {0}; x jääb 1, nii et {1} kasvab üle iga tõkke. Silmatasandi taga oleval osal kujutist ei ole.</translation>
     </message>
     <message>
         <source>Cut before the divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõigake enne jagamist</translation>
     </message>
     <message>
         <source>Lecture 004 cuts the segment at {0} before dividing:</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng 004 lõikab lõigu enne jagamist läbi kohal {0}:</translation>
     </message>
     <message>
         <source>The scene&apos;s controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world&apos;s {3}, so in camera space they are {4} and {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stseeni juhtelementides on A ja B maailma koordinaatides, {0} ja {1}; silm on kohal {2} ja vaatab maailma suunas {3}, seega on need kaamerafreimis {4} ja {5}.</translation>
     </message>
     <message>
         <source>At the cut {0} and {1}, with {2}: far outside the picture, on the right. The naive division goes to {3} instead, on the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõikekohas on {0} ja {1}, kui {2}: kaugel pildist väljas, paremal. Naiivne jagamine läheb hoopis kohale {3}, vasakul.</translation>
     </message>
     <message>
         <source>*Image* shows the three ways: *naive*, divided without a cut; *cut*, at {0}; and *clipped*, in homogeneous coordinates, which need no such number.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Pilt* näitab kolme viisi: *naiivne*, jagatud ilma lõiketa; *lõigatud*, kohal {0}; ja *kärbitud*, homogeensetes koordinaatides, mis sellist arvu ei vaja.</translation>
     </message>
     <message>
         <source>Case 4</source>
-        <translation type="unfinished"></translation>
+        <translation>Juhtum 4</translation>
     </message>
     <message>
         <source>The lecture distinguishes four cases by which ends lie in front of the camera. Now both are in front: case 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng eristab nelja juhtumit selle järgi, kumb ots on kaamera ees. Praegu on ees mõlemad: juhtum 1.</translation>
     </message>
     <message>
         <source>Make it case 4: A in front of the camera, B behind it. (The controls are in world coordinates; the eye is at z = 4.)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke sellest juhtum 4: A kaamera ees, B selle taga. (Juhtelemendid on maailma koordinaatides; silm on kohal z = 4.)</translation>
     </message>
     <message>
         <source>Move the camera nearer, or drag B in *World*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige kaamera lähemale või lohistage B-d paanis *Maailm*.</translation>
     </message>
     <message>
         <source>B must go behind the plane marked {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>B peab minema tasandi taha, millel on märk {0}.</translation>
     </message>
     <message>
         <source>Now the image of AB leaves the picture and goes on to infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd väljub AB kujutis pildilt ja läheb edasi lõpmatusse.</translation>
     </message>
     <message>
         <source>At the cut</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõikekohas</translation>
     </message>
     <message>
         <source>In this segment A is at {0} in camera space and B at {1}. It is cut at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selles lõigus on A kaamerafreimis kohal {0} ja B kohal {1}. See lõigatakse läbi kohal {2}.</translation>
     </message>
     <message>
         <source>At which t, from A to B, is the cut?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise t juures, A-st B-ni, on lõikekoht?</translation>
     </message>
     <message>
         <source>The cut is at the eye plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõikekoht on silmatasandil</translation>
     </message>
     <message>
         <source>This is where {0}, in the eye plane, where the division is by 0. The lecture cuts a little before it, at {1}. Look at the plane {2}: it goes through the eye, where nothing has an image.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on koht, kus {0}, silmatasandil, kus jagatakse 0-ga. Loeng lõikab natuke enne seda, kohal {1}. Vaadake tasandit {2}: see läbib silma, kus millelgi ei ole kujutist.</translation>
     </message>
     <message>
         <source>Put {0} into {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pange {0} võrrandisse {1}.</translation>
     </message>
     <message>
         <source>{0}, a little before the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, natuke enne keskkohta.</translation>
     </message>
     <message>
         <source>At which {0} is the image of the cut, with {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise {0} juures on lõikekoha kujutis, kui {1}?</translation>
     </message>
     <message>
         <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse B-d, mis on kaamera taga. Kujutis on ainult sellel osal, mis on kohast {0} eespool, ja see lõpeb lõikekohas. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>The side is wrong: at the cut {0} is positive, so {1} has the sign of x. Look at the image: it leaves the picture on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool on vale: lõikekohas on {0} positiivne, seega on suurusel {1} sama märk mis x-il. Vaadake pilti: kujutis väljub pildilt paremalt.</translation>
     </message>
     <message>
         <source>First x at the cut, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne x lõikekohas: {0}.</translation>
     </message>
     <message>
         <source>{0}, so {1}: the line runs out of the picture on the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega {1}: joon väljub pildilt paremalt.</translation>
     </message>
     <message>
         <source>Case 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Juhtum 2</translation>
     </message>
     <message>
         <source>If both ends are behind the camera, nothing is drawn. The naive division draws the segment anyway, mirrored.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui mõlemad otsad on kaamera taga, ei joonistata midagi. Naiivne jagamine joonistab lõigu ometi, peegeldatult.</translation>
     </message>
     <message>
         <source>Make it case 2, with B where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke sellest juhtum 2 ja jätke B oma kohale.</translation>
     </message>
     <message>
         <source>A must go behind the plane {0} too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ka A peab minema tasandi {0} taha.</translation>
     </message>
     <message>
         <source>In this case the lecture only remembers the end point and draws no line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selles juhtumis jätab loeng ainult lõpp-punkti meelde ega joonista joont.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks otsa, kaks kujutist ja nende vahel joon: iga kaamera ees olev lõik joonistatakse nii, seega on see ahvatlev ka siin. Aga lõik läbib tasandi {0} ja sellel punktil kujutist ei ole. Kujutis läheb ühel pool lõpmatusse ja peegeldatud ülejääk tuleb teiselt poolt tagasi. A&apos; ja B&apos; ühendamine joonistab täpselt selle osa sirgest, mis *ei ole* AB kujutis. Seepärast enne lõigake, siis jagage.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: lõigake, siis jagage</translation>
     </message>
     <message>
         <source>AB is cut at {0} in camera space, and then divided: {1} with {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>AB lõigatakse kaamerafreimis läbi kohal {0} ja jagatakse siis: {1}, kus {2}.</translation>
     </message>
     <message>
         <source>In camera space A is at {0}, {1} and B at {2}, {3}; {4} is 0. At which {5} is the image of the cut?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimis on A kohal {0}, {1} ja B kohal {2}, {3}; {4} on 0. Millise {5} juures on lõikekoha kujutis?</translation>
     </message>
     <message>
         <source>This divides B, which is behind the camera. Only the part of AB in front of {0} has an image, and it ends at the cut. Look from above: B is behind the plane {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse B-d, mis on kaamera taga. Kujutis on ainult sellel AB osal, mis on kohast {0} eespool, ja see lõpeb lõikekohas. Vaadake ülalt: B on tasandi {1} taga.</translation>
     </message>
     <message>
         <source>The side is wrong: at the cut {0} is positive, so {1} has the sign of {2}. Look from above: the cut, just before the plane {3}, is on the side of its {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool on vale: lõikekohas on {0} positiivne, seega on suurusel {1} sama märk mis suurusel {2}. Vaadake ülalt: lõikekoht, kohe tasandi {3} ees, on samal pool kui selle {4}.</translation>
     </message>
     <message>
         <source>At which {0} from A to B is {1}? There {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Millise {0} juures A-st B-ni on {1}? Seal {2}.</translation>
     </message>
     <message>
         <source>{0}; the {1} there is divided by 0.01.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; sealne {1} jagatakse arvuga 0.01.</translation>
     </message>
     <message>
         <source>Practise: the right piece</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: õige tükk</translation>
     </message>
     <message>
         <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
-        <translation type="unfinished"></translation>
+        <translation>A on kaamera ees, B selle taga. Pildil on nende kujutised A&apos; ja B&apos; ühendatud, nagu teeb jagamine üksi.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märkige, kus AB õige kujutis pildilt väljub.</translation>
     </message>
     <message>
         <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on B&apos;, kaamera taga oleva punkti peegeldatud kujutis. Õige kujutis ei jõua kunagi sinna. Vaadake maailma: B on tasandi {0} taga.</translation>
     </message>
     <message>
         <source>Through B&apos; and on</source>
-        <translation type="unfinished"></translation>
+        <translation>Läbi B&apos; ja edasi</translation>
     </message>
     <message>
         <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii minnakse A&apos;-st läbi B&apos; ja edasi. B&apos; on peegeldatud, seega läheb õige kujutis A&apos;-st vastassuunas. Vaadake maailma: teel A-st tasandini {0} väljub serv püramiidist ühelt poolt.</translation>
     </message>
     <message>
         <source>It lies on the same line. On which side of A&apos;?</source>
-        <translation type="unfinished"></translation>
+        <translation>See on samal sirgel. Kummal pool punkti A&apos;?</translation>
     </message>
     <message>
         <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See algab punktist A&apos; ja läheb punktist B&apos; eemale. Suurustes {0} ja {1} on {2}, {3} ja pildi serv on kohal {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: neli juhtumit</translation>
     </message>
     <message>
         <source>Case 1: both ends are in front of the camera. Case 2: both are behind it. Case 3: only A is behind it. Case 4: only B is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Juhtum 1: mõlemad otsad on kaamera ees. Juhtum 2: mõlemad on selle taga. Juhtum 3: taga on ainult A. Juhtum 4: taga on ainult B.</translation>
     </message>
     <message>
         <source>Make it case {0}. Leave A and B where they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke sellest juhtum {0}. Jätke A ja B oma kohale.</translation>
     </message>
     <message>
         <source>What is behind the camera lies beyond the plane marked {0}. Move the camera, or turn it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on kaamera taga, on teisel pool tasandit, millel on märk {0}. Liigutage kaamerat või pöörake seda.</translation>
     </message>
     <message>
         <source>In camera space the ends behind the camera have {0}. So it is with the eye at {1}, if it looks towards {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimis on kaamera taga olevatel otstel {0}. Nii on see, kui silm on kohal {1} ja vaatab koha {2} poole.</translation>
     </message>
 </context>
 <context>
     <name>l17-depth-buffer</name>
     <message>
         <source>What eats the depth buffer?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis sööb sügavuspuhvrit?</translation>
     </message>
     <message>
         <source>Half of the range gone</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool vahemikust kadunud</translation>
     </message>
     <message>
         <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavuspuhver hoiab iga piksli jaoks üht koodi, siin 16-bitist. Pind 2 on pinna 1 taga. Kus mõlemad saavad sama koodi, näete seda, mis joonistati viimasena; sellest on triibud kaldtee kaugemas otsas. Stseeni arvud ütlevad, kui suur peab vahe sihtpunkti juures, 20 ühiku kaugusel, olema, et seda kindlasti eristataks.</translation>
     </message>
     <message>
         <source>Far moves in from 100 to 50. By how much does the gap needed at 20 units shrink?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand tuuakse lähemale, 100-lt 50-le. Kui palju väheneb 20 ühiku kaugusel vajalik vahe?</translation>
     </message>
     <message>
         <source>by 50 %</source>
-        <translation type="unfinished"></translation>
+        <translation>50 %</translation>
     </message>
     <message>
         <source>This spreads the codes evenly from near to far, so that half of the range would need half as many. Most codes lie just behind near; the part from 50 to 100 had hardly any to give. Look at both pictures: as much of the ramp is striped, though single stripes move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse koodid lähitasandist kaugtasandini ühtlaselt, nii et pool vahemikku vajaks poole vähem. Enamik koode on kohe lähitasandi taga; osal 50-st 100-ni ei olnud peaaegu midagi ära anda. Vaadake mõlemat pilti: kaldteest on triibuline sama suur osa, kuigi üksikud triibud nihkuvad.</translation>
     </message>
     <message>
         <source>far 100</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand 100</translation>
     </message>
     <message>
         <source>far 50</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand 50</translation>
     </message>
     <message>
         <source>by 0.1 %</source>
-        <translation type="unfinished"></translation>
+        <translation>0.1 %</translation>
     </message>
     <message>
         <source>by 75 %</source>
-        <translation type="unfinished"></translation>
+        <translation>75 %</translation>
     </message>
     <message>
         <source>The square belongs to the distance {0} of the surfaces, which has not changed; far enters as {1}. Look at both pictures: as much of the ramp is striped, though single stripes move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruut kuulub pindade kauguse {0} juurde, mis ei ole muutunud; kaugtasand on valemis kujul {1}. Vaadake mõlemat pilti: kaldteest on triibuline sama suur osa, kuigi üksikud triibud nihkuvad.</translation>
     </message>
     <message>
         <source>Depth depends on {0}, and {1} has only become {2}. (Single stripes move with every change of the codes, and with the size of the picture; the gap does not depend on it.)</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus sõltub suurusest {0}, ja {1} asemele on tulnud ainult {2}. (Üksikud triibud nihkuvad iga koodide muutusega ja pildi suurusega; vahe sellest ei sõltu.)</translation>
     </message>
     <message>
         <source>Where the codes are</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus koodid on</translation>
     </message>
     <message>
         <source>The buffer stores a number from 0 at near to 1 at far. At the distance {0} it is</source>
-        <translation type="unfinished"></translation>
+        <translation>Puhver salvestab arvu, mis on lähitasandil 0 ja kaugtasandil 1. Kaugusel {0} on see</translation>
     </message>
     <message>
         <source>Here {0}, {1}, and point 1 lies at {2}: {3}, as in the row *depth* of the Probe panel. The first two fifths of the way use 97 % of the codes. A step of {4} in {5} is therefore long in the world:</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}, {1} ja punkti 1 kaugus on {2}: {3}, nagu paneeli Sond reas *sügavus*. Kaks esimest viiendikku teest võtavad 97 % koodidest. Samm {4} suuruses {5} on seepärast maailmas pikk:</translation>
     </message>
     <message>
         <source>With 16 bits {0}, and the gap is 0.00598. As {1} is so small, the gap grows with {2}, and a near plane ten times as close makes it ten times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>16 biti korral {0} ja vahe on 0.00598. Kuna {1} on nii väike, kasvab vahe nagu {2}, ja kümme korda lähem lähitasand teeb selle kümme korda suuremaks.</translation>
     </message>
     <message>
         <source>Make it sure</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke see kindlaks</translation>
     </message>
     <message>
         <source>At the start near is 0.1, and the gap that is certain at the target is 0.061.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguses on lähitasand 0.1 ja sihtpunkti juures kindel vahe 0.061.</translation>
     </message>
     <message>
         <source>Make that gap smaller than 0.01, with the whole ramp still between near and far. The ramp begins 3.35 units from the eye and ends at 47.75.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke see vahe väiksemaks kui 0.01 nii, et kogu kaldtee jääb lähi- ja kaugtasandi vahele. Kaldtee algab silmast 3.35 ühiku kaugusel ja lõpeb 47.75 kaugusel.</translation>
     </message>
     <message>
         <source>Which of near and far stands alone in the denominator of the gap?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumb, kas lähi- või kaugtasand, on vahe valemis nimetajas üksi?</translation>
     </message>
     <message>
         <source>Move Near outwards, to 1 or more. More bits, under Format, also work.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige lähitasand kaugemale, 1 või rohkem. Mõjub ka rohkem bitte valikus Vorming.</translation>
     </message>
     <message>
         <source>The stripes are gone. Near matters, and so does the number of bits; far hardly does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Triibud on kadunud. Lähitasand loeb ja loeb ka bittide arv; kaugtasand peaaegu ei loe.</translation>
     </message>
     <message>
         <source>How deep is it stored?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis sügavusena see salvestatakse?</translation>
     </message>
     <message>
         <source>Near is 2 and far is 50. Which number from 0 to 1 is stored for a point at the distance 10?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on 2 ja kaugtasand 50. Milline arv 0-st 1-ni salvestatakse punkti jaoks kaugusel 10?</translation>
     </message>
     <message>
         <source>This spreads the stored numbers evenly from near to far. They change with one over the distance, fast just behind near and hardly at all before far. Look at point 1, 10 away, in the cube: it is close to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse salvestatud arvud lähitasandist kaugtasandini ühtlaselt. Need muutuvad koos kauguse pöördarvuga, kohe lähitasandi taga kiiresti ja enne kaugtasandit peaaegu üldse mitte. Vaadake kuubis punkti 1 kaugusega 10: see on kaugtasandi lähedal.</translation>
     </message>
     <message>
         <source>The buffer holds z&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Puhvris on z&apos;</translation>
     </message>
     <message>
         <source>This is the depth from −1 to 1 of NDC. The buffer begins with 0 at near: add 1, then halve. Look at point 1, 10 away, in the cube: its {0} is your number.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on NDC sügavus −1-st 1-ni. Puhver algab lähitasandil 0-ga: liitke 1 ja võtke pool. Vaadake kuubis punkti 1 kaugusega 10: teie arv on selle {0}.</translation>
     </message>
     <message>
         <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1, 10 away, in the cube: it lies before far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on jäänud ära jagamine kaugusega 10. Ükski salvestatud arv ei ole suurem kui 1, mis on kaugtasandi oma. Vaadake kuubis punkti 1 kaugusega 10: see on kaugtasandi ees.</translation>
     </message>
     <message>
         <source>{0}: the first sixth of the way takes five sixths of the codes.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: esimene kuuendik teest võtab viis kuuendikku koodidest.</translation>
     </message>
     <message>
         <source>The formula for {0} is in step 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suuruse {0} valem on sammus 2.</translation>
     </message>
     <message>
         <source>How far apart must two surfaces be at the distance 40, with a buffer of 16 bits?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur peab olema kahe pinna vahe kaugusel 40, kui puhver on 16-bitine?</translation>
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; at the distance {0} the gap is proportional to {1}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii on vahe igal kaugusel ühesugune. See oleks nii, kui koodid oleksid jaotatud ühtlaselt, aga enamik neist on kohe lähitasandi taga; kaugusel {0} on vahe võrdeline suurusega {1}. Vaadake triipe, kui lähitasand = 0.1: need algavad kaugel ja laienevad koos kaugusega.</translation>
     </message>
     <message>
         <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahe kasvab nagu {0}: see on natuke rohkem kui neli korda stseeni arv sihtpunkti jaoks, mille kaugus on 20.</translation>
     </message>
     <message>
         <source>Back to far</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi kaugtasandi juurde</translation>
     </message>
     <message>
         <source>With far at 50 instead of 100 the range is half as long, so it is tempting to expect codes twice as close. They would be if depth changed evenly. But it changes with {0}, so most codes lie just behind near. The space from 50 to 100 had hardly any, and giving them up gains nothing. Now move *Near* a little and watch the stripes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kaugtasand on 100 asemel 50, on vahemik poole lühem, nii et ahvatlev on oodata kaks korda tihedamaid koode. Nii see oleks, kui sügavus muutuks ühtlaselt. Aga see muutub koos suurusega {0}, seega on enamik koode kohe lähitasandi taga. Vahemikus 50-st 100-ni ei olnud neid peaaegu üldse ja selle äraandmine ei too midagi. Nihutage nüüd natuke *Lähitasandit* ja jälgige triipe.</translation>
     </message>
     <message>
         <source>Practise: a stored depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: salvestatud sügavus</translation>
     </message>
     <message>
         <source>Near is {0}, far is {1}, and point 1 is at the distance {2}, straight ahead. Which number from 0 to 1 is stored for it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on {0}, kaugtasand {1} ja punkt 1 on kaugusel {2}, otse ees. Milline arv 0-st 1-ni selle jaoks salvestatakse?</translation>
     </message>
     <message>
         <source>This spreads the stored numbers evenly from near to far. They change with {0}, fast just behind near and hardly at all before far. Look at point 1 in the cube: it is closer to far than in the world.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse salvestatud arvud lähitasandist kaugtasandini ühtlaselt. Need muutuvad koos suurusega {0}, kohe lähitasandi taga kiiresti ja enne kaugtasandit peaaegu üldse mitte. Vaadake kuubis punkti 1: see on kaugtasandile lähemal kui maailmas.</translation>
     </message>
     <message>
         <source>This is the depth from −1 to 1 of NDC. The buffer begins with 0 at near: add 1, then halve. Look at point 1 in the cube: its {0} is your number.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on NDC sügavus −1-st 1-ni. Puhver algab lähitasandil 0-ga: liitke 1 ja võtke pool. Vaadake kuubis punkti 1: teie arv on selle {0}.</translation>
     </message>
     <message>
         <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1 in the cube: it lies before far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on jäänud ära jagamine suurusega {0}. Ükski salvestatud arv ei ole suurem kui 1, mis on kaugtasandi oma. Vaadake kuubis punkti 1: see on kaugtasandi ees.</translation>
     </message>
     <message>
         <source>It must be 0 for {0} and 1 for {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See peab olema 0, kui {0}, ja 1, kui {1}.</translation>
     </message>
     <message>
         <source>Only {0} is spread evenly, so the formula divides by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühtlaselt jaguneb ainult {0}, seega jagab valem suurusega {1}.</translation>
     </message>
     <message>
         <source>Of the way from near to far, the point has come {0} %.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandist kaugtasandini on punkt läbinud {0} % teest.</translation>
     </message>
     <message>
         <source>Practise: the gap that is certain</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kindel vahe</translation>
     </message>
     <message>
         <source>Near is {0}, far is {1}, and the buffer has 16 bits. Point 1 on the ramp is at the distance {2}. How far behind it must another surface be to be certain of a code of its own?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on {0}, kaugtasand {1} ja puhver on 16-bitine. Punkt 1 kaldteel on kaugusel {2}. Kui kaugel selle taga peab teine pind olema, et saada kindlasti omaette kood?</translation>
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; the gap is proportional to {0}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii on vahe igal kaugusel ühesugune. See oleks nii, kui koodid oleksid jaotatud ühtlaselt, aga enamik neist on kohe lähitasandi taga; vahe on võrdeline suurusega {0}. Vaadake triipe, kui lähitasand = 0.1: need algavad kaugel ja laienevad koos kaugusega.</translation>
     </message>
     <message>
         <source>Twice as far, twice the gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks korda kaugemal, kaks korda suurem vahe</translation>
     </message>
     <message>
         <source>This makes the gap proportional to {0}. The stored number changes with {1}, whose slope is {2}: twice as far needs four times the gap. Look at the stripes with near = 0.1: they widen faster than the distance grows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii on vahe võrdeline suurusega {0}. Salvestatud arv muutub koos suurusega {1}, mille tõus on {2}: kaks korda kaugemal on vaja neli korda suuremat vahet. Vaadake triipe, kui lähitasand = 0.1: need laienevad kiiremini, kui kaugus kasvab.</translation>
     </message>
     <message>
         <source>The 16 bits have {0} steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>16 bitil on {0} sammu.</translation>
     </message>
     <message>
         <source>Share {0} among them: that is {1}, and the gap is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagage nende vahel {0}: see on {1} ja vahe on {2}.</translation>
     </message>
     <message>
         <source>With near twice as far out, the gap would be about half as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lähitasand oleks kaks korda kaugemal, oleks vahe umbes poole väiksem.</translation>
     </message>
     <message>
         <source>Practise: near for a depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: lähitasand sügavuse järgi</translation>
     </message>
     <message>
         <source>Far is {0}, and point 1 is at the distance {1}. Move near until {2} is stored for the point, on the scale from 0 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on {0} ja punkt 1 on kaugusel {1}. Nihutage lähitasandit, kuni punkti jaoks salvestatakse {2}, skaalal 0-st 1-ni.</translation>
     </message>
     <message>
         <source>Solve {0} for {1}; here {2}, {3}, {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaldage võrrandist {0} suurus {1}; siin {2}, {3}, {4}.</translation>
     </message>
     <message>
         <source>{0}. Then type it under Near.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sisestage see siis väljale Lähitasand.</translation>
     </message>
     <message>
         <source>You have set {0} to {1}. The buffer begins with 0 at near: it stores {2}. Look at point 1 in the cube: it is at {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teie seatud {0} on {1}. Puhver algab lähitasandil 0-ga: see salvestab {2}. Vaadake kuubis punkti 1: see on kohal {3}.</translation>
     </message>
 </context>
 <context>
     <name>l18-interpolation</name>
     <message>
         <source>What is half-way?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on poolel teel?</translation>
     </message>
     <message>
         <source>Half-way in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildil poolel teel</translation>
     </message>
     <message>
         <source>A rasteriser knows a quantity {0}, such as a colour or a texture coordinate, at the ends of an edge. It must find {1} at the pixels between. In the Image pane the left edge of the board is marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rasterdaja teab mingit suurust {0}, näiteks värvi või tekstuuri koordinaati, serva otstes. Suurus {1} tuleb leida vahepealsetes pikslites. Paanis Pilt on märgitud laua vasak serv.</translation>
     </message>
     <message>
         <source>The camera goes down until the far end of the marked edge is four times as deep as the near end. Along the edge, {0} grows evenly from 0 at the near end to 1. What is {1} half-way between the two ends in the *picture*?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera läheb alla, kuni märgitud serva kaugema otsa sügavus on neli korda lähema otsa sügavus. Piki serva kasvab {0} ühtlaselt, lähemas otsas on see 0 ja kaugemas 1. Kui suur on {1} kahe otsa vahel poolel teel *pildil*?</translation>
     </message>
     <message>
         <source>This spreads {0} evenly over the picture. The far half of the edge is drawn much shorter than the near half, so the middle of the picture shows a place closer to the near end. Look at the two marks: half-way in the picture is the nearer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse {0} pildil ühtlaselt. Serva kaugem pool joonistatakse palju lühemana kui lähem, nii et pildi keskkoht näitab kohta, mis on lähemale otsale lähemal. Vaadake kaht märki: pildil poolel teel on lähem märk.</translation>
     </message>
     <message>
         <source>The middle of the *edge* is seen there, four fifths of the way in the picture. The question is about half-way in the picture. Look at the two marks: half-way in the world is the farther one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seal on näha *serva* keskkohta, pildil nelja viiendiku peal. Küsitakse pildil poolel teel olevat. Vaadake kaht märki: maailmas poolel teel on kaugem märk.</translation>
     </message>
     <message>
         <source>The last of the scene&apos;s numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viimane stseeni arvudest ütleb 20 %. Kaugemad osad joonistatakse lühemana, nii et neli viiendikku servast jagavad selle pildi kaugemat poolt.</translation>
     </message>
     <message>
         <source>One over the depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavuse pöördarv</translation>
     </message>
     <message>
         <source>Two points have depths {0}, {1} and values {2}, {3}. At the share {4} of the way in the picture,</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahel punktil on sügavused {0}, {1} ja väärtused {2}, {3}. Kui pildil on läbitud osa {4} teest, siis</translation>
     </message>
     <message>
         <source>The edge now begins at 5 and ends at 15. Half-way in the picture {0}, so the place is at the depth 7.5, and {1}. Both diagrams below show straight lines: {2} and the depth {3} may be interpolated directly on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Serv algab nüüd sügavusel 5 ja lõpeb sügavusel 15. Pildil poolel teel on {0}, nii et selle koha sügavus on 7.5, ja {1}. Mõlemad all olevad diagrammid näitavad sirgeid: suurusi {2} ja sügavust {3} võib ekraanil otse interpoleerida.</translation>
     </message>
     <message>
         <source>A quarter off</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerandi võrra mööda</translation>
     </message>
     <message>
         <source>Now the board is drawn *affine*: {0} itself is interpolated, and the checks bend at the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd joonistatakse laud *afiinselt*: interpoleeritakse {0} ise ja ruudud murduvad diagonaalil.</translation>
     </message>
     <message>
         <source>Move the camera until the point half-way in the picture of the marked edge is at most 25 % along the edge. Then affine is wrong by a quarter of the edge. The edge must stay beyond the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage kaamerat, kuni märgitud serva pildil poolel teel olev punkt on serval endal ülimalt 25 % peal. Siis eksib afiinne veerandi serva võrra. Serv peab jääma lähitasandi taha.</translation>
     </message>
     <message>
         <source>One end must be at least three times as deep as the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühe otsa sügavus peab olema vähemalt kolm korda teise oma.</translation>
     </message>
     <message>
         <source>Go nearer with Distance, or lower with Elevation. If the board reaches behind near, make Near smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge lähemale sättega Kaugus või madalamale sättega Tõusunurk. Kui laud ulatub lähitasandi taha, vähendage lähitasandi väärtust.</translation>
     </message>
     <message>
         <source>The deeper the edge leads, the larger the error. Choose *correct* under Interpolation and see what moves.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida sügavamale serv viib, seda suurem on viga. Valige sättes Interpoleerimine *korrektne* ja vaadake, mis liigub.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>The marked edge begins at the depth 5 and ends at 15. A brightness goes from 10 at its near end to 50 at its far end. How bright is it a quarter of the way in the picture, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Märgitud serv algab sügavusel 5 ja lõpeb sügavusel 15. Heledus on lähemas otsas 10 ja kaugemas 50. Kui suur on see siis, kui pildil on läbitud veerand teest, {0}?</translation>
     </message>
     <message>
         <source>This mixes the brightness itself. In the picture only what is divided by the depth changes evenly: divide both ends by their depths, mix, and divide by the mixed {0}. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii segatakse heledust ennast. Pildil muutub ühtlaselt ainult see, mis on sügavusega jagatud: jagage mõlemad otsad oma sügavusega, segage ja jagage segatud suurusega {0}. Vaadake kaht märki: pildil poolel teel ei ole servas poolel teel.</translation>
     </message>
     <message>
         <source>Divide both by their depths, mix, and divide by the mixed {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagage mõlemad oma sügavusega, segage ja jagage segatud suurusega {0}: {1}.</translation>
     </message>
     <message>
         <source>First {0} at both ends, then {1} at both ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne {0} mõlemas otsas, siis {1} mõlemas otsas.</translation>
     </message>
     <message>
         <source>What is the depth of the point a quarter of the way in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline on selle punkti sügavus, kus pildil on läbitud veerand teest?</translation>
     </message>
     <message>
         <source>This mixes the depth itself. In the picture one over the depth changes evenly, not the depth. Look at the two marks: half-way in the picture is nearer than half-way along the edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii segatakse sügavust ennast. Pildil muutub ühtlaselt sügavuse pöördarv, mitte sügavus. Vaadake kaht märki: pildil poolel teel on lähemal kui servas poolel teel.</translation>
     </message>
     <message>
         <source>Back to half-way</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi poole tee juurde</translation>
     </message>
     <message>
         <source>One half was tempting because the picture of a straight edge is straight, and its middle is easy to see. But the division by the depth is not even along the edge: at four times the depth, a piece is drawn a quarter as wide. So half of the picture shows only the nearest fifth. Interpolate the divided quantities, {0} and {1}, and then divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool oli ahvatlev, sest sirge serva pilt on sirge ja selle keskkohta on kerge näha. Aga sügavusega jagamine ei ole piki serva ühtlane: neli korda suuremal sügavusel joonistatakse tükk neli korda lühemana. Nii näitab pool pilti ainult lähimat viiendikku. Interpoleerige jagatud suurusi {0} ja {1} ning jagage siis.</translation>
     </message>
     <message>
         <source>Practise: a value on the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: väärtus poolel teel</translation>
     </message>
     <message>
         <source>Points 1 and 2 are the ends of an edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktid 1 ja 2 on serva otsad.</translation>
     </message>
     <message>
         <source>Point 1 is {0} deep and has {1}. Point 2 is {2} deep and has {3}. What is {4} at the share {5} of the way from 1 to 2 in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti 1 sügavus on {0} ja sellel on {1}. Punkti 2 sügavus on {2} ja sellel on {3}. Kui suur on {4}, kui pildil on punktist 1 punkti 2 läbitud osa {5}?</translation>
     </message>
     <message>
         <source>This mixes {0} itself. In the picture only the divided quantities change evenly: mix {1} and {2}, then divide. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii segatakse suurust {0} ennast. Pildil muutuvad ühtlaselt ainult jagatud suurused: segage {1} ja {2}, siis jagage. Vaadake kaht märki: pildil poolel teel ei ole servas poolel teel.</translation>
     </message>
     <message>
         <source>a/z is a</source>
-        <translation type="unfinished"></translation>
+        <translation>a/z on a</translation>
     </message>
     <message>
         <source>This is {0} at the place, not yet {1}. Divide it by {2} there. Look at the two marks: half-way in the picture is nearer, so {3} counts for more.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on selle koha {0}, mitte veel {1}. Jagage see sealse suurusega {2}. Vaadake kaht märki: pildil poolel teel on lähemal, seega on suurusel {3} suurem kaal.</translation>
     </message>
     <message>
         <source>First {0} and {1} at both ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne {0} ja {1} mõlemas otsas.</translation>
     </message>
     <message>
         <source>Mix each of them, with {0} at point 1 and {1} at point 2; then divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Segage kumbki, kaaluga {0} punktis 1 ja {1} punktis 2; siis jagage.</translation>
     </message>
     <message>
         <source>Point 1 is nearer, so its value counts for more than its share of the way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on lähemal, seega on selle väärtusel suurem kaal kui tema osa teest.</translation>
     </message>
     <message>
         <source>Practise: a depth on the way</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: sügavus poolel teel</translation>
     </message>
     <message>
         <source>A thin rod, drawn in colour, begins at point 1 and ends at point 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Peenike värviline varras algab punktis 1 ja lõpeb punktis 2.</translation>
     </message>
     <message>
         <source>Point 1 is {0} deep, point 2 is {1} deep. How deep is the place that is seen at the share {2} of the way from 1 to 2 in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Kui sügaval on koht, mida on näha, kui pildil on punktist 1 punkti 2 läbitud osa {2}?</translation>
     </message>
     <message>
         <source>This mixes the depth itself. In the picture {0} changes evenly, not {1}. Look from above at point 3, half-way in the picture: it is closer to point 1 than to point 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii segatakse sügavust ennast. Pildil muutub ühtlaselt {0}, mitte {1}. Vaadake ülalt punkti 3, mis on pildil poolel teel: see on punktile 1 lähemal kui punktile 2.</translation>
     </message>
     <message>
         <source>The way begins at point 2</source>
-        <translation type="unfinished"></translation>
+        <translation>Tee algab punktist 2</translation>
     </message>
     <message>
         <source>This goes from point 2 to point 1: at {0} the place must be point 1. Look from above: point 1 is the nearer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii minnakse punktist 2 punkti 1: kui {0}, peab see koht olema punkt 1. Vaadake ülalt: lähem on punkt 1.</translation>
     </message>
     <message>
         <source>What changes evenly in the picture is {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildil muutub ühtlaselt {0}.</translation>
     </message>
     <message>
         <source>The place {0} of the way along the rod itself is deeper: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koht, kus varda endal on läbitud osa {0}, on sügavamal: {1}.</translation>
     </message>
     <message>
         <source>Practise: the middle of a rod</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: varda keskkoht</translation>
     </message>
     <message>
         <source>Point 1 is {0} deep, point 2 is {1} deep. Mark where the picture shows the middle of the rod.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Märkige, kus pilt näitab varda keskkohta.</translation>
     </message>
     <message>
         <source>This is the middle of the picture of the rod. The far half of the rod is drawn shorter than the near half, so the middle of the rod is seen closer to point 2. Look from above at point 3, which you have marked: it is closer to point 1 than to point 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on varda pildi keskkoht. Varda kaugem pool joonistatakse lühemana kui lähem, nii et varda keskkohta on näha punktile 2 lähemal. Vaadake ülalt punkti 3, mille te märkisite: see on punktile 1 lähemal kui punktile 2.</translation>
     </message>
     <message>
         <source>The near half is the short one</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähem pool on lühem</translation>
     </message>
     <message>
         <source>This is as far from point 1 as the middle is from point 2. The near half of the rod is drawn longer, so the middle is seen closer to point 2. Look from above: point 1 is the nearer one.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punktist 1 sama kaugel, kui keskkoht on punktist 2. Varda lähem pool joonistatakse pikemana, nii et keskkohta on näha punktile 2 lähemal. Vaadake ülalt: lähem on punkt 1.</translation>
     </message>
     <message>
         <source>At the middle of the rod, {0} is {1}. At which share {2} of the way in the picture is that?</source>
-        <translation type="unfinished"></translation>
+        <translation>Varda keskkohas on {0} {1}. Kui suur osa {2} teest on siis pildil läbitud?</translation>
     </message>
     <message>
         <source>{0}, seen from point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, punktist 1 vaadates.</translation>
     </message>
     <message>
         <source>It is seen at the share {0} of the way from point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seda on näha kohas, kus punktist 1 on läbitud osa {0}.</translation>
     </message>
 </context>
 <context>
     <name>l19-planar-shadow</name>
     <message>
         <source>Where does the shadow fall?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu langeb vari?</translation>
     </message>
     <message>
         <source>A lamp instead of the sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp päikese asemel</translation>
     </message>
     <message>
         <source>The sun is in the direction {0}. The corner {1} at the top of the F has its shadow at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Päike on suunas {0}. F-i ülaosa nurga {1} vari on kohal {2}.</translation>
     </message>
     <message>
         <source>A lamp at the point {0} takes the place of the sun. At which {1} is the shadow of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Päikese asemele tuleb lamp punktis {0}. Millise {1} juures on punkti {2} vari?</translation>
     </message>
     <message>
         <source>at 3, as before</source>
-        <translation type="unfinished"></translation>
+        <translation>kohal 3, nagu enne</translation>
     </message>
     <message>
         <source>This takes the three numbers for a direction that all rays share, as the sun&apos;s are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun&apos;s. Look at the ray: it begins at the lamp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse need kolm arvu suunaks, mis on kõigil kiirtel ühine, nagu päikesel. Lambil on need asukoht: selle kiir läbi punkti {0} algab sellest kohast ja on laugem kui päikese oma. Vaadake kiirt: see algab lambist.</translation>
     </message>
     <message>
         <source>at 6</source>
-        <translation type="unfinished"></translation>
+        <translation>kohal 6</translation>
     </message>
     <message>
         <source>at 1.5, below P</source>
-        <translation type="unfinished"></translation>
+        <translation>kohal 1.5, P all</translation>
     </message>
     <message>
         <source>It would be there if the lamp were directly above {0}. This lamp is 4.5 to the left of {1}. Look at this lamp, which is directly above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seal oleks see siis, kui lamp oleks otse punkti {0} kohal. See lamp on punktist {1} 4.5 võrra vasakul. Vaadake seda lampi, mis on otse punkti {2} kohal.</translation>
     </message>
     <message>
         <source>From the lamp to {0} the ray goes 4.5 to the right and 5 down; to the ground it is 10 down, so 9 to the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lambist punktini {0} läheb kiir 4.5 paremale ja 5 alla; maani on 10 alla, seega 9 paremale.</translation>
     </message>
     <message>
         <source>A projection from the light</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioon valgusallikast</translation>
     </message>
     <message>
         <source>A shadow is a projection: the light {0} is its centre, and the ground is its picture plane. The ray from {1} through {2} meets {3} at</source>
-        <translation type="unfinished"></translation>
+        <translation>Vari on projektsioon: valgusallikas {0} on selle keskpunkt ja maa selle pilditasand. Kiir punktist {1} läbi punkti {2} kohtab tasandit {3} punktis</translation>
     </message>
     <message>
         <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese puhul on suurusel {5} {6} ja kiired on paralleelsed.</translation>
     </message>
     <message>
         <source>Put the shadow there</source>
-        <translation type="unfinished"></translation>
+        <translation>Pange vari sinna</translation>
     </message>
     <message>
         <source>Move the lamp until the shadow of {0} is at {1}. It must stay a lamp, and above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage lampi, kuni punkti {0} vari on kohal {1}. See peab jääma lambiks ja olema punktist {2} kõrgemal.</translation>
     </message>
     <message>
         <source>Drag the lamp in the World pane, or type under Light L.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lampi paanis Maailm või sisestage see väljale Valgus L.</translation>
     </message>
     <message>
         <source>A higher lamp casts a shorter shadow. At {0} it must be 11.4 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõrgem lamp heidab lühema varju. Kui {0}, peab selle kõrgus olema 11.4.</translation>
     </message>
     <message>
         <source>Any lamp on a line from {0} through {1} will do.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobib iga lamp sirgel, mis läheb punktist {0} läbi punkti {1}.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>You see the shadow that the *sun* casts from the direction {0}. Where, in {1}, would the shadow of {2} be with a *lamp* at the point {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Näete varju, mille heidab *päike* suunast {0}. Kus oleks suuruses {1} punkti {2} vari, kui punktis {3} oleks *lamp*?</translation>
     </message>
     <message>
         <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on päikese vari, mida te näete. Lambi kiirel on teine suund: lambist punktini {0} läheb see 7.5 paremale ja 3 alla. Vaadake kiirt: see algab lambist.</translation>
     </message>
     <message>
         <source>{0} is 7.5 to the right of {1} and 3 below it. How far down is the ground?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on punktist {1} 7.5 võrra paremal ja 3 võrra allpool. Kui palju on maani?</translation>
     </message>
     <message>
         <source>The plane moves down to {0}, so {1}. What is the cell of the lamp&apos;s matrix in row 1, column 1, {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasand läheb alla kohani {0}, seega {1}. Mis on lambi maatriksi reas 1 ja veerus 1: {2}?</translation>
     </message>
     <message>
         <source>This is {0} of the sun, whose {1} is 0. A lamp has {2}, so the 2 of the plane counts too. Look at the lamp and the plane: the plane is 2 lower than before.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on päikese {0}, mille {1} on 0. Lambil on {2}, seega loeb ka tasandi 2. Vaadake lampi ja tasandit: tasand on enne olnust 2 võrra madalamal.</translation>
     </message>
     <message>
         <source>{0} is the height of the lamp above the plane. For the sun, with {1}, the height of the plane would not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on lambi kõrgus tasandist. Päikese puhul, kus {1}, tasandi kõrgus ei loeks.</translation>
     </message>
     <message>
         <source>Back to the lamp</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi lambi juurde</translation>
     </message>
     <message>
         <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
-        <translation type="unfinished"></translation>
+        <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke *Valguse liiki* ja jälgige F-i ülemist otsa, siis alumist.</translation>
     </message>
     <message>
         <source>Practise: a lamp&apos;s shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: lambi vari</translation>
     </message>
     <message>
         <source>A lamp {0} shines on {1}, the corner at the top right of the F. The ground is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp {0} valgustab punkti {1}, mis on F-i ülemine parem nurk. Maa on {2}.</translation>
     </message>
     <message>
         <source>The lamp is at {0}, and {1} is at {2}. At which {3} is the shadow of {4}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp on kohal {0} ja {1} kohal {2}. Millise {3} juures on punkti {4} vari?</translation>
     </message>
     <message>
         <source>This takes the lamp&apos;s place for the sun&apos;s direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun&apos;s ray through {2}: it has another direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse päikese suunaks lambi asukoht. Kiir läbi punkti {0} algab lambist: selle suund on {1}. Vaadake päikese kiirt läbi punkti {2}: sellel on teine suund.</translation>
     </message>
     <message>
         <source>The ray begins at P</source>
-        <translation type="unfinished"></translation>
+        <translation>Kiir algab punktist P</translation>
     </message>
     <message>
         <source>This begins at {0}. The ray begins at the lamp and comes down by the whole height of the lamp, so begin at {1}. Look at the ray: it begins at the lamp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii alustatakse punktist {0}. Kiir algab lambist ja laskub kogu lambi kõrguse võrra, seega alustage kohast {1}. Vaadake kiirt: see algab lambist.</translation>
     </message>
     <message>
         <source>From {0} to {1} the ray comes down by {2}. By how much from {3} to the ground?</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktist {0} punkti {1} laskub kiir {2} võrra. Kui palju punktist {3} maani?</translation>
     </message>
     <message>
         <source>To the right it goes {0} from {1} to {2}, and in proportion farther to the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paremale läheb see punktist {1} punkti {2} {0} võrra ja maani võrdeliselt kaugemale.</translation>
     </message>
     <message>
         <source>From {0} the ray goes on to the right by {1}, in the ratio of 5 to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktist {0} läheb kiir paremale edasi {1} võrra, suhtes 5 ja {2}.</translation>
     </message>
     <message>
         <source>Practise: a row of S</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: S-i rida</translation>
     </message>
     <message>
         <source>{0}, with the lamp {1} and the plane {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus lamp on {1} ja tasand {2}.</translation>
     </message>
     <message>
         <source>The lamp is at {0} and the plane is {1}. What is the first row of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp on kohal {0} ja tasand on {1}. Mis on maatriksi {2} esimene rida?</translation>
     </message>
     <message>
         <source>{0} holds for the sun, whose {1} is 0. A lamp has {2}, so {3}, its height above the plane. Look at the lamp and the plane: the plane is lower than {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kehtib päikese kohta, mille {1} on 0. Lambil on {2}, seega {3}, mis on selle kõrgus tasandist. Vaadake lampi ja tasandit: tasand on madalamal kui {4}.</translation>
     </message>
     <message>
         <source>This takes {0} for {1}. The first row of {2} is {3} times {4}. Look at {5} and {6}: {7} of the shadow depends on the height of {8}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {1} asemel {0}. Maatriksi {2} esimene rida on {3} korda {4}. Vaadake punkte {5} ja {6}: varju {7} sõltub punkti {8} kõrgusest.</translation>
     </message>
     <message>
         <source>The plane ends in h</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandi lõpus on h</translation>
     </message>
     <message>
         <source>This takes {0}. The plane {1} has {2}, so its last number is {3}. Look at the lamp and the plane: the plane is lower than {4}, so the lamp is higher above it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}. Tasandil {1} on {2}, seega on selle viimane arv {3}. Vaadake lampi ja tasandit: tasand on madalamal kui {4}, seega on lamp sellest rohkem kõrgemal.</translation>
     </message>
     <message>
         <source>First {0}, which stands only in the first cell of this row of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne {0}, mis on maatriksi {1} selles reas ainult esimeses lahtris.</translation>
     </message>
     <message>
         <source>Then subtract {0} times {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis lahutage {0} korda {1}.</translation>
     </message>
     <message>
         <source>The first cell is the lamp&apos;s height above the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene lahter on lambi kõrgus tasandist.</translation>
     </message>
     <message>
         <source>Practise: where on the ground?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kus maapinnal?</translation>
     </message>
     <message>
         <source>You look down from above: {0} runs to the right, {1} runs down. The squares of the grid are 1 wide, the middle of the F is at {2}, {3}, and point 2 is at {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatate ülalt alla: {0} kasvab paremale, {1} alla. Ruudustiku ruudud on 1 laiad, F-i keskkoht on {2}, {3} ja punkt 2 on kohal {4}.</translation>
     </message>
     <message>
         <source>You see the shadow of the sun in the direction {0}. Mark where the shadow of point 1, {1}, is with a *lamp* at the point {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Näete päikese varju suunast {0}. Märkige, kus on punkti 1, {1}, vari, kui punktis {2} on *lamp*.</translation>
     </message>
     <message>
         <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on päikese vari, mida te näete. Lambi kiir läbi punkti {0} algab kohast {1}: selle suund on {2}. Vaadake küljelt: iga kiir algab lambist.</translation>
     </message>
     <message>
         <source>From {0} to {1} the ray comes down by {2}, to the ground by {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktist {0} punkti {1} laskub kiir {2} võrra, maani {3} võrra.</translation>
     </message>
     <message>
         <source>The shadow is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vari on kohal {0}.</translation>
     </message>
     <message>
         <source>The shadow is at {0}, {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vari on kohal {0}, {1}.</translation>
     </message>
 </context>
 <context>
     <name>l20-zoom-or-walk</name>
     <message>
         <source>Zoom or walk?</source>
-        <translation type="unfinished"></translation>
+        <translation>Suumida või kõndida?</translation>
     </message>
     <message>
         <source>Three times as far</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm korda kaugemal</translation>
     </message>
     <message>
         <source>A wide lens, 29 mm, is close to a head. One unit is 10 cm, so the camera is 30 cm away. The two squares are equally large, one at the nearest part of the head and one at the farthest. In the picture the near one is 1.67 times as large as the far one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lainurkobjektiiv, 29 mm, on pea lähedal. Üks ühik on 10 cm, nii et kaamera on 30 cm kaugusel. Kaks ruutu on võrdse suurusega, üks pea lähimas ja teine kaugeimas osas. Pildil on lähem kaugemast 1.67 korda suurem.</translation>
     </message>
     <message>
         <source>The camera goes back to three times the distance and zooms until the head is as high in the picture as before. How do the two squares compare then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera läheb tagasi kolm korda kaugemale ja suumib, kuni pea on pildil sama kõrge kui enne. Kuidas on siis kahe ruudu vahekord?</translation>
     </message>
     <message>
         <source>as before, 1.67 times: the head keeps its size</source>
-        <translation type="unfinished"></translation>
+        <translation>nagu enne, 1.67 korda: pea säilitab oma suuruse</translation>
     </message>
     <message>
         <source>The zoom enlarges both squares by the same factor, so it does not change how they compare. Going back does: both are now 6 units deeper, and their depths are more alike. Look at the two squares in both pictures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suum suurendab mõlemat ruutu sama arv kordi, nii et nende vahekorda see ei muuda. Tagasiminek muudab: mõlemad on nüüd 6 ühikut sügavamal ja nende sügavused erinevad vähem. Vaadake kaht ruutu mõlemal pildil.</translation>
     </message>
     <message>
         <source>30 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>30 cm</translation>
     </message>
     <message>
         <source>90 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>90 cm</translation>
     </message>
     <message>
         <source>the near one is less than 1.67 times as large</source>
-        <translation type="unfinished"></translation>
+        <translation>lähem on vähem kui 1.67 korda suurem</translation>
     </message>
     <message>
         <source>the near one is more than 1.67 times as large</source>
-        <translation type="unfinished"></translation>
+        <translation>lähem on rohkem kui 1.67 korda suurem</translation>
     </message>
     <message>
         <source>That happens when you go *nearer*: there the same difference in depth matters more. Look at the two squares from nearer by.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii juhtub, kui te lähete *lähemale*: seal loeb sama sügavuste vahe rohkem. Vaadake kaht ruutu lähemalt.</translation>
     </message>
     <message>
         <source>21 cm</source>
-        <translation type="unfinished"></translation>
+        <translation>21 cm</translation>
     </message>
     <message>
         <source>It is 1.19 times now. Both depths have grown by the same 6 units, so their ratio is closer to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on see 1.19 korda. Mõlemad sügavused on kasvanud sama 6 ühiku võrra, nii et nende suhe on 1-le lähemal.</translation>
     </message>
     <message>
         <source>Two photographs of one head</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks fotot ühest peast</translation>
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng pildistab kassi 29 mm-ga 30 cm kauguselt ja 105 mm-ga. Filmil on asi {0} korda oma tegelik suurus, nii et see jääb sama suureks, kui</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
-        <translation type="unfinished"></translation>
+        <translation>360 cm kauguselt oleks see ainult 0.30 korda nii suur ja seda tuleks suurendada.</translation>
     </message>
     <message>
         <source>The squares are {0} cm apart. The near one is drawn {1} times as large as the far one, with its own distance {2}: from 30 cm {3} times, from 108.6 cm {4} times. This camera is at 108.6 cm; under *More numbers* its focal length is 105 mm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruutude vahe on {0} cm. Lähem joonistatakse kaugemast {1} korda suuremana, kus {2} on selle enda kaugus: 30 cm kauguselt {3} korda, 108.6 cm kauguselt {4} korda. See kaamera on 108.6 cm kaugusel; jaotise *Veel arve* järgi on selle fookuskaugus 105 mm.</translation>
     </message>
     <message>
         <source>Walk, and keep the head</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõndige ja säilitage pea</translation>
     </message>
     <message>
         <source>Go to three times the distance from the target, and keep the head as high in the picture as it is, 551 px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge sihtpunktist kolm korda kaugemale ja jätke pea pildil sama kõrgeks, kui see on, 551 px.</translation>
     </message>
     <message>
         <source>Sizes at the target are proportional to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suurused sihtpunkti kaugusel on võrdelised suurusega {0}.</translation>
     </message>
     <message>
         <source>The slider *Distance, relative to the preset* changes both at once; Distance and Field of view change one each.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liugur *Kaugus, valmisväärtuse suhtes* muudab mõlemat korraga; Kaugus ja Frustumi nurk muudavad kumbki üht.</translation>
     </message>
     <message>
         <source>The head has kept its height, but its nose has not kept its size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pea on säilitanud oma kõrguse, aga nina ei ole säilitanud oma suurust.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>A statue is photographed from 2 m with a 50-mm lens on film 36 mm wide. From how many metres is it as large with an 85-mm lens?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuju pildistatakse 2 m kauguselt 50-mm objektiiviga, filmi laius on 36 mm. Mitme meetri kauguselt on see 85-mm objektiiviga sama suur?</translation>
     </message>
     <message>
         <source>The angle is the size</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurk on suurus</translation>
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea sama kõrge.</translation>
     </message>
     <message>
         <source>The image on the film is as large as before. What happened to {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutis filmil on sama suur kui enne. Mis juhtus suurusega {0}?</translation>
     </message>
     <message>
         <source>Sizes are proportional to {0}, so {1} is proportional to {2}. The angles of view, 39.6° and 23.9°, are no measure of size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suurused on võrdelised suhtega {0}, seega on {1} võrdeline suurusega {2}. Vaatenurgad, 39.6° ja 23.9°, suurust ei mõõda.</translation>
     </message>
     <message>
         <source>Another statue of the same height is 1 m behind the first. From 2 m the first looks 1.5 times as high as the second. How many times as high does it look from 5 m, with a zoom that keeps the size of the first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Teine sama kõrge kuju on esimesest 1 m tagapool. 2 m kauguselt paistab esimene teisest 1.5 korda kõrgem. Mitu korda kõrgem paistab see 5 m kauguselt, kui suum säilitab esimese suuruse?</translation>
     </message>
     <message>
         <source>This keeps the ratio that was seen from 2 m. The zoom enlarges both statues alike; only their distances, 5 m and 6 m, decide how they compare. Look at the two squares in both pictures: they compare differently.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse alles suhe, mida nähti 2 m kauguselt. Suum suurendab mõlemat kuju ühtemoodi; nende vahekorra määravad ainult nende kaugused, 5 m ja 6 m. Vaadake kaht ruutu mõlemal pildil: nende vahekord on erinev.</translation>
     </message>
     <message>
         <source>The size of each statue is proportional to one over its own distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kummagi kuju suurus on võrdeline tema enda kauguse pöördarvuga.</translation>
     </message>
     <message>
         <source>{0} with the new {1}. The zoom enlarges both by the same factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} uue suurusega {1}. Suum suurendab mõlemat sama arv kordi.</translation>
     </message>
     <message>
         <source>Back to the head</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi pea juurde</translation>
     </message>
     <message>
         <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on öelda, et midagi ei muutu, sest pea säilitab oma suuruse ja suum on selleks tehtud. Aga suum säilitab suurused ainult ühel sügavusel, sihtpunkti omal. Selle ees ja taga on suurused võrdelised *omaenda* kauguse pöördarvuga ja kõndimine on seda muutnud. Nii on lähedalt tehtud portreel suur nina iga objektiiviga: perspektiivi määrab kaugus; objektiiv valib sellest ainult osa.</translation>
     </message>
     <message>
         <source>Practise: as large with another lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: sama suur teise objektiiviga</translation>
     </message>
     <message>
         <source>The head is photographed from {0} cm with a lens of {1} mm, on film 36 mm wide. From how many cm is it as large with {2} mm?</source>
-        <translation type="unfinished"></translation>
+        <translation>Pead pildistatakse {0} cm kauguselt {1} mm objektiiviga, filmi laius on 36 mm. Mitme sentimeetri kauguselt on see {2} mm-ga sama suur?</translation>
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the head is {0} times as large as it is; the angle of view is no measure of that. Look at the head from here with {1} mm: it is {2} times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on pea {0} korda oma tegelik suurus; vaatenurk seda ei mõõda. Vaadake pead siit objektiiviga {1} mm: see on {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A longer lens goes nearer</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikem objektiiv läheb lähemale</translation>
     </message>
     <message>
         <source>From there the head would be larger still. A longer lens enlarges, so the camera must go back. Look at the head from here with {0} mm: it is larger already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sealt oleks pea veel suurem. Pikem objektiiv suurendab, seega peab kaamera tagasi minema. Vaadake pead siit objektiiviga {0} mm: see on juba suurem.</translation>
     </message>
     <message>
         <source>On the film, the head is {0} times as large as it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Filmil on pea {0} korda oma tegelik suurus.</translation>
     </message>
     <message>
         <source>{0} must be equal to {1}: a longer lens needs a distance longer by the same factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} peab olema võrdne suurusega {1}: pikem objektiiv vajab sama arv kordi pikemat kaugust.</translation>
     </message>
     <message>
         <source>Practise: two squares</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaks ruutu</translation>
     </message>
     <message>
         <source>The near square is {0} from the eye; the far one is as large and {1} behind it. So the near one is drawn {2} times as large. How many times as large is it drawn from {3}, with a zoom that keeps its size?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähem ruut on silmast {0} kaugusel; kaugem on sama suur ja {1} selle taga. Seega joonistatakse lähem {2} korda suuremana. Mitu korda suuremana joonistatakse see kauguselt {3}, kui suum säilitab selle suuruse?</translation>
     </message>
     <message>
         <source>This keeps the ratio that is seen from {0}. The zoom enlarges both squares alike; only their distances decide how they compare. Look from the side: the camera is now {1} from the near square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse alles suhe, mida nähti kauguselt {0}. Suum suurendab mõlemat ruutu ühtemoodi; nende vahekorra määravad ainult nende kaugused. Vaadake küljelt: kaamera on nüüd lähemast ruudust {1} kaugusel.</translation>
     </message>
     <message>
         <source>The zoom makes them equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Suum teeb need võrdseks</translation>
     </message>
     <message>
         <source>They would look equal only from infinitely far away. The far one is always 1.2 farther away. Look from the side: the far one is still farther away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Võrdsed paistaksid need ainult lõpmata kaugelt. Kaugem on alati 1.2 võrra kaugemal. Vaadake küljelt: kaugem on endiselt kaugemal.</translation>
     </message>
     <message>
         <source>Each square is drawn as large as one over its own distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumbki ruut joonistatakse nii suurena, kui on tema enda kauguse pöördarv.</translation>
     </message>
     <message>
         <source>The near one is now {0} away. And the far one?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähem on nüüd {0} kaugusel. Ja kaugem?</translation>
     </message>
     <message>
         <source>The zoom enlarges both by the same factor, so only the distances count.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suum suurendab mõlemat sama arv kordi, nii et loevad ainult kaugused.</translation>
     </message>
     <message>
         <source>Practise: a chosen ratio</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: valitud suhe</translation>
     </message>
     <message>
         <source>The near square is 0.64 in front of the target, the far square, as large, is 0.56 behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähem ruut on sihtpunktist 0.64 eespool, sama suur kaugem ruut 0.56 tagapool.</translation>
     </message>
     <message>
         <source>Move the camera until the near square is drawn {0} times as large as the far one, and keep the head as high in the picture as it is now.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage kaamerat, kuni lähem ruut joonistatakse kaugemast {0} korda suuremana, ja jätke pea pildil sama kõrgeks, kui see praegu on.</translation>
     </message>
     <message>
         <source>From the near square to the far one it is {0}. At the distance {1} of the near square, the ratio is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähemast ruudust kaugemani on {0}. Kui lähema ruudu kaugus on {1}, on suhe {2}.</translation>
     </message>
     <message>
         <source>So the near square must be at {0}, and the target 0.64 farther away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seega peab lähem ruut olema kaugusel {0} ja sihtpunkt 0.64 kaugemal.</translation>
     </message>
     <message>
         <source>The slider *Distance, relative to the preset* keeps the size of the head.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liugur *Kaugus, valmisväärtuse suhtes* säilitab pea suuruse.</translation>
     </message>
     <message>
         <source>{0} {1} {2} for the near square. The target is 0.64 farther: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} {2} lähema ruudu jaoks. Sihtpunkt on 0.64 kaugemal: {3}.</translation>
     </message>
     <message>
         <source>A zoom enlarges both squares alike; only the distance changes how they compare. Look at both pictures: the squares compare in the same way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suum suurendab mõlemat ruutu ühtemoodi; nende vahekorda muudab ainult kaugus. Vaadake mõlemat pilti: ruutude vahekord on sama.</translation>
     </message>
     <message>
         <source>from here, 90°</source>
-        <translation type="unfinished"></translation>
+        <translation>siit, 90°</translation>
     </message>
 </context>
 <context>
     <name>l21-camera-obscura</name>
     <message>
         <source>Why upside down?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks tagurpidi?</translation>
     </message>
     <message>
         <source>Behind the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma taga</translation>
     </message>
     <message>
         <source>The plane of projection is 4 units in front of the eye. The corner {0}, at the top of the F, is 2.472 above the axis and 9.601 deep; its image is 1.03 above the axis. The World pane shows it from the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsiooni tasand on silmast 4 ühikut eespool. F-i ülaosa nurk {0} on teljest 2.472 kõrgemal ja selle sügavus on 9.601; selle kujutis on teljest 1.03 kõrgemal. Paan Maailm näitab seda küljelt.</translation>
     </message>
     <message>
         <source>The plane moves to the other side, 4 units *behind* the eye, like the film in a camera obscura. Where is the image of {0} on it, along {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasand läheb teisele poole, silmast 4 ühikut *tahapoole*, nagu film camera obscuras. Kus on sellel punkti {0} kujutis piki telge {1}?</translation>
     </message>
     <message>
         <source>at 1.03: still above the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>kohal 1.03: endiselt teljest kõrgemal</translation>
     </message>
     <message>
         <source>The film keeps up what is up</source>
-        <translation type="unfinished"></translation>
+        <translation>Film jätab ülemise üles</translation>
     </message>
     <message>
         <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P&apos;, behind the eye: it is below the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse alles ees oleva tasandi märk. Valgus läheb sirgelt läbi silma, nii et mis on selle ees teljest kõrgemal, on selle taga teljest allpool. Vaadake punkti P&apos; silma taga: see on teljest allpool.</translation>
     </message>
     <message>
         <source>at −1.03: below the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>kohal −1.03: teljest allpool</translation>
     </message>
     <message>
         <source>there is none: light does not go backwards</source>
-        <translation type="unfinished"></translation>
+        <translation>seda ei ole: valgus ei lähe tagurpidi</translation>
     </message>
     <message>
         <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valgus läheb silmast sirgelt läbi ja kohtab selle taga olevat tasandit. Vaadake projektsioonikiirt: see läheb läbi silma punkti P&apos;.</translation>
     </message>
     <message>
         <source>The projector goes on through the eye, and crosses the axis there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiir läheb läbi silma edasi ja lõikab seal telge.</translation>
     </message>
     <message>
         <source>Two films</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks filmi</translation>
     </message>
     <message>
         <source>In the dark box, light goes through a hole, the centre of projection. The image of a thing of height {0} at the distance {1} in front of the hole has the height</source>
-        <translation type="unfinished"></translation>
+        <translation>Pimedas kastis tuleb valgus läbi ava, mis on projektsiooni keskpunkt. Kui asja kõrgus on {0} ja see on avast kaugusel {1} eespool, on selle kujutise kõrgus</translation>
     </message>
     <message>
         <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture&apos;s synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
-        <translation type="unfinished"></translation>
+        <translation>filmil, mis on avast {0} tagapool. Siin {1}, {2} ja {3}: {4}. Miinus pöörab kujutise tagurpidi ning vahetab vasaku ja parema. Loengu sünteetilise kaamera film on keskpunkti ees samal kaugusel. Seal on kujutise kõrgus {5}: sama suur ja püstine.</translation>
     </message>
     <message>
         <source>A quarter, upside down</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerand, tagurpidi</translation>
     </message>
     <message>
         <source>Put the plane behind the eye so that the image of {0} is upside down and a quarter as far from the axis as {1} itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pange tasand silma taha nii, et punkti {0} kujutis on tagurpidi ja teljest neli korda lähemal kui {1} ise.</translation>
     </message>
     <message>
         <source>The scale is {0}, and {1} is the depth of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on {0} ja {1} on punkti {2} sügavus.</translation>
     </message>
     <message>
         <source>Type a negative Plane distance d. A quarter of 9.601 is 2.4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sisestage sättele Tasandi kaugus d negatiivne arv. Veerand arvust 9.601 on 2.4.</translation>
     </message>
     <message>
         <source>The scale is −0.25: a quarter as large, and turned over by the minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on −0.25: neli korda väiksem ja miinusega ümber pööratud.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
-        <translation type="unfinished"></translation>
+        <translation>Noole kõrgus on 5 ja see on avast 9 eespool. Film läheb avast 6 tahapoole. Kui kõrge, märgiga arvuna, on noole kujutis filmil?</translation>
     </message>
     <message>
         <source>This is the image on a film in front of the hole. Behind the hole the light has crossed the axis, so the sign changes. Look at both films: only the one in front has the arrow upright.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kujutis filmil, mis on ava ees. Ava taga on valgus telge lõiganud, nii et märk muutub. Vaadake mõlemat filmi: nool on püsti ainult ees oleval.</translation>
     </message>
     <message>
         <source>This measures the arrow&apos;s distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse noole kaugust filmist, {0}. Kaks kolmnurka kohtuvad avas: mõõtke mõlemat kaugust sealt. Vaadake ava: mõlemad kolmnurgad algavad seal.</translation>
     </message>
     <message>
         <source>Measure both lengths from the hole: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõõtke mõlemat pikkust avast: {0}.</translation>
     </message>
     <message>
         <source>The triangles share the corner at the hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmnurkadel on ühine nurk avas.</translation>
     </message>
     <message>
         <source>How far behind the hole must the film be for the image to be a third as high as the arrow?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kaugel ava taga peab film olema, et kujutise kõrgus oleks kolmandik noole kõrgusest?</translation>
     </message>
     <message>
         <source>This measures the arrow&apos;s distance from the film, which is 9 and the film&apos;s own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse noole kaugust filmist, mis on 9 pluss filmi enda kaugus. Kaks kolmnurka kohtuvad avas: mõõtke mõlemat kaugust sealt. Vaadake filmi, mis on avast 4.5 tagapool: kujutis on noolest poole madalam.</translation>
     </message>
     <message>
         <source>{0}. If you measure {1} from the film, you get {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kui mõõta {1} filmist, saab {2}.</translation>
     </message>
     <message>
         <source>Back to the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi filmi juurde</translation>
     </message>
     <message>
         <source>It was tempting to keep the sign, because the triangles are the same. But the projector goes through the eye and crosses the axis there: what was above is now below. Our cameras put the plane in front, where nothing is turned over. A real camera has its film behind and turns the picture round afterwards; the numbers differ by the sign only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev oli märk samaks jätta, sest kolmnurgad on samad. Aga projektsioonikiir läheb läbi silma ja lõikab seal telge: mis oli üleval, on nüüd all. Meie kaamerad panevad tasandi ette, kus midagi ümber ei pöördu. Tegeliku kaamera film on taga ja pilt pööratakse hiljem õigeks; arvud erinevad ainult märgi poolest.</translation>
     </message>
     <message>
         <source>Practise: height on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kõrgus filmil</translation>
     </message>
     <message>
         <source>An arrow, {0} high, stands before the hole of a dark box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nool kõrgusega {0} seisab pimeda kasti ava ees.</translation>
     </message>
     <message>
         <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
-        <translation type="unfinished"></translation>
+        <translation>Nool on avast {0} eespool, film {1} tagapool. Kui kõrge, märgiga arvuna, on noole kujutis filmil?</translation>
     </message>
     <message>
         <source>What stands upright in front of the hole stands on its head behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis seisab ava ees püsti, seisab selle taga pea peal.</translation>
     </message>
     <message>
         <source>The image is {0} times as high as the arrow, and upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutis on {0} korda noole kõrgune ja tagurpidi.</translation>
     </message>
     <message>
         <source>Practise: a corner on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: nurk filmil</translation>
     </message>
     <message>
         <source>The picture shows the plane 4 in front of the eye. A film stands behind the eye; lay it over the picture, its middle on the middle, without turning it: right stays right, up stays up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt näitab tasandit, mis on silmast 4 eespool. Film on silma taga; pange see pildile, keskkoht keskkohale, ilma pööramata: parem jääb paremale, ülemine üles.</translation>
     </message>
     <message>
         <source>The film is {0} behind the eye, and drawn to the same scale. Mark where, on it, the image of point 1 lies.</source>
-        <translation type="unfinished"></translation>
+        <translation>Film on silmast {0} tagapool ja joonistatud samas mõõtkavas. Märkige, kus on sellel punkti 1 kujutis.</translation>
     </message>
     <message>
         <source>This is where the image lies on a plane {0} in front of the eye. Behind the eye the light has crossed the axis, so both coordinates change their signs. Look at both films of this dark box: behind the hole the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seal on kujutis tasandil, mis on silmast {0} eespool. Silma taga on valgus telge lõiganud, nii et mõlemad koordinaadid vahetavad märki. Vaadake selle pimeda kasti mõlemat filmi: ava taga on kujutis tagurpidi.</translation>
     </message>
     <message>
         <source>Only up and down change</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahetuvad ainult ülemine ja alumine</translation>
     </message>
     <message>
         <source>This turns the image upside down only. The light crosses the axis, so left and right are exchanged as well. Look from above at a film behind the eye: what is on the right comes to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse kujutis ainult tagurpidi. Valgus lõikab telge, nii et vahetuvad ka vasak ja parem. Vaadake ülalt silma taga olevat filmi: mis on paremal, satub vasakule.</translation>
     </message>
     <message>
         <source>The axis goes through the middle of the picture. On the film everything is on the other side of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Telg läbib pildi keskkohta. Filmil on kõik sellest teisel pool.</translation>
     </message>
     <message>
         <source>The scale is {0} of the one that you see.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mastaap on {0} sellest, mida te näete.</translation>
     </message>
     <message>
         <source>On the other side of the middle, and {0} times as far from it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskkohast teisel pool ja sellest {0} korda nii kaugel.</translation>
     </message>
     <message>
         <source>Practise: the film for a size</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: film suuruse järgi</translation>
     </message>
     <message>
         <source>{0} is {1} deep. Put the plane behind the eye so that the image of {2} is upside down and {3} times as far from the axis as {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti {0} sügavus on {1}. Pange tasand silma taha nii, et punkti {2} kujutis on tagurpidi ja teljest {3} korda nii kaugel kui {4}.</translation>
     </message>
     <message>
         <source>The image is {0} times as far from the axis as {1}. Measure both from the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutis on teljest {0} korda nii kaugel kui {1}. Mõõtke mõlemat silmast.</translation>
     </message>
     <message>
         <source>Behind the eye {0} is negative: type it under Plane distance d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma taga on {0} negatiivne: sisestage see sättele Tasandi kaugus d.</translation>
     </message>
     <message>
         <source>{0}, with {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus {1}</translation>
     </message>
     <message>
         <source>In front of the eye the image is upright. Look at P&apos;: it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma ees on kujutis püstine. Vaadake punkti P&apos;: see on teljest kõrgemal. Tasand peab olema silma taga, negatiivse {0} juures.</translation>
     </message>
     <message>
         <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse punkti {0} sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P&apos;: see on teljest vähem kui {1} korda nii kaugel kui {2}.</translation>
     </message>
 </context>
 <context>
     <name>l22-walk-round-the-f</name>
     <message>
         <source>What stays when the camera rises?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis jääb samaks, kui kaamera tõuseb?</translation>
     </message>
     <message>
         <source>A camera that rises, level</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera tõuseb horisontaalselt</translation>
     </message>
     <message>
         <source>The letter F of eight cubes stands on its grid. The camera looks level: its eye is as high as its target. The uprights of the F are parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaheksast kuubist F-täht seisab oma ruudustikul. Kaamera vaatab horisontaalselt: selle silm on sihtpunktiga ühel kõrgusel. F-i püstservad on pildil paralleelsed.</translation>
     </message>
     <message>
         <source>The camera rises to 5.5, above the F, and keeps looking level. What do the uprights do in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera tõuseb kõrgusele 5.5, F-ist kõrgemale, ja vaatab endiselt horisontaalselt. Mida teevad püstservad pildil?</translation>
     </message>
     <message>
         <source>they lean together downwards: the camera is above them</source>
-        <translation type="unfinished"></translation>
+        <translation>need koonduvad allapoole: kaamera on neist kõrgemal</translation>
     </message>
     <message>
         <source>From above, uprights lean</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülalt vaadates on püstservad kaldu</translation>
     </message>
     <message>
         <source>Standing high does not make uprights meet; looking down does. This camera looks level, so the uprights are parallel to the picture and have no vanishing point. Look at both pictures from this height: only where the camera looks down do the uprights lean.</source>
-        <translation type="unfinished"></translation>
+        <translation>Püstservad ei koondu sellest, et seistakse kõrgel; alla vaatamisest koonduvad. See kaamera vaatab horisontaalselt, nii et püstservad on pildiga paralleelsed ja neil ei ole koondumispunkti. Vaadake mõlemat pilti sellelt kõrguselt: püstservad on kaldu ainult seal, kus kaamera vaatab alla.</translation>
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished"></translation>
+        <translation>horisontaalselt</translation>
     </message>
     <message>
         <source>looking down</source>
-        <translation type="unfinished"></translation>
+        <translation>alla vaadates</translation>
     </message>
     <message>
         <source>they stay parallel</source>
-        <translation type="unfinished"></translation>
+        <translation>need jäävad paralleelseks</translation>
     </message>
     <message>
         <source>they lean together upwards</source>
-        <translation type="unfinished"></translation>
+        <translation>need koonduvad ülespoole</translation>
     </message>
     <message>
         <source>That happens when the camera looks *up*, whatever its height. Look at the F from below: its uprights lean together upwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii juhtub, kui kaamera vaatab *üles*, ükskõik mis kõrguselt. Vaadake F-i alt: selle püstservad koonduvad ülespoole.</translation>
     </message>
     <message>
         <source>Only the direction of view decides whether uprights meet. It is still level, so {0} has no component along them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kas püstservad kohtuvad, otsustab ainult vaate suund. See on endiselt horisontaalne, nii et vektoril {0} ei ole nende sihis komponenti.</translation>
     </message>
     <message>
         <source>Looking at the target</source>
-        <translation type="unfinished"></translation>
+        <translation>Sihtpunkti vaadates</translation>
     </message>
     <message>
         <source>Now the target stays at 2 and the camera looks down. With {0} of length 10,</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd jääb sihtpunkt kõrgusele 2 ja kaamera vaatab alla. Kui {0}, mille pikkus on 10, siis</translation>
     </message>
     <message>
         <source>{0} is also the cell in row 2, column 2 of the view matrix. The uprights are no longer at a right angle to {1}, because {2}, so they have a vanishing point, far below.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on ka vaatemaatriksi lahter reas 2 ja veerus 2. Püstservad ei ole enam vektoriga {1} risti, sest {2}, nii et neil on koondumispunkt, kaugel all.</translation>
     </message>
     <message>
         <source>Level again</source>
-        <translation type="unfinished"></translation>
+        <translation>Jälle horisontaalselt</translation>
     </message>
     <message>
         <source>Points 1 and 2 mark the foot and the top of the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktid 1 ja 2 märgivad F-i alumist ja ülemist otsa.</translation>
     </message>
     <message>
         <source>Make the camera look level, with its eye as high as its target and the whole F in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et kaamera vaatab horisontaalselt, silm on sihtpunktiga ühel kõrgusel ja kogu F on pildil.</translation>
     </message>
     <message>
         <source>Which angle in the dock says how steeply the camera looks down?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline nurk külgribal ütleb, kui järsult kaamera alla vaatab?</translation>
     </message>
     <message>
         <source>Elevation 0 is level.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tõusunurk 0 on horisontaalne.</translation>
     </message>
     <message>
         <source>The uprights are parallel again, whatever the azimuth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Püstservad on jälle paralleelsed, olgu asimuut milline tahes.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}, and up is {2}. What is {3}, the cell in row 2, column 2 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1} ja ülesvektor on {2}. Kui suur on {3}, vaatemaatriksi lahter reas 2 ja veerus 2?</translation>
     </message>
     <message>
         <source>This takes up itself for {0}. Up only has to point roughly upwards; {1} is at a right angle to the direction of view, so the more the camera looks down, the smaller {2} is. Look at up and {3}: they are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} ülesvektor ise. Ülesvektor peab ainult ligikaudu üles näitama; {1} on vaate suunaga risti, nii et mida rohkem kaamera alla vaatab, seda väiksem on {2}. Vaadake ülesvektorit ja vektorit {3}: need ei ole paralleelsed.</translation>
     </message>
     <message>
         <source>This leaves the first product, of up and {0}, as it is, only 0.6 long. Make it 1 long before the second product. Look at up and {1}: they are not at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse esimene korrutis, ülesvektori ja vektori {0} oma, nii nagu see on, pikkusega ainult 0.6. Enne teist korrutist tehke selle pikkuseks 1. Vaadake ülesvektorit ja vektorit {1}: need ei ole risti.</translation>
     </message>
     <message>
         <source>{0}, so {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega {1}.</translation>
     </message>
     <message>
         <source>{0} is 10 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektori {0} pikkus on 10.</translation>
     </message>
     <message>
         <source>{0} is 0.6 long and must be made 1 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektori {0} pikkus on 0.6 ja see tuleb teha 1 pikkuseks.</translation>
     </message>
     <message>
         <source>How far away?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kaugel?</translation>
     </message>
     <message>
         <source>The camera looks level from a height of 2.5, with a field of view of 60°. The top of the F is at 5. At which depth does it appear at {0}, half-way up to the edge?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab horisontaalselt kõrguselt 2.5, frustumi nurk on 60°. F-i ülemine ots on kõrgusel 5. Millisel sügavusel paistab see kohal {0}, poolel teel üles servani?</translation>
     </message>
     <message>
         <source>This takes the tangent of the whole 60°. The right-angled triangle lies between the axis and the upper edge of the picture and has half of the angle. Look at 90°: half the picture is as high as it is deep, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kogu 60° tangens. Täisnurkne kolmnurk on telje ja pildi ülemise serva vahel ning selles on pool nurka. Vaadake 90°: pool pilti on sama kõrge kui sügav, {0}.</translation>
     </message>
     <message>
         <source>This multiplies by near, which is 2. The image on the near plane does grow with near, but so does the window round it; near only decides what is cut. Look at both pictures: they are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse lähitasandi kaugusega, mis on 2. Kujutis lähitasandil tõesti kasvab koos lähitasandi kaugusega, aga kasvab ka aken selle ümber; lähitasand otsustab ainult, mis ära lõigatakse. Vaadake mõlemat pilti: need on ühesugused.</translation>
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished"></translation>
+        <translation>lähitasand 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished"></translation>
+        <translation>lähitasand 2</translation>
     </message>
     <message>
         <source>At the depth {0} half of the picture is {1} high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusel {0} on poole pildi kõrgus {1}.</translation>
     </message>
     <message>
         <source>Back to the rising camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi tõusva kaamera juurde</translation>
     </message>
     <message>
         <source>From above you usually *look down*, and houses lean in photographs from towers, so it was tempting to let the uprights lean. But looking down makes them lean, not the height. If a camera rises and looks level, the F moves in the picture but its uprights stay parallel. If a camera turns down to its target, {0} and the uprights meet. Press play in the tool bar: the section Animation has both ways of looking.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülalt *vaadatakse* tavaliselt *alla* ja tornist tehtud fotodel on majad kaldu, nii et ahvatlev oli panna püstservad kaldu. Aga kaldu teeb need alla vaatamine, mitte kõrgus. Kui kaamera tõuseb ja vaatab horisontaalselt, liigub F pildil, aga selle püstservad jäävad paralleelseks. Kui kaamera pöördub alla oma sihtpunkti poole, siis {0} ja püstservad kohtuvad. Vajutage tööriistaribal Esita: jaotises Animatsioon on mõlemad vaatamise viisid.</translation>
     </message>
     <message>
         <source>Practise: the vector v</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: vektor v</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera&apos;s {4}, the second row of the view matrix without its last number?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1}, ülesvektor on {2}, seega {3}. Milline on kaamera {4}, vaatemaatriksi teine rida ilma viimase arvuta?</translation>
     </message>
     <message>
         <source>Up only has to point roughly upwards. {0} is at a right angle to the direction of view, so it tilts when the camera looks down. Look at up and {1}: they are not parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülesvektor peab ainult ligikaudu üles näitama. {0} on vaate suunaga risti, nii et see kaldub, kui kaamera vaatab alla. Vaadake ülesvektorit ja vektorit {1}: need ei ole paralleelsed.</translation>
     </message>
     <message>
         <source>This uses {0}, which is shorter than 1, in place of {1}. Make it 1 long before the second product. Look at up and {2}: they are not at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kasutatakse vektorit {0}, mis on 1-st lühem, vektori {1} asemel. Enne teist korrutist tehke selle pikkuseks 1. Vaadake ülesvektorit ja vektorit {2}: need ei ole risti.</translation>
     </message>
     <message>
         <source>{0}, then {1} along {2}, made 1 long; {3} is up.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, siis {1} piki vektorit {2}, tehtud 1 pikkuseks; {3} on ülesvektor.</translation>
     </message>
     <message>
         <source>{0}, and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}.</translation>
     </message>
     <message>
         <source>The middle number is the cosine of the angle by which the camera looks down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskmine arv on selle nurga koosinus, mille võrra kaamera alla vaatab.</translation>
     </message>
     <message>
         <source>Practise: the least depth</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: väikseim sügavus</translation>
     </message>
     <message>
         <source>You look down on a camera that looks level. From above, the F is a bar with four corners.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatate ülalt kaamerat, mis vaatab horisontaalselt. Ülalt on F nelja nurgaga riba.</translation>
     </message>
     <message>
         <source>Mark the corner of the F that is least deep for this camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märkige F-i nurk, mille sügavus selle kaamera jaoks on kõige väiksem.</translation>
     </message>
     <message>
         <source>This corner is nearest to the eye. Depth is measured along the direction of view only, from the line through the eye that is parallel to near. Look from above at near, moved out: it meets another corner first.</source>
-        <translation type="unfinished"></translation>
+        <translation>See nurk on silmale kõige lähemal. Sügavust mõõdetakse ainult piki vaate suunda, silma läbivast sirgest, mis on lähitasandiga paralleelne. Vaadake ülalt kaugemale viidud lähitasandit: see jõuab enne teise nurgani.</translation>
     </message>
     <message>
         <source>Depth is measured along the direction of view, not straight to the point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavust mõõdetakse piki vaate suunda, mitte otse punktini.</translation>
     </message>
     <message>
         <source>Move a line that is parallel to near away from the eye. Which corner does it meet first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihutage lähitasandiga paralleelset sirget silmast eemale. Millise nurgani jõuab see esimesena?</translation>
     </message>
     <message>
         <source>A line parallel to near, moved away from the eye, meets this corner first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandiga paralleelne sirge, mida silmast eemale nihutada, jõuab esimesena selle nurgani.</translation>
     </message>
     <message>
         <source>Practise: level, at a height in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: horisontaalselt, kõrgusel pildil</translation>
     </message>
     <message>
         <source>Point 1, on the top of the F, is at height 5, right above the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1, F-i ülemises otsas, on kõrgusel 5, otse sihtpunkti kohal.</translation>
     </message>
     <message>
         <source>The camera looks level from a height of 2.5, with a field of view of {0}°. Go nearer or back until point 1 appears at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab horisontaalselt kõrguselt 2.5, frustumi nurk on {0}°. Minge lähemale või tagasi, kuni punkt 1 paistab kohal {1}.</translation>
     </message>
     <message>
         <source>At the distance {0}, half of the picture is {1} high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugusel {0} on poole pildi kõrgus {1}.</translation>
     </message>
     <message>
         <source>Near does not count, and half of the angle does: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand ei loe, pool nurka loeb: {0}.</translation>
     </message>
     <message>
         <source>The triangle of eye, axis and edge has half of the angle at the eye. Look at 90°: half the picture is as high as it is deep, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma, telje ja serva kolmnurgas on silma juures pool nurka. Vaadake 90°: pool pilti on sama kõrge kui sügav, {0}.</translation>
     </message>
     <message>
         <source>The image on the near plane grows with near, and so does the window round it. Look at both pictures: they are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutis lähitasandil kasvab koos lähitasandi kaugusega ja kasvab ka aken selle ümber. Vaadake mõlemat pilti: need on ühesugused.</translation>
     </message>
 </context>
 <context>
@@ -5906,7 +5906,7 @@
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Valemi järgi</translation>
     </message>
     <message>
         <source>Point 1 is on the axis of a tree 44 ahead and 15 to the right. Far is 34. How far must the camera drive until the point is at the far plane?</source>
@@ -6089,7 +6089,7 @@
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Valemi järgi</translation>
     </message>
     <message>
         <source>A 50-mm lens with {0} and {1} mm is focused at 4 m. Up to how many metres is it sharp?</source>
@@ -7213,11 +7213,11 @@
     </message>
     <message>
         <source>This moves the picture with its window. Look at the window that has moved to the left: only then is probe 1 at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Nii liigutatakse pilti koos selle aknaga. Vaadake akent, mis on liikunud vasakule: ainult siis on sond 1 kohal {0}.</translation>
     </message>
     <message>
         <source>{0}, and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">{0} ja {1}.</translation>
     </message>
     <message>
         <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
@@ -7245,7 +7245,7 @@
     </message>
     <message>
         <source>A bow</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">Kaare</translation>
     </message>
     <message>
         <source>{0} and {1} are divided by {2}, {3} is not.</source>
@@ -8305,11 +8305,11 @@
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">horisontaalselt</translation>
     </message>
     <message>
         <source>looking down</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">alla vaadates</translation>
     </message>
     <message>
         <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
@@ -8385,7 +8385,7 @@
     </message>
     <message>
         <source>From 0.5 to infinity</source>
-        <translation type="unfinished"></translation>
+        <translation type="unfinished">0.5-st lõpmatuseni</translation>
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>

@@ -2219,7 +2219,7 @@
     <name>FixedViews</name>
     <message>
         <source>Free</source>
-        <translation>Vaba</translation>
+        <translation>Vabalt</translation>
     </message>
     <message>
         <source>As you turned it with the mouse</source>
@@ -2227,7 +2227,7 @@
     </message>
     <message>
         <source>Side</source>
-        <translation>Külg</translation>
+        <translation>Küljelt</translation>
     </message>
     <message>
         <source>From the side, flat like a sketch on the blackboard, with its lengths</source>
@@ -2243,7 +2243,7 @@
     </message>
     <message>
         <source>Axis</source>
-        <translation>Telg</translation>
+        <translation>Piki telge</translation>
     </message>
     <message>
         <source>Along the camera&apos;s axis, flat</source>
@@ -2251,7 +2251,7 @@
     </message>
     <message>
         <source>Eye</source>
-        <translation>Silm</translation>
+        <translation>Silmast</translation>
     </message>
     <message>
         <source>From the eye, as the camera sees it</source>
@@ -2794,7 +2794,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
-        <translation>Liiguta teie poole pööratud tasandis; koos klahviga Shift üles ja alla</translation>
+        <translation>Liiguta vaataja poole pööratud tasandis; koos klahviga Shift üles ja alla</translation>
     </message>
     <message>
         <source>Move it</source>
@@ -2938,7 +2938,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Show the step again, without your changes</source>
-        <translation>Näita sammu uuesti, ilma teie muudatusteta</translation>
+        <translation>Näita sammu uuesti, ilma muudatusteta</translation>
     </message>
     <message>
         <source>Show the tool bar</source>
@@ -3405,7 +3405,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Show the step as the lesson&apos;s file has it, without your changes ({0})</source>
-        <translation>Näita sammu nii, nagu see on õppetunni failis, ilma teie muudatusteta ({0})</translation>
+        <translation>Näita sammu nii, nagu see on õppetunni failis, ilma muudatusteta ({0})</translation>
     </message>
     <message>
         <source>Show the next hint (Alt+I)</source>
@@ -4016,631 +4016,631 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <name>Measure</name>
     <message>
         <source>180 − vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>180 − vertikaalne FOV, kraadides</translation>
     </message>
     <message>
         <source>A logarithmic depth only at the vertices: the floor sinks behind the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritmiline sügavus ainult tippudes: põrand vajub seina taha.</translation>
     </message>
     <message>
         <source>A turn made of many small turns: a full round does not come home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paljudest väikestest pööretest koosnev pööre: täisring ei lõpe lähtekohas.</translation>
     </message>
     <message>
         <source>Antialiasing and resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Silumine ja lahutus</translation>
     </message>
     <message>
         <source>Arithmetic</source>
-        <translation type="unfinished">Aritmeetika</translation>
+        <translation>Aritmeetika</translation>
     </message>
     <message>
         <source>At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, {3} with {4}, surfaces at least {5} apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sihtpunkti kaugusel eristab {0} puhvriga {2} pindu, mille vahe on vähemalt {1} maailma ühikut; peenim, {3} puhvriga {4}, pindu vahega vähemalt {5}.</translation>
     </message>
     <message>
         <source>Back from the picture</source>
-        <translation type="unfinished">Pildilt tagasi</translation>
+        <translation>Pildilt tagasi</translation>
     </message>
     <message>
         <source>Cracks</source>
-        <translation type="unfinished">Praod</translation>
+        <translation>Praod</translation>
     </message>
     <message>
         <source>Depth at the vertices</source>
-        <translation type="unfinished">Sügavus tippudes</translation>
+        <translation>Sügavus tippudes</translation>
     </message>
     <message>
         <source>Depth buffer</source>
-        <translation type="unfinished">Sügavuspuhver</translation>
+        <translation>Sügavuspuhver</translation>
     </message>
     <message>
         <source>Depth gap over the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavuse vahe kauguse järgi</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Detailsus</translation>
     </message>
     <message>
         <source>Drift</source>
-        <translation type="unfinished">Triiv</translation>
+        <translation>Triiv</translation>
     </message>
     <message>
         <source>Each mesh rounded in a box of its own: light comes through the seam.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumbki võrk on ümardatud omaenda risttahukas: valgus paistab õmblusest läbi.</translation>
     </message>
     <message>
         <source>Equal in bytes to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Baitides sama mis {0}: {1}.</translation>
     </message>
     <message>
         <source>Equal in time to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ajas sama mis {0}: {1}.</translation>
     </message>
     <message>
         <source>Fewer bits of depth: what lies behind comes through in stripes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähem sügavuse bitte: taga olev paistab triipudena läbi.</translation>
     </message>
     <message>
         <source>Fewer digits for each vertex: the corners move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähem numbrikohti iga tipu jaoks: nurgad nihkuvad.</translation>
     </message>
     <message>
         <source>Fewer samples in a pixel: edges become stairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähem valimeid pikslis: servad muutuvad treppideks.</translation>
     </message>
     <message>
         <source>Fewer triangles: outlines become angular.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähem kolmnurki: kontuurid muutuvad nurgeliseks.</translation>
     </message>
     <message>
         <source>From a pixel back into the world by one matrix: the point misses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslist ühe maatriksiga maailma tagasi: punktist minnakse mööda.</translation>
     </message>
     <message>
         <source>Interpolation</source>
-        <translation type="unfinished">Interpoleerimine</translation>
+        <translation>Interpoleerimine</translation>
     </message>
     <message>
         <source>Its price is in {0}: {1}, against {2} for {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hind on {0}: {1}, võrdluseks {2} ({3}).</translation>
     </message>
     <message>
         <source>Jitter</source>
-        <translation type="unfinished">Värin</translation>
+        <translation>Värin</translation>
     </message>
     <message>
         <source>No choice is cheaper ({1}) or more exact ({2}) than {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ükski valik ei ole odavam ({1}) ega täpsem ({2}) kui {0}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); none is off by less than {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ükski valik ei ole odavam kui {0} ({1}, viga {2}), ükski täpsem kui {3} ({4}, viga {5}); ühelgi ei ole viga väiksem kui {6}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); of those off by less than {6}, none is cheaper than {7}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ükski valik ei ole odavam kui {0} ({1}, viga {2}), ükski täpsem kui {3} ({4}, viga {5}); nendest, mille viga on väiksem kui {6}, ei ole ükski odavam kui {7}.</translation>
     </message>
     <message>
         <source>No division at each pixel: the pattern bends along the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslites ei jagata: muster murdub diagonaalil.</translation>
     </message>
     <message>
         <source>Not certain: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ei ole kindel: {0}.</translation>
     </message>
     <message>
         <source>Nothing could be measured: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Midagi ei saanud mõõta: {0}.</translation>
     </message>
     <message>
         <source>Sweep of far</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasandi mõõterida</translation>
     </message>
     <message>
         <source>Sweep of near</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandi mõõterida</translation>
     </message>
     <message>
         <source>Sweep of the aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuvasuhte mõõterida</translation>
     </message>
     <message>
         <source>Sweep of the distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunkti kauguse mõõterida</translation>
     </message>
     <message>
         <source>Sweep of the field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurga mõõterida</translation>
     </message>
     <message>
         <source>Sweep of up</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülesvektori mõõterida</translation>
     </message>
     <message>
         <source>VTK&apos;s transform</source>
-        <translation type="unfinished"></translation>
+        <translation>VTK teisendus</translation>
     </message>
     <message>
         <source>World coordinates in float32, far from the origin: the picture jumps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailma koordinaadid float32-s, alguspunktist kaugel: pilt hüppab.</translation>
     </message>
     <message>
         <source>a sphere: the scene has too few triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>kera: stseenis on liiga vähe kolmnurki</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished"></translation>
+        <translation>afiinne</translation>
     </message>
     <message>
         <source>angle between up and view direction, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>nurk ülesvektori ja vaate suuna vahel, kraadides</translation>
     </message>
     <message>
         <source>aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>kuvasuhe</translation>
     </message>
     <message>
         <source>aspect of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>akna kuvasuhe</translation>
     </message>
     <message>
         <source>at most {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>viga ülimalt {0}</translation>
     </message>
     <message>
         <source>bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti</translation>
     </message>
     <message>
         <source>bytes a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti kaamera kohta</translation>
     </message>
     <message>
         <source>bytes a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti piksli kohta</translation>
     </message>
     <message>
         <source>bytes a point</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti punkti kohta</translation>
     </message>
     <message>
         <source>bytes a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti tipu kohta</translation>
     </message>
     <message>
         <source>bytes an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti serva kohta</translation>
     </message>
     <message>
         <source>bytes of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>võrgu baidid</translation>
     </message>
     <message>
         <source>cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>katkestatud</translation>
     </message>
     <message>
         <source>common grid</source>
-        <translation type="unfinished"></translation>
+        <translation>ühine ruudustik</translation>
     </message>
     <message>
         <source>depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavuse viga (1-st)</translation>
     </message>
     <message>
         <source>direct3d</source>
-        <translation type="unfinished"></translation>
+        <translation>direct3d</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugus</translation>
     </message>
     <message>
         <source>distance from the eye plane</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugus silmatasandist</translation>
     </message>
     <message>
         <source>distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugus alguspunktist</translation>
     </message>
     <message>
         <source>each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>iga piksel</translation>
     </message>
     <message>
         <source>each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>iga tipp</translation>
     </message>
     <message>
         <source>error after 360°, px</source>
-        <translation type="unfinished"></translation>
+        <translation>viga pärast 360°, px</translation>
     </message>
     <message>
         <source>error of a jump, px</source>
-        <translation type="unfinished"></translation>
+        <translation>hüppe viga, px</translation>
     </message>
     <message>
         <source>error, levels of 255</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, tasemeid 255-st</translation>
     </message>
     <message>
         <source>error, parts of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, osa kaugusest</translation>
     </message>
     <message>
         <source>error, parts of the distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, osa kaugusest w</translation>
     </message>
     <message>
         <source>error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, px</translation>
     </message>
     <message>
         <source>error, texels</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, tekslid</translation>
     </message>
     <message>
         <source>every stage</source>
-        <translation type="unfinished"></translation>
+        <translation>iga etapp</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>täpne</translation>
     </message>
     <message>
         <source>eye 1 000 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>silm 1 000 alguspunktist</translation>
     </message>
     <message>
         <source>eye 1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>silm 1 alguspunktist</translation>
     </message>
     <message>
         <source>eye first</source>
-        <translation type="unfinished"></translation>
+        <translation>enne silm</translation>
     </message>
     <message>
         <source>far</source>
-        <translation type="unfinished">kaugtasand</translation>
+        <translation>kaugtasand</translation>
     </message>
     <message>
         <source>far is at least 4 near</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand on vähemalt 4 lähitasandit</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation type="unfinished"></translation>
+        <translation>kiire pöördjuur</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>esimene kaader (ms)</translation>
     </message>
     <message>
         <source>fov</source>
-        <translation type="unfinished"></translation>
+        <translation>FOV</translation>
     </message>
     <message>
         <source>gap, px</source>
-        <translation type="unfinished"></translation>
+        <translation>pilu, px</translation>
     </message>
     <message>
         <source>gap, world units</source>
-        <translation type="unfinished"></translation>
+        <translation>vahe, maailma ühikutes</translation>
     </message>
     <message>
         <source>half resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>pool lahutust</translation>
     </message>
     <message>
         <source>imitated in software: its time says nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>tarkvaras jäljendatud: aeg ei ütle midagi</translation>
     </message>
     <message>
         <source>inverse of P V</source>
-        <translation type="unfinished"></translation>
+        <translation>P V pöördmaatriks</translation>
     </message>
     <message>
         <source>inverses of P and of V</source>
-        <translation type="unfinished"></translation>
+        <translation>P ja V pöördmaatriksid</translation>
     </message>
     <message>
         <source>largest error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim viga, px</translation>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>taset, RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>logaritmiline</translation>
     </message>
     <message>
         <source>matplotlib&apos;s proj3d</source>
-        <translation type="unfinished"></translation>
+        <translation>matplotlibi proj3d</translation>
     </message>
     <message>
         <source>ms a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ms kaadri kohta</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished">lähitasand</translation>
+        <translation>lähitasand</translation>
     </message>
     <message>
         <source>near is at most far / 4</source>
-        <translation type="unfinished"></translation>
+        <translation>lähitasand on ülimalt kaugtasand / 4</translation>
     </message>
     <message>
         <source>no edge of the scene&apos;s box is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>pildil ei ole ühtki stseeni risttahuka serva</translation>
     </message>
     <message>
         <source>no outline of the scene is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>pildil ei ole ühtki stseeni kontuuri</translation>
     </message>
     <message>
         <source>no vertex is in front of the eye, so there is nothing to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>ükski tipp ei ole silma ees, nii et midagi ei ole mõõta</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>puudub</translation>
     </message>
     <message>
         <source>not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>paigaldamata</translation>
     </message>
     <message>
         <source>ns a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ns kaadri kohta</translation>
     </message>
     <message>
         <source>ns a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>ns piksli kohta</translation>
     </message>
     <message>
         <source>ns a point</source>
-        <translation type="unfinished"></translation>
+        <translation>ns punkti kohta</translation>
     </message>
     <message>
         <source>numpy&apos;s hstack</source>
-        <translation type="unfinished"></translation>
+        <translation>numpy hstack</translation>
     </message>
     <message>
         <source>object first</source>
-        <translation type="unfinished"></translation>
+        <translation>enne objekt</translation>
     </message>
     <message>
         <source>of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugusest</translation>
     </message>
     <message>
         <source>opengl</source>
-        <translation type="unfinished"></translation>
+        <translation>opengl</translation>
     </message>
     <message>
         <source>overflows</source>
-        <translation type="unfinished"></translation>
+        <translation>täitub üle</translation>
     </message>
     <message>
         <source>own boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>oma risttahukad</translation>
     </message>
     <message>
         <source>p95</source>
-        <translation type="unfinished"></translation>
+        <translation>p95</translation>
     </message>
     <message>
         <source>pairs collapsed (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>kokku langevaid paare (1-st)</translation>
     </message>
     <message>
         <source>perspective-correct</source>
-        <translation type="unfinished"></translation>
+        <translation>perspektiivselt korrektne</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>ennustatud</translation>
     </message>
     <message>
         <source>predicted depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>ennustatud sügavuse viga (1-st)</translation>
     </message>
     <message>
         <source>predicted to collapse (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>ennustatult kokku langevaid (1-st)</translation>
     </message>
     <message>
         <source>products</source>
-        <translation type="unfinished"></translation>
+        <translation>korrutised</translation>
     </message>
     <message>
         <source>ray times depth</source>
-        <translation type="unfinished"></translation>
+        <translation>kiir korda sügavus</translation>
     </message>
     <message>
         <source>reciprocal table</source>
-        <translation type="unfinished"></translation>
+        <translation>pöördarvude tabel</translation>
     </message>
     <message>
         <source>reducing (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>lihtsustamine (ms)</translation>
     </message>
     <message>
         <source>renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>uuesti normeeritud</translation>
     </message>
     <message>
         <source>returns NaN</source>
-        <translation type="unfinished"></translation>
+        <translation>annab NaN-i</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>pööratud</translation>
     </message>
     <message>
         <source>separates surfaces {0} apart</source>
-        <translation type="unfinished"></translation>
+        <translation>eristab pindu vahega {0}</translation>
     </message>
     <message>
         <source>silhouette, px</source>
-        <translation type="unfinished"></translation>
+        <translation>siluett, px</translation>
     </message>
     <message>
         <source>snapped to 1/16 px</source>
-        <translation type="unfinished"></translation>
+        <translation>ümardatud 1/16 px-ni</translation>
     </message>
     <message>
         <source>snapped to 1/4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>ümardatud 1/4 px-ni</translation>
     </message>
     <message>
         <source>snapped to whole px</source>
-        <translation type="unfinished"></translation>
+        <translation>ümardatud täispiksliteni</translation>
     </message>
     <message>
         <source>supersampling {0} x {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ülediskreetimine {0} x {0}</translation>
     </message>
     <message>
         <source>tells nothing behind it apart</source>
-        <translation type="unfinished"></translation>
+        <translation>ei erista selle taga midagi</translation>
     </message>
     <message>
         <source>texels</source>
-        <translation type="unfinished"></translation>
+        <translation>tekslit</translation>
     </message>
     <message>
         <source>the largest of up to {0} points against 200 digits of mpmath</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim kuni {0} punktist, võrreldes mpmathi 200 numbrikohaga</translation>
     </message>
     <message>
         <source>the same picture</source>
-        <translation type="unfinished"></translation>
+        <translation>sama pilt</translation>
     </message>
     <message>
         <source>the smallest gap at the target (at 2 near or far / 2 if it lies outside)</source>
-        <translation type="unfinished"></translation>
+        <translation>väikseim vahe sihtpunkti kaugusel (kui see jääb väljapoole, siis kaugusel 2 lähitasandit või kaugtasand / 2)</translation>
     </message>
     <message>
         <source>the smallest gap behind a surface at this distance</source>
-        <translation type="unfinished"></translation>
+        <translation>väikseim vahe pinna taga sellel kaugusel</translation>
     </message>
     <message>
         <source>the target lies outside of near and far</source>
-        <translation type="unfinished"></translation>
+        <translation>sihtpunkt jääb väljapoole lähi- ja kaugtasandit</translation>
     </message>
     <message>
         <source>the whole edge is equally far away, so there is no error</source>
-        <translation type="unfinished"></translation>
+        <translation>kogu serv on ühel kaugusel, nii et viga ei ole</translation>
     </message>
     <message>
         <source>this OpenGL gives {0} samples</source>
-        <translation type="unfinished"></translation>
+        <translation>see OpenGL annab valimeid: {0}</translation>
     </message>
     <message>
         <source>this also switches off the early depth test, whose loss is not in this time</source>
-        <translation type="unfinished"></translation>
+        <translation>see lülitab välja ka varajase sügavustesti, mille kadu selles ajas ei sisaldu</translation>
     </message>
     <message>
         <source>this machine is busy: compare again</source>
-        <translation type="unfinished"></translation>
+        <translation>see masin on hõivatud: võrrelge uuesti</translation>
     </message>
     <message>
         <source>time ran out before the least time was steady</source>
-        <translation type="unfinished"></translation>
+        <translation>aeg lõppes, enne kui lühim aeg püsima jäi</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>kolmnurki</translation>
     </message>
     <message>
         <source>two floats</source>
-        <translation type="unfinished"></translation>
+        <translation>kaks ujukomaarvu</translation>
     </message>
     <message>
         <source>two sines</source>
-        <translation type="unfinished"></translation>
+        <translation>kaks siinust</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished">üles</translation>
+        <translation>ülesvektor</translation>
     </message>
     <message>
         <source>up to {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>viga kuni {0}</translation>
     </message>
     <message>
         <source>vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>vertikaalne FOV, kraadides</translation>
     </message>
     <message>
         <source>vertices moved by up to (px)</source>
-        <translation type="unfinished"></translation>
+        <translation>tippude nihe kuni (px)</translation>
     </message>
     <message>
         <source>world coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>maailma koordinaadid</translation>
     </message>
     <message>
         <source>world units</source>
-        <translation type="unfinished">maailma ühikut</translation>
+        <translation>maailma ühikut</translation>
     </message>
     <message>
         <source>{0} (cancelled)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (katkestatud)</translation>
     </message>
     <message>
         <source>{0} (now)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (nüüd)</translation>
     </message>
     <message>
         <source>{0} Newton step</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Newtoni samm</translation>
     </message>
     <message>
         <source>{0} Newton steps</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Newtoni sammu</translation>
     </message>
     <message>
         <source>{0} bits</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} bitti</translation>
     </message>
     <message>
         <source>{0} instead of {1}: the same cost, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mitte {1}: sama kulu, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times faster, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mitte {1}: {2} korda kiirem, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times larger, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mitte {1}: {2} korda suurem, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times slower, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mitte {1}: {2} korda aeglasem, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times smaller, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, mitte {1}: {2} korda väiksem, {3}.</translation>
     </message>
     <message>
         <source>{0} is only measured: the panes are not drawn with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on ainult mõõdetud: paane sellega ei joonistata.</translation>
     </message>
     <message>
         <source>{0} pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} tükki</translation>
     </message>
     <message>
         <source>{0}; eye {1}, target {2}, {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; silm {1}, siht {2}, {3}</translation>
     </message>
 </context>
 <context>
@@ -4842,39 +4842,39 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <name>Options</name>
     <message>
         <source>How a camera turns a 3-D scene into a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuidas kaamera teeb 3-D stseenist pildi.</translation>
     </message>
     <message>
         <source>a document, an exported PNG picture, a mesh, a camera, a lesson or a talk (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>dokument, eksporditud PNG-pilt, võrk, kaamera, õppetund või ettekanne (vaikimisi: F-täht)</translation>
     </message>
     <message>
         <source>a document, picture or mesh to measure (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõdetav dokument, pilt või võrk (vaikimisi: F-täht)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>dokumendi, pildi, võrgu või kaamera fail, mille kaamerat kasutatakse (vaikimisi: F-täht)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F), and the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be 0 for a point at infinity; any other w divides x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>dokumendi, pildi, võrgu või kaamera fail, mille kaamerat kasutatakse (vaikimisi: F-täht), ja punktid: CSV veergudega x,y,z, või - standardsisendi jaoks; neljas veerg w võib olla 0 lõpmatuspunkti jaoks; iga muu w jagab x, y ja z</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation type="unfinished"></translation>
+        <translation>ettekanne või õppetund, või programmiga kaasas oleva nimi, näiteks 001 või L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation type="unfinished"></translation>
+        <translation>pärast valikut --convention (vaikimisi: selle programmi oma)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
-        <translation type="unfinished"></translation>
+        <translation>aritmeetika (vaikimisi: float64, või exact, kus seda on vaja)</translation>
     </message>
     <message>
         <source>camera and lens as another program writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>kaamera ja objektiiv nii, nagu mõni teine programm need kirjutab</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -4882,19 +4882,19 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
-        <translation type="unfinished"></translation>
+        <translation>kontrolli või loetle õppetunde ja ettekandeid, trüki ülesannete teste, hinda tulemusi</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation type="unfinished"></translation>
+        <translation>check: proovib läbi õppetundide ja ettekannete kõik olekud, vastusevõtmed ja näidised ning mõõdab nende pildid (vaikimisi: programmiga kaasas olevad); list: loetleb need; names: trükib kõik nimed, mida nende failid kasutada võivad; print: trükib testid, vt allpool; results: hindab tulemuste failid uuesti sisestatu põhjal, loendab väärarusaamad ja loetleb, mida ükski väärarusaam ei seleta. FILE võib olla ka nimi, näiteks L5 või 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
-        <translation type="unfinished"></translation>
+        <translation>värvid, ainult selle käivituse jaoks</translation>
     </message>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>värvid: nagu heledal või tumedal ekraanil; trüki jaoks, kus tahud ja jooned erinevad ka halltoonilt; või suurima kontrastiga (vaikimisi: screen)</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
@@ -4902,95 +4902,95 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
-        <translation type="unfinished"></translation>
+        <translation>kustuta sätted ja ava siis aken</translation>
     </message>
     <message>
         <source>draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista joonis PNG-, SVG-, PDF-, TikZ- või HTML-failina, ilma akna ja ekraanita</translation>
     </message>
     <message>
         <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista liikuv pilt: valiku --set väärtus muutub väärtusest FIRST väärtuseni LAST; võib korrata koos muutuvate väärtuste jaoks</translation>
     </message>
     <message>
         <source>draw a moving picture: how --step follows from the step before</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista liikuv pilt: kuidas --step eelmisest sammust järgneb</translation>
     </message>
     <message>
         <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista liikuv pilt: ndc paan läheb maailmast läbi kõigi etappide pildini ja tagasi</translation>
     </message>
     <message>
         <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista liikuv pilt: maailma nähakse igast küljest, või nii palju ringi, kui ütleb DEGREES, ja tagasi; kaamera jääb oma kohale</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista kõik tulemused; FILE nagu valikul --json, lõpuga .png, või vektorite jaoks .svg või .pdf</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista vead aja suhtes või baitide suhtes, mis on igas masinas samad</translation>
     </message>
     <message>
         <source>draw every step of a talk, or print it with its notes</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista ettekande iga samm või trüki see koos märkmetega</translation>
     </message>
     <message>
         <source>draw every step without a display, run lesson check, measure the pictures, and report each mistake with file and line</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista iga samm ilma ekraanita, käivita lesson check, mõõda pildid ja teata igast veast koos faili ja reaga</translation>
     </message>
     <message>
         <source>draw many figures: a CSV file with a line for each, whose columns are out, file, the options without their dashes, and names of --set; each document, and each step of the lessons and talks, of a folder; or each step of one lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista palju jooniseid: CSV-fail, milles on igaühe jaoks rida ja mille veerud on out, file, valikud ilma kriipsudeta ja valiku --set nimed; kausta iga dokument ning õppetundide ja ettekannete iga samm; või ühe õppetunni iga samm</translation>
     </message>
     <message>
         <source>draw the same figure with more pixels (default: 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>joonista sama joonis rohkemate pikslitega (vaikimisi: 1)</translation>
     </message>
     <message>
         <source>every factor from the object to the picture, and the products so far</source>
-        <translation type="unfinished"></translation>
+        <translation>iga tegur objektist pildini ja senised korrutised</translation>
     </message>
     <message>
         <source>follow points through every stage of the projection</source>
-        <translation type="unfinished"></translation>
+        <translation>jälgi punkte läbi projektsiooni kõigi etappide</translation>
     </message>
     <message>
         <source>how panes draw (default: opengl with a graphics card, raster without)</source>
-        <translation type="unfinished"></translation>
+        <translation>kuidas paanid joonistavad (vaikimisi: graafikakaardiga opengl, ilma selleta raster)</translation>
     </message>
     <message>
         <source>in LaTeX: formulas in the cells instead of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeXis: lahtrites on arvude asemel valemid</translation>
     </message>
     <message>
         <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeXis: telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi omad)</translation>
     </message>
     <message>
         <source>in LaTeX: numbers, also after --symbols</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeXis: arvud, ka pärast valikut --symbols</translation>
     </message>
     <message>
         <source>in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeXis: arvude tüvenumbrid, kuni 17, mis on kõik (vaikimisi: 4)</translation>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
-        <translation type="unfinished"></translation>
+        <translation>LaTeXis: teksti või veeru laius, näiteks 84mm, ühikutes mm, cm, in või pt (vaikimisi: 345pt, artikli tekst)</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>kõigis peale .png-faili, jooned tahkude taga: jäetakse ära, on katkendlikud nagu standardis ISO 128 või peenikesed ja hallid (vaikimisi: none)</translation>
     </message>
     <message>
         <source>instead of --size: how wide it is after it was cropped without a margin, such as 84mm; its height is free, and letters keep their size</source>
-        <translation type="unfinished"></translation>
+        <translation>valiku --size asemel: kui lai see on pärast servata kärpimist, näiteks 84mm; kõrgus on vaba ja tähed säilitavad oma suuruse</translation>
     </message>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
-        <translation type="unfinished"></translation>
+        <translation>selle asemel: kood ja selle paketid, Pythoniga masinate jaoks</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
@@ -4998,203 +4998,203 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>jäta joonise ümbert ära kõik tühi, välja arvatud 2 mm serv</translation>
     </message>
     <message>
         <source>leave the background transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>jäta taust läbipaistvaks</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi omad)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi või õppetunni omad)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: ettekande omad)</translation>
     </message>
     <message>
         <source>make a folder to carry to machines without a network or an administrator</source>
-        <translation type="unfinished"></translation>
+        <translation>tee kaust, mille saab viia masinatesse, kus ei ole võrguühendust ega administraatorit</translation>
     </message>
     <message>
         <source>measure for half a minute only, less exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõda ainult pool minutit, vähem täpselt</translation>
     </message>
     <message>
         <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõda vead üle parameetri vahemiku; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõda see kompromiss; võib korrata (vaikimisi, ilma valikuta --sweep: kõik)</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõda selles masinas, mida kiirus täpsuses maksab</translation>
     </message>
     <message>
         <source>of --batch with a folder or a lesson: what to write (default: png)</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --batch kausta või õppetunniga: mida kirjutada (vaikimisi: png)</translation>
     </message>
     <message>
         <source>of --batch: leave out figures that are newer than the list and their document</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --batch: jäta vahele joonised, mis on loendist ja oma dokumendist uuemad</translation>
     </message>
     <message>
         <source>of --sweep: in equal steps, in equal ratios, or slowly at both ends (default: linear)</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --sweep: võrdsete sammudega, võrdsete suhetega või mõlemas otsas aeglaselt (vaikimisi: linear)</translation>
     </message>
     <message>
         <source>of --sweep: write the values below the panes</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --sweep: kirjuta väärtused paanide alla</translation>
     </message>
     <message>
         <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --wheels, näiteks 3.12; võib korrata (vaikimisi: praegune)</translation>
     </message>
     <message>
         <source>of --wheels; may be repeated (default: all of them)</source>
-        <translation type="unfinished"></translation>
+        <translation>valikul --wheels; võib korrata (vaikimisi: kõik)</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation type="unfinished"></translation>
+        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või edasi ja tagasi kõigi kaadrite peale kokku (vaikimisi: repeat valikul --sweep ja ringi käies, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation type="unfinished"></translation>
+        <translation>liikuval pildil: mitu kaadrit (vaikimisi: 48; valikul --stages 120, valikul --transition 24; .html-failis 21)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation type="unfinished"></translation>
+        <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
-        <translation type="unfinished"></translation>
+        <translation>käsul print: teemad või õppetundide failid, mille ülesannetest test koosneb</translation>
     </message>
     <message>
         <source>of print: the variants, one file for each; a variant has the same numbers everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>käsul print: variandid, igaühe jaoks üks fail; variandil on kõikjal samad arvud</translation>
     </message>
     <message>
         <source>of print: where the PDF files go; existing files are overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>käsul print: kuhu PDF-failid lähevad; olemasolevad failid kirjutatakse üle</translation>
     </message>
     <message>
         <source>of print: write one more file, with the answers of all variants and their ways</source>
-        <translation type="unfinished"></translation>
+        <translation>käsul print: kirjuta veel üks fail, kõigi variantide vastuste ja lahenduskäikudega</translation>
     </message>
     <message>
         <source>of results: write a table, a row for each answer; an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>käsul results: kirjuta tabel, iga vastuse jaoks üks rida; olemasolev fail kirjutatakse üle</translation>
     </message>
     <message>
         <source>of the chart, as of a figure (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>diagrammil, nagu joonisel (vaikimisi: screen)</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation type="unfinished"></translation>
+        <translation>diagrammil, nagu joonisel; kui on antud selle või selle tähtede suurus, ei ole all märkusi</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
-        <translation type="unfinished"></translation>
+        <translation>diagrammil, valiku --size asemel; kõrgus on vaba</translation>
     </message>
     <message>
         <source>of the handout: teacher has answers and notes, students room to write instead</source>
-        <translation type="unfinished"></translation>
+        <translation>jaotusmaterjalil: teacher on vastuste ja märkmetega, students jätab nende asemel ruumi kirjutamiseks</translation>
     </message>
     <message>
         <source>output format (default: table)</source>
-        <translation type="unfinished"></translation>
+        <translation>väljundi vorming (vaikimisi: table)</translation>
     </message>
     <message>
         <source>output format (default: text)</source>
-        <translation type="unfinished"></translation>
+        <translation>väljundi vorming (vaikimisi: text)</translation>
     </message>
     <message>
         <source>print every stage&apos;s matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>trüki iga etapi maatriks</translation>
     </message>
     <message>
         <source>report the fraction done, one per line, and take the commands pause, resume and cancel from standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>teata, kui suur osa on tehtud, igaüks oma real, ja võta standardsisendist vastu käsud pause, resume ja cancel</translation>
     </message>
     <message>
         <source>report what this machine has, what is missing and how to get it</source>
-        <translation type="unfinished"></translation>
+        <translation>teata, mis selles masinas on, mis puudub ja kust seda saab</translation>
     </message>
     <message>
         <source>save a picture of the window as PNG and quit</source>
-        <translation type="unfinished"></translation>
+        <translation>salvesta akna pilt PNG-failina ja lõpeta</translation>
     </message>
     <message>
         <source>show program&apos;s version number and exit</source>
-        <translation type="unfinished"></translation>
+        <translation>näita programmi versiooni ja lõpeta</translation>
     </message>
     <message>
         <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation type="unfinished"></translation>
+        <translation>diagrammi kõigi tähtede suurus punktides (vaikimisi: 7, kui suurus või laius on antud)</translation>
     </message>
     <message>
         <source>size of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>akna suurus</translation>
     </message>
     <message>
         <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation type="unfinished"></translation>
+        <translation>sõnade suurus punktides; 72 punkti on 300 pikslit mastaabis 1 (vaikimisi: 7 paanis, mille laius on 640 pikslit, teistes võrdeliselt)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation type="unfinished"></translation>
+        <translation>suurus paberil, näiteks 120mmx80mm, ühikutes mm, cm või in; või pikslites mastaabis 1, 300 tollis (vaikimisi: 640x640 iga paani jaoks, või ainult pildi puhul selle oma suurus); .html-failis iga paani suurus</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation type="unfinished"></translation>
+        <translation>koordinaatide ruum (vaikimisi: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>kirjutatav joonis (.png; .svg, .pdf või TikZ-i .tex kujundite ja teksti jaoks; .html lehe jaoks, mida telefonid näitavad) ja joonistatav dokument, pilt, võrk, kaamera, õppetund või ettekanne (vaikimisi: F-täht); koos valikuga --batch jooniste kaust; koos valikuga --sweep, --orbit, --stages või --transition film (.gif, .apng, .webp, või ffmpegiga .mp4), liuguriga leht (.html) või nimi, milles on %03d, iga kaadri joonise jaoks</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatavad paanid, kõrvuti, või komade asemel märgiga / üksteise all (vaikimisi: kõik, kõrvuti; sammu puhul selle slaidi paanid); või üksi equation: see on view.equation oma, mis on vaikimisi, kui --set seda küsib</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
-        <translation type="unfinished"></translation>
+        <translation>sama mis --set scene=NAME</translation>
     </message>
     <message>
         <source>the six planes of the view volume in world space</source>
-        <translation type="unfinished"></translation>
+        <translation>nähtava ruumi kuus tasandit maailmas</translation>
     </message>
     <message>
         <source>the step of a lesson or a talk to draw, its number or its name (default: the first)</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatav õppetunni või ettekande samm, selle number või nimi (vaikimisi: esimene)</translation>
     </message>
     <message>
         <source>what the world pane frames: what is named, with the whole frustum too, or the objects alone (default: named)</source>
-        <translation type="unfinished"></translation>
+        <translation>mida maailma paan raamib: nimetatut, ka koos kogu frustumiga, või ainult objekte (vaikimisi: named)</translation>
     </message>
     <message>
         <source>where to put the folder frustum-lab, with the program and all that it needs, for machines like this one without Python; and an archive of it</source>
-        <translation type="unfinished"></translation>
+        <translation>kuhu panna kaust frustum-lab, milles on programm ja kõik, mida see vajab, sarnaste Pythonita masinate jaoks; ja selle arhiiv</translation>
     </message>
     <message>
         <source>write all results; FILE is overwritten, - is standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>kirjuta kõik tulemused; FILE kirjutatakse üle, - on standardväljund</translation>
     </message>
     <message>
         <source>write the figures, text and notes of every step on A4 pages (.pdf) or as a page that phones show (.html); an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>kirjuta iga sammu joonised, tekst ja märkmed A4-lehtedele (.pdf) või lehele, mida telefonid näitavad (.html); olemasolev fail kirjutatakse üle</translation>
     </message>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
-        <translation type="unfinished"></translation>
+        <translation>kirjuta tabelid üksteise järel; FILE nagu valikul --json</translation>
     </message>
 </context>
 <context>
@@ -5729,1447 +5729,1447 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <name>Refusal</name>
     <message>
         <source>A film&apos;s frames have one size: leave out crop and width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Filmi kaadrid on ühe suurusega: jätke crop ja width ära.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik märgid on vastupidised.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on lähedal, aga mitte piisavalt täpne.</translation>
     </message>
     <message>
         <source>It is off by the factor 180/π: degrees and radians are mixed up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vastus erineb kordaja 180/π võrra: kraadid ja radiaanid on segamini.</translation>
     </message>
     <message>
         <source>It is too large, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vastus on liiga suur, umbes {0} korda.</translation>
     </message>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vastus on liiga väike, umbes {0} korda.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ükski arvudest ei ole õige.</translation>
     </message>
     <message>
         <source>Only column {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vale on ainult veerg {0}.</translation>
     </message>
     <message>
         <source>Only row {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vale on ainult rida {0}.</translation>
     </message>
     <message>
         <source>Only the number in row {0}, column {1} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vale on ainult arv, mis on reas {0} ja veerus {1}.</translation>
     </message>
     <message>
         <source>The digits are right, but the power of ten is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Numbrid on õiged, aga kümne aste on vale.</translation>
     </message>
     <message>
         <source>The document</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>The marked numbers have the wrong sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märgitud arvudel on vale märk.</translation>
     </message>
     <message>
         <source>The numbers are right, but columns {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvud on õiged, aga veerud {0} ja {1} on vahetuses.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows and columns are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvud on õiged, aga read ja veerud on vahetuses.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvud on õiged, aga read {0} ja {1} on vahetuses.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vale on märk ja vale on ka suurus.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suurus on õige, aga märk on vale.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Eelvaadet ei ole, kui kolmnurkade ja punktide arv on {0}.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stseeni „{0}“ ei ole, on ainult {1} või {2}; võrgufail vajab oma laiendit.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Stseeni „{0}“ ei ole, on ainult {1} või {2}; kas mõtlesite „{3}“?</translation>
     </message>
     <message>
         <source>This is 1 divided by the right number.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on 1 jagatud õige arvuga.</translation>
     </message>
     <message>
         <source>asks for a part that {0} does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>küsib osa, mida seal ei ole: {0}</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab plokki, mis jääb sulgemata: selle peab lõpetama rida ```</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it, above line {0}, where another begins</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab plokki, mis jääb sulgemata: selle peab lõpetama rida ```, enne rida {0}, kus algab uus</translation>
     </message>
     <message>
         <source>begins a block, but is indented: ``` must begin the line</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab plokki, aga on taandega: ``` peab olema rea alguses</translation>
     </message>
     <message>
         <source>begins a formula with $ that no other $ on its line ends</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab märgiga $ valemit, mida ükski teine $ samal real ei lõpeta</translation>
     </message>
     <message>
         <source>begins code that is not closed: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab koodi, mis jääb sulgemata: üks rida ``` on üleliigne või ilma liigita</translation>
     </message>
     <message>
         <source>begins code, not a block, and the block of line {0} is in it: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>alustab koodi, mitte plokki, ja real {0} algav plokk jääb selle sisse: üks rida ``` on üleliigne või ilma liigita</translation>
     </message>
     <message>
         <source>belongs to another lens: set lens.kind as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>kuulub teise objektiivi juurde: seadke ka lens.kind ({0})</translation>
     </message>
     <message>
         <source>belongs to another scene: set scene as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>kuulub teise stseeni juurde: seadke ka scene ({0})</translation>
     </message>
     <message>
         <source>can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points</source>
-        <translation type="unfinished"></translation>
+        <translation>võib lugeda komakohtadega arvudeks ({0}) või arvudeks ({1}): kasutage komakohtadeks punkti</translation>
     </message>
     <message>
         <source>cannot be moved in the scene {0}, whose objects are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa stseenis {0} liigutada, sest selle objektid on liikumatud</translation>
     </message>
     <message>
         <source>cannot be read: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa lugeda: {0}</translation>
     </message>
     <message>
         <source>cannot be set together with {0}, which it replaces</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa seada koos nimega {0}, mille see asendab</translation>
     </message>
     <message>
         <source>cannot be set together with {0}: both decide what the lens sees</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa seada koos nimega {0}: mõlemad määravad, mida objektiiv näeb</translation>
     </message>
     <message>
         <source>cannot be shown in the scene {0}, which needs its own objects</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa näidata stseenis {0}, mis vajab oma objekte</translation>
     </message>
     <message>
         <source>cannot be shown: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa näidata: {0}</translation>
     </message>
     <message>
         <source>cannot be told from the wrong value of line {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa eristada valest väärtusest real {0}, {1}</translation>
     </message>
     <message>
         <source>cannot be written as NAME=VALUE alone</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada ainult kujul NAME=VALUE</translation>
     </message>
     <message>
         <source>cannot be written: another program may be writing it</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada: võib-olla kirjutab seda mõni teine programm</translation>
     </message>
     <message>
         <source>cannot be written: it is a pipe or a device, not a regular file</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada: see on toru või seade, mitte tavaline fail</translation>
     </message>
     <message>
         <source>cannot be written: it is write-protected</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada: see on kirjutuskaitsega</translation>
     </message>
     <message>
         <source>cannot be written: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada: {0}</translation>
     </message>
     <message>
         <source>cannot be written: {0} says “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>ei saa kirjutada: {0} ütleb „{1}“</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>punktipilv: punktide arv peab olema 1 kuni {1}, aga anti {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>kuulub programmi juurde ja seda ei saa muuta: kopeerige see ja avage koopia</translation>
     </message>
     <message>
         <source>counts something, but its value is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>loendab midagi, aga selle väärtus on {0}</translation>
     </message>
     <message>
         <source>divides by zero</source>
-        <translation type="unfinished"></translation>
+        <translation>jagab nulliga</translation>
     </message>
     <message>
         <source>does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole olemas</translation>
     </message>
     <message>
         <source>does not fulfil the task</source>
-        <translation type="unfinished"></translation>
+        <translation>ei täida ülesannet</translation>
     </message>
     <message>
         <source>does not hold</source>
-        <translation type="unfinished"></translation>
+        <translation>ei kehti</translation>
     </message>
     <message>
         <source>ease = log: {0} has no equal ratios from {1} to {2}; choose linear.</source>
-        <translation type="unfinished"></translation>
+        <translation>ease = log: {0} ei muutu arvust {1} arvuni {2} võrdsete suhetega; valige linear.</translation>
     </message>
     <message>
         <source>finds no numbers that suit, for seed {0}; the last ones were refused: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei leia sobivaid arve, algarv {0}; viimased lükati tagasi: {1}</translation>
     </message>
     <message>
         <source>fps = {0}: must be from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>fps = {0}: peab olema 1 kuni {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be a whole number from 2 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: peab olema täisarv 2 kuni {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be even to go back and forth.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: edasi-tagasi minekuks peab olema paarisarv.</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>saab „{0}“, mitte „{1}“</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”; this variant has {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>saab „{0}“, mitte „{1}“; selle variandi arvud: {2}</translation>
     </message>
     <message>
         <source>gives the answer in a second way: keep one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>annab vastuse teist moodi: jätke alles üks nendest: {0}</translation>
     </message>
     <message>
         <source>has HTML, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab HTML-i, mida õppetund näitab nii, nagu see on kirjutatud</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab väärtust CAMERA_ID, mida failis cameras.txt ei ole</translation>
     </message>
     <message>
         <source>has a formula that cannot be typeset: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab valemit, mida ei saa laduda: {0}</translation>
     </message>
     <message>
         <source>has a function that is not defined for its argument</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab funktsiooni, mis ei ole oma argumendi jaoks määratud</translation>
     </message>
     <message>
         <source>has a note of {0} words; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab märkmeid, mille sõnade arv on {0}; piir on {1}</translation>
     </message>
     <message>
         <source>has a picture or a link, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab pilti või linki, mida õppetund näitab nii, nagu see on kirjutatud</translation>
     </message>
     <message>
         <source>has a power with a degree above {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab astet, mille astendaja on suurem kui {0} (märk {1})</translation>
     </message>
     <message>
         <source>has a value that is too large; the limit is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab liiga suurt väärtust; piir on {0}</translation>
     </message>
     <message>
         <source>has an answer that the scene shows as “{0}”: add “hide: numbers”</source>
-        <translation type="unfinished"></translation>
+        <translation>vastust näitab stseen nimega „{0}“: lisage „hide: numbers“</translation>
     </message>
     <message>
         <source>has an unknown kind of block, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab tundmatut liiki plokki, {0}; lähim on {1}</translation>
     </message>
     <message>
         <source>has faces that cross each other in too many places for a figure without pixels: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab tahke, mis lõikuvad pikslita joonise jaoks liiga paljudes kohtades: kirjutage see .png-failina</translation>
     </message>
     <message>
         <source>has more than {0} answers</source>
-        <translation type="unfinished"></translation>
+        <translation>vastuste arv on suurem kui {0}</translation>
     </message>
     <message>
         <source>has more than {0} levels of brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>sulgude tasemeid on rohkem kui {0}</translation>
     </message>
     <message>
         <source>has more than {0} nested brackets (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>üksteise sees on sulge rohkem kui {0} (märk {1})</translation>
     </message>
     <message>
         <source>has more than {0} steps</source>
-        <translation type="unfinished"></translation>
+        <translation>sammude arv on suurem kui {0}</translation>
     </message>
     <message>
         <source>has more than {0} values</source>
-        <translation type="unfinished"></translation>
+        <translation>väärtuste arv on suurem kui {0}</translation>
     </message>
     <message>
         <source>has no camera: no camera_matrix, K or fx, and no frame</source>
-        <translation type="unfinished"></translation>
+        <translation>kaamerat ei ole: ei ole camera_matrix, K ega fx ning ei ole kaadrit</translation>
     </message>
     <message>
         <source>has no steps</source>
-        <translation type="unfinished"></translation>
+        <translation>samme ei ole</translation>
     </message>
     <message>
         <source>has no strokes as Frustum Lab writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole jooni kujul, nagu Frustum Lab neid kirjutab</translation>
     </message>
     <message>
         <source>has no value in this state, which has no {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole selles olekus väärtust, sest puudub {0}</translation>
     </message>
     <message>
         <source>has no value, because infinity minus infinity or infinity times 0 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole väärtust, sest lõpmatus miinus lõpmatus ja lõpmatus korda 0 ei ole arv</translation>
     </message>
     <message>
         <source>has the place ({0}), which is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>koht on ({0}), mida pildil ei ole</translation>
     </message>
     <message>
         <source>has the title of a step, but no line --- above it</source>
-        <translation type="unfinished"></translation>
+        <translation>on sammu pealkiri, aga selle kohal ei ole rida ---</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>variante on liiga vähe, umbes {0}; vaja on vähemalt {1}</translation>
     </message>
     <message>
         <source>has unreadable lines ({0}), which are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>on loetamatuid ridu ({0}), mis jäetakse välja</translation>
     </message>
     <message>
         <source>has {0} characters, with the indented lines below; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>märkide arv koos allpool olevate taandega ridadega on {0}; piir on {1}</translation>
     </message>
     <message>
         <source>has {0} characters; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>märkide arv on {0}; piir on {1}</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>tahkude, joonte ja punktide arv paanis on {0}; ilma piksliteta joonise piir on {1}: kirjutage see .png-failina</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>tahkude, joonte ja punktide arv paanis on {0}; ilma piksliteta joonise piir on {1}: kirjutage {2}</translation>
     </message>
     <message>
         <source>has {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab kaks korda: {0}</translation>
     </message>
     <message>
         <source>has {0} values; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>väärtuste arv on {0}; piir on {1}</translation>
     </message>
     <message>
         <source>has {0} words in its step; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>sõnade arv sammus on {0}; piir on {1}</translation>
     </message>
     <message>
         <source>has {0} × {1} cells; the answer has {2} × {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>lahtreid on {0} × {1}; vastuses on neid {2} × {3}</translation>
     </message>
     <message>
         <source>has {0}, which no formula may contain (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab {0}, mida ei tohi üheski valemis olla (märk {1})</translation>
     </message>
     <message>
         <source>has {0}, which no picture of the step can name</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab {0}, mida ükski sammu pilt ei saa nimetada</translation>
     </message>
     <message>
         <source>height = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} korda scale {3}: peab olema {1} kuni {2} pikslit.</translation>
     </message>
     <message>
         <source>height = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} {3}: peab olema {1} kuni {2} {3}.</translation>
     </message>
     <message>
         <source>height = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0}: peab olema pikslite täisarv {1} kuni {2}.</translation>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>on teist liiki punktipilv ({0}): teisendage see .ply-failiks; käsk „project --points“ loeb x, y, z tabelit</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>on dokument ja vaadet {0} sellel ei ole</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation type="unfinished"></translation>
+        <translation>on programmi {0} fail, mida ei loeta: eksportige selle kaamerad COLMAPi tekstina, failina transforms.json või OpenCV K, R, t-na</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>on kaust, mitte fail</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation type="unfinished"></translation>
+        <translation>on moonutusega objektiiv, aga siin jäävad sirged sirgeks: eemaldage piltidelt moonutus ja kasutage uute piltide kaamerat</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation type="unfinished"></translation>
+        <translation>on pilt, milles ei ole Frustum Labi dokumenti</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>on pikslite kalle, mis peab olema 0: objektiivi aken on ristkülik</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation type="unfinished"></translation>
+        <translation>on transponeeritud K, kus cx ja cy on viimases reas: vahetage read ja veerud</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
-        <translation type="unfinished"></translation>
+        <translation>on lõpmatuses, seega on see suund ja mitte punkt</translation>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation type="unfinished"></translation>
+        <translation>on binaarne: kirjutage tekst käsuga colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>on vigane või katkenud: tekst alates reast {0}, veerust {1} ei ole JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>on kahjustatud ja seda ei saa ümber nimetada: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
-        <translation type="unfinished"></translation>
+        <translation>on täidetud, enne kui õppija midagi teeb</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>on tühi</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>on antud kaks korda</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
-        <translation type="unfinished"></translation>
+        <translation>on pildi pikslites, mille suurus ei ole teada ega ole {0} x {1}: seadke image.width ja image.height või lisage faili image_width ja image_height</translation>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation type="unfinished"></translation>
+        <translation>on taandega, aga ei kuulu millegi ülalpool oleva juurde</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>on suurem kui {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>on pikem kui {0} märki</translation>
     </message>
     <message>
         <source>is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>puudub</translation>
     </message>
     <message>
         <source>is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a camera file (.json, .yml, .xml, cameras.txt, images.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole dokument (.json), õppetund (.md), eksporditud pilt (.png), võrk ({0}) ega kaamerafail (.json, .yml, .xml, cameras.txt, images.txt)</translation>
     </message>
     <message>
         <source>is no perspective camera, and is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole perspektiivne kaamera ja seda ei loeta</translation>
     </message>
     <message>
         <source>is not UTF-8 text, some letters may be wrong: save the file in that encoding</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole UTF-8 tekst, mõni täht võib olla vale: salvestage fail selles kodeeringus</translation>
     </message>
     <message>
         <source>is not XML as OpenCV writes it: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole XML, nagu OpenCV seda kirjutab: {0}</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole Frustum Labi dokument</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document: it is not text</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole Frustum Labi dokument: see ei ole tekst</translation>
     </message>
     <message>
         <source>is not a complete PNG picture: it is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole terviklik PNG-pilt: see on kahjustatud või katkenud</translation>
     </message>
     <message>
         <source>is not a file of results of Frustum Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole Frustum Labi tulemuste fail</translation>
     </message>
     <message>
         <source>is not a name that a file can have</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole nimi, mis failil olla saab</translation>
     </message>
     <message>
         <source>is not in the picture that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole pildil, mis trükitakse</translation>
     </message>
     <message>
         <source>is not known; the nearest name is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole tuntud; lähim nimi on {0}</translation>
     </message>
     <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>on õppetunni samm {0}; piir on {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>on ülesandega samm {0}; õppetunni piir on {1}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
-        <translation type="unfinished"></translation>
+        <translation>on juba täht tähendusega {0}; kahel asjal ei saa olla ühte tähte</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole ühegi „test“-ploki näidise otsus</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation type="unfinished"></translation>
+        <translation>on liiga lähedal ({0}) tasandile, mis on silmast sama kaugel kui lähitasand</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
-        <translation type="unfinished"></translation>
+        <translation>on väärtusele {0} liiga lähedal, et float64 neid eristaks</translation>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation type="unfinished"></translation>
+        <translation>on ühe lehekülje jaoks liiga pikk</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole ühegi näidisega „{0}: ... -&gt; right“ proovitud, nii et vale väärtus jääks märkamata</translation>
     </message>
     <message>
         <source>is wrong, but has no reply: name a wrong idea, or add “says:” below</source>
-        <translation type="unfinished"></translation>
+        <translation>on vale, aga sellel ei ole vastust: nimetage väärarusaam või lisage alla „says:“</translation>
     </message>
     <message>
         <source>is wrong, but holds in the right state</source>
-        <translation type="unfinished"></translation>
+        <translation>on vale, aga kehtib õiges olekus</translation>
     </message>
     <message>
         <source>is wrong, but its formula gives the right value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>on vale, aga selle valem annab õige väärtuse {0}</translation>
     </message>
     <message>
         <source>lacks a line --- above it, which ends the lines like “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>selle kohal puudub rida ---, mis lõpetab read nagu „title: ...“</translation>
     </message>
     <message>
         <source>lacks a line “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>puudub rida „title: ...“</translation>
     </message>
     <message>
         <source>mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; open the file as a scene of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {0}: failis on ainult jooned või punktid, aga stseen „{1}“ vajab pinda; avage fail omaette stseenina.</translation>
     </message>
     <message>
         <source>mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {1}: stseenil „{0}“ on oma motiiv, mida ükski võrk ei saa asendada.</translation>
     </message>
     <message>
         <source>must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up to 255, or parts of 1</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema #rrggbb või punane, roheline ja sinine, kõigi punktide jaoks või igaühe jaoks ({0}): täisarvud kuni 255 või osad arvust 1</translation>
     </message>
     <message>
         <source>must be 0 or at least {0} in size</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema 0 või suuruselt vähemalt {0}</translation>
     </message>
     <message>
         <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema 16 arvu või kalibreeritud kaamera K: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
         <source>must be 9, 12 or 16 numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema 9, 12 või 16 arvu, aga neid on {0}</translation>
     </message>
     <message>
         <source>must be NAME=VALUE, or document: FILE.json</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema NAME=VALUE või document: FILE.json</translation>
     </message>
     <message>
         <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema [SECTION] või NAME = &quot;LETTER&quot; või algama märgiga # nagu kommentaar</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema ladina täht või sõna või üks järgmistest: {0}, koos indeksiga pärast märki _, kui see on, nagu x_min, ja ülimalt {1} märki</translation>
     </message>
     <message>
         <source>must be a condition: two formulas with =, !=, &lt;, &gt;, &lt;= or &gt;= between them, or NAME = WORD</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tingimus: kaks valemit, mille vahel on =, !=, &lt;, &gt;, &lt;= või &gt;=, või NAME = WORD</translation>
     </message>
     <message>
         <source>must be a document or a projection, such as load({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema dokument või projektsioon, näiteks load({0})</translation>
     </message>
     <message>
         <source>must be a file beside the lesson, or in a folder there</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema fail õppetunni kõrval või sealses kaustas</translation>
     </message>
     <message>
         <source>must be a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema lõplik arv</translation>
     </message>
     <message>
         <source>must be a finite number or inf</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema lõplik arv või inf</translation>
     </message>
     <message>
         <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend 2 kuni {0} pildist, millest täpselt üks on dokumendi oma</translation>
     </message>
     <message>
         <source>must be a list of at most {0} different names, or only *</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend, milles on ülimalt {0} eri nime, või ainult *</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names from {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend, milles on ülimalt {0} nime järgmistest: {1}</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names of values</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend, milles on ülimalt {0} väärtuse nime</translation>
     </message>
     <message>
         <source>must be a list of at most {0} probes</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend, milles on ülimalt {0} sondi</translation>
     </message>
     <message>
         <source>must be a list of names from {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend nimedest, mis on {0}</translation>
     </message>
     <message>
         <source>must be a list of texts NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend tekstidest NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a list of the numbers of probes</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema loend sondide numbritest</translation>
     </message>
     <message>
         <source>must be a matrix of finite numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema lõplike arvude maatriks, aga selles on {0}</translation>
     </message>
     <message>
         <source>must be a matrix of numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arvude maatriks, aga selles on {0}</translation>
     </message>
     <message>
         <source>must be a name</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema nimi</translation>
     </message>
     <message>
         <source>must be a name of letters, digits and -</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema nimi tähtedest, numbritest ja märgist -</translation>
     </message>
     <message>
         <source>must be a number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv {0} kuni {1}</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv nagu 0.5, 1/2, √3/2 või 2e-3; {0} ei ole loetav arvu osana</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, milles on ülimalt {0} märki</translation>
     </message>
     <message>
         <source>must be a number of points, such as 8 or 8pt</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema punktide arv, näiteks 8 või 8pt</translation>
     </message>
     <message>
         <source>must be a number of the model that can be set, and the answer; it is {0} here</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema mudeli arv, mida saab seada, ja vastus; siin on see {0}</translation>
     </message>
     <message>
         <source>must be a number whose power of ten is between -{0} and {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, mille kümne aste on -{0} ja {0} vahel</translation>
     </message>
     <message>
         <source>must be a number without {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, milles ei ole {0}</translation>
     </message>
     <message>
         <source>must be a number, or inf for ∞</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, või inf märgi ∞ asemel</translation>
     </message>
     <message>
         <source>must be a number, such as 0.5 or 2e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, näiteks 0.5 või 2e-3</translation>
     </message>
     <message>
         <source>must be a number, such as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv, näiteks {0}</translation>
     </message>
     <message>
         <source>must be a number: a function has no value there</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv: funktsioonil ei ole seal väärtust</translation>
     </message>
     <message>
         <source>must be a number: nothing can be divided by 0</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv: 0-ga ei saa midagi jagada</translation>
     </message>
     <message>
         <source>must be a number; nothing is typed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv; midagi ei ole veel sisestatud</translation>
     </message>
     <message>
         <source>must be a number; something is missing after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv; pärast {0} on midagi puudu</translation>
     </message>
     <message>
         <source>must be a number; {0} is neither a number nor a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv; {0} ei ole arv ega ühik</translation>
     </message>
     <message>
         <source>must be a number; {0} may be {1} or {2}: write one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv; {0} võib olla {1} või {2}: kirjutage üks neist</translation>
     </message>
     <message>
         <source>must be a number; {0} mixes degrees and radians</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema arv; {0} ajab kraadid ja radiaanid segamini</translation>
     </message>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema vahemik nagu 20..100 step 5 või komadega eraldatud arvud</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema pööre: ühepikkused teljed täisnurga all, peegeldamata</translation>
     </message>
     <message>
         <source>must be a row and a column, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema rida ja veerg, mille vahel on „,“</translation>
     </message>
     <message>
         <source>must be a sample like “NAME: SAMPLE -&gt; VERDICT”</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema näidis nagu „NAME: SAMPLE -&gt; VERDICT“</translation>
     </message>
     <message>
         <source>must be a text</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tekst</translation>
     </message>
     <message>
         <source>must be a text or a list of some of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tekst või loend mõnedest järgmistest: {0}</translation>
     </message>
     <message>
         <source>must be a type such as float64, to which numpy.asarray(points, float) converts</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tüüp nagu float64, milleks numpy.asarray(points, float) teisendab</translation>
     </message>
     <message>
         <source>must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema rühma settings, camera, lens, image, object või depth väärtus kujul NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema täisarv</translation>
     </message>
     <message>
         <source>must be a whole number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema täisarv {0} kuni {1}</translation>
     </message>
     <message>
         <source>must be a whole number of pixels from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema pikslite täisarv 1 kuni {0}</translation>
     </message>
     <message>
         <source>must be a whole number, 1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema täisarv, 1 või rohkem</translation>
     </message>
     <message>
         <source>must be a whole number: the question asks for a count</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema täisarv: küsitakse, mitu neid on</translation>
     </message>
     <message>
         <source>must be an answer with its lesson, exercise and time</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema vastus koos õppetunni, ülesande ja ajaga</translation>
     </message>
     <message>
         <source>must be an object with named values in braces</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema objekt, milles on looksulgudes nimedega väärtused</translation>
     </message>
     <message>
         <source>must be at least {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema vähemalt {0}</translation>
     </message>
     <message>
         <source>must be at least {0} away from the target</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema sihtpunktist vähemalt {0} kaugusel</translation>
     </message>
     <message>
         <source>must be at least {0} long</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema vähemalt {0} pikk</translation>
     </message>
     <message>
         <source>must be at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema ülimalt {0}</translation>
     </message>
     <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>sellele peab järgnema # ja number, kuni {0}, või vaate nimi: {1}</translation>
     </message>
     <message>
         <source>must be four rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema neli rida, igas neli lõplikku arvu</translation>
     </message>
     <message>
         <source>must be from {0} to {1} points</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema {0} kuni {1} punkti</translation>
     </message>
     <message>
         <source>must be fx, fy, cx, cy, or K: three rows fx, 0, cx and 0, fy, cy and 0, 0, 1</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema fx, fy, cx, cy või K: kolm rida fx, 0, cx ja 0, fy, cy ja 0, 0, 1</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui 0; alla 0 on pildi x suunatud vasakule: võtke fx = {0} ja cx = W - 1 - cx</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui 0; alla 0 on pildi y suunatud üles: võtke fy = {0} ja cy = H - 1 - cy</translation>
     </message>
     <message>
         <source>must be greater than bottom, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui alumine, mis on {0}</translation>
     </message>
     <message>
         <source>must be greater than left, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui vasak, mis on {0}</translation>
     </message>
     <message>
         <source>must be greater than near, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui lähitasand, mis on {0}</translation>
     </message>
     <message>
         <source>must be greater than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suurem kui {0}</translation>
     </message>
     <message>
         <source>must be in pixels, but the four numbers are in widths and heights of the image: multiply fx and cx by {0}, fy and cy by {1}, then subtract 0.5 from cx and cy</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema pikslites, aga need neli arvu on pildi laiustes ja kõrgustes: korrutage fx ja cx arvuga {0}, fy ja cy arvuga {1} ning lahutage siis cx-st ja cy-st 0.5</translation>
     </message>
     <message>
         <source>must be in {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}</translation>
     </message>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kasvavad arvud 0 kuni 1, üks vähem kui võrreldavaid pilte, või mitte ühtegi, kui pildid on kõrvuti</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema väiksem kui kaugtasand, mis on {0}</translation>
     </message>
     <message>
         <source>must be less than right, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema väiksem kui parem, mis on {0}</translation>
     </message>
     <message>
         <source>must be less than top, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema väiksem kui ülemine, mis on {0}</translation>
     </message>
     <message>
         <source>must be one line of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks rida, milles on ülimalt {0} märki</translation>
     </message>
     <message>
         <source>must be one line of text</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks rida teksti</translation>
     </message>
     <message>
         <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks stseeni enda võrdlustest ({0}) või PATH=VALUE, kus pildi väärtuste vahel on ;, piltide vahel | ja pildi ees, millel on nimi, NAME:</translation>
     </message>
     <message>
         <source>must be one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}</translation>
     </message>
     <message>
         <source>must be one of {0}, a colon, and its value</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}, siis koolon ja selle väärtus</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters beside the lesson, such as letters.toml</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}, või tähtede fail õppetunni kõrval, näiteks letters.toml</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}, või tähtede fail, milles on ülimalt {1} märki</translation>
     </message>
     <message>
         <source>must be one of {0}, or a number from {1} to {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}, või arv {1} kuni {2}</translation>
     </message>
     <message>
         <source>must be one of {0}, or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}, või tühi, kui mitte ükski</translation>
     </message>
     <message>
         <source>must be one of {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema üks järgmistest: {0}; lähim on {1}</translation>
     </message>
     <message>
         <source>must be the document&apos;s own, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema dokumendi oma, {0}</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema stseeni või võrgufaili nimi</translation>
     </message>
     <message>
         <source>must be the number of a choice, from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema valiku number 1 kuni {0}</translation>
     </message>
     <message>
         <source>must be the numbers x, y, z of each point in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema järgemööda iga punkti arvud x, y, z</translation>
     </message>
     <message>
         <source>must be the path of a mesh file ({0}), or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema võrgufaili tee ({0}) või tühi, kui võrku ei ole</translation>
     </message>
     <message>
         <source>must be the text of one matrix, up to {0} characters long</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema ühe maatriksi tekst, pikkusega kuni {0} märki</translation>
     </message>
     <message>
         <source>must be three finite numbers x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kolm lõplikku arvu x, y, z</translation>
     </message>
     <message>
         <source>must be three numbers for a point, four with w, two for the ray of a pixel, or null for no probe</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kolm arvu punkti jaoks, neli koos w-ga, kaks piksli kiire jaoks või null, kui sondi ei ole</translation>
     </message>
     <message>
         <source>must be three rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kolm rida, igas neli lõplikku arvu</translation>
     </message>
     <message>
         <source>must be three rows of three finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kolm rida, igas kolm lõplikku arvu</translation>
     </message>
     <message>
         <source>must be tiles such as translate 3,0,0 or rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema lülid, näiteks translate 3,0,0 või rotate z 90</translation>
     </message>
     <message>
         <source>must be topics from L1 to L27, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema teemad L1 kuni L27, eraldatud komadega</translation>
     </message>
     <message>
         <source>must be true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema true või false</translation>
     </message>
     <message>
         <source>must be two numbers of pixels, width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kaks pikslite arvu, laius ja kõrgus</translation>
     </message>
     <message>
         <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema world või ndc koos paani silmaga või silma ja sihtpunktiga, nagu world: 6,4,8 või ndc: 1.3,0.2,0.3,0,0,0; kaht paani eraldab | (mida klass näeb, on view.slide)</translation>
     </message>
     <message>
         <source>must be written as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema kirjutatud kujul NAME=VALUE</translation>
     </message>
     <message>
         <source>must be {0} coordinates, separated by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tühikutega eraldatud koordinaadid, arvuga {0}</translation>
     </message>
     <message>
         <source>must be {0} finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>lõplike arvude arv peab olema {0}</translation>
     </message>
     <message>
         <source>must be {0} numbers, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>arvude arv peab olema {0}, aga on {1}</translation>
     </message>
     <message>
         <source>must begin a step with its title, like “# Title”</source>
-        <translation type="unfinished"></translation>
+        <translation>peab alustama sammu selle pealkirjaga, nagu „# Pealkiri“</translation>
     </message>
     <message>
         <source>must begin the lesson: ---, then lines like “title: ...”, then --- again</source>
-        <translation type="unfinished"></translation>
+        <translation>peab alustama õppetundi: ---, siis read nagu „title: ...“, siis jälle ---</translation>
     </message>
     <message>
         <source>must begin with a seed, a whole number from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab algama algarvuga, täisarv 1 kuni {0}</translation>
     </message>
     <message>
         <source>must begin with “- [x]” if it is right, else “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>peab algama märkidega „- [x]“, kui see on õige, muidu „- [ ]“</translation>
     </message>
     <message>
         <source>must differ from the eye, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>peab silmast erinema, muidu ei vaata kaamera kuhugi</translation>
     </message>
     <message>
         <source>must differ from the target, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>peab sihtpunktist erinema, muidu ei vaata kaamera kuhugi</translation>
     </message>
     <message>
         <source>must end in {0}, the numbers of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>lõpus peab olema {0}, punkti arvud</translation>
     </message>
     <message>
         <source>must have 0, 0, 0, 1 in its last row: no move of an object changes w</source>
-        <translation type="unfinished"></translation>
+        <translation>viimases reas peab olema 0, 0, 0, 1: ükski objekti liigutus ei muuda w-d</translation>
     </message>
     <message>
         <source>must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, separated by “,”; and at least two cells</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema 1 kuni {0} rida, eraldatud märgiga „;“, igas sama palju lahtreid, 1 kuni {0}, eraldatud märgiga „,“; ja vähemalt kaks lahtrit</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
-        <translation type="unfinished"></translation>
+        <translation>vasakul 3 x 3 plokil peab olema pöördmaatriks: kaamera on lõpmatuses, nagu paralleelne kaamera</translation>
     </message>
     <message>
         <source>must have a product with numbers up to {0} only</source>
-        <translation type="unfinished"></translation>
+        <translation>korrutise arvud tohivad olla ainult kuni {0}</translation>
     </message>
     <message>
         <source>must have a result whose formulas have at most {0} characters, or end in {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>tulemuse valemites tohib olla ülimalt {0} märki, või lõpp peab olema {1}</translation>
     </message>
     <message>
         <source>must have an inverse whose numbers and products float64 can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema pöördmaatriks, mille arve ja korrutisi float64 suudab hoida</translation>
     </message>
     <message>
         <source>must have an inverse, but its rank is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema pöördmaatriks, aga astak on {0}</translation>
     </message>
     <message>
         <source>must have at most {0} tiles, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>lülisid tohib olla ülimalt {0}, aga neid on {1}</translation>
     </message>
     <message>
         <source>must have equally many numbers in every row</source>
-        <translation type="unfinished"></translation>
+        <translation>igas reas peab olema sama palju arve</translation>
     </message>
     <message>
         <source>must have finite real numbers only</source>
-        <translation type="unfinished"></translation>
+        <translation>peab sisaldama ainult lõplikke reaalarve</translation>
     </message>
     <message>
         <source>must have no masked number</source>
-        <translation type="unfinished"></translation>
+        <translation>maskitud arve ei tohi olla</translation>
     </message>
     <message>
         <source>must have no number after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>pärast {0} ei tohi olla arvu</translation>
     </message>
     <message>
         <source>must have numbers up to {0} in size only</source>
-        <translation type="unfinished"></translation>
+        <translation>arvud tohivad olla suuruselt ainult kuni {0}</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
-        <translation type="unfinished"></translation>
+        <translation>igal pöördel peab olema kolm arvu; pöördel on neid kolm või üheksa</translation>
     </message>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>koordinaatide arv peab olema {0}, eraldatud märgiga „,“</translation>
     </message>
     <message>
         <source>must have {0} finite numbers after {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
-        <translation type="unfinished"></translation>
+        <translation>märkide „...“ ees peab tüvenumbreid olema: {0}</translation>
     </message>
     <message>
         <source>must have {0} × {1} cells: “;” separates rows, “|” the cells of a row</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema {0} × {1} lahtrit: „;“ eraldab ridu, „|“ rea lahtreid</translation>
     </message>
     <message>
         <source>must lie above the plane y = {0}: a light on the plane or under it casts no shadow there</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema tasandist y = {0} kõrgemal: valgus tasandil või selle all ei heida sinna varju</translation>
     </message>
     <message>
         <source>must lie between {0} and {1}, both excluded</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema {0} ja {1} vahel, otspunktid välja arvatud</translation>
     </message>
     <message>
         <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab nimetama 1 kuni {0} maatriksit, näiteks {1}; sellel objektiivil ei ole maatriksit {2}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>
-        <translation type="unfinished"></translation>
+        <translation>peab nimetama maatrikseid, mis on ühes loengus koos</translation>
     </message>
     <message>
         <source>must not be 0 if x, y and z are 0: (0, 0, 0, 0) is neither a point nor a direction</source>
-        <translation type="unfinished"></translation>
+        <translation>ei tohi olla 0, kui x, y ja z on 0: (0, 0, 0, 0) ei ole punkt ega suund</translation>
     </message>
     <message>
         <source>must not be 0: the plane would go through the eye, where nothing is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>ei tohi olla 0: tasand läbiks silma, kus midagi ei lõigata</translation>
     </message>
     <message>
         <source>must not be before the near plane ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>ei tohi olla lähitasandi ees ({0})</translation>
     </message>
     <message>
         <source>must not be parallel to the view direction</source>
-        <translation type="unfinished"></translation>
+        <translation>ei tohi olla vaate suunaga paralleelne</translation>
     </message>
     <message>
         <source>must not be the zero vector</source>
-        <translation type="unfinished"></translation>
+        <translation>ei tohi olla nullvektor</translation>
     </message>
     <message>
         <source>must point upward, to the sun: otherwise its rays never meet the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>peab olema suunatud üles, päikese poole: muidu ei kohta selle kiired kunagi tasandit</translation>
     </message>
     <message>
         <source>names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>nimetab tundmatut väärarusaama (lähim on {0}) ja sellel ei ole oma „says:“</translation>
     </message>
     <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab lõpetavat sulgu, mitte {0} (märk {1})</translation>
     </message>
     <message>
         <source>needs a number, a letter or a bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab arvu, tähte või sulgu, mitte {0} (märk {1})</translation>
     </message>
     <message>
         <source>needs a sign such as + or * in front of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab märki nagu + või * enne {0} (märk {1})</translation>
     </message>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab astendajaks täisarvu, mitte {0} (märk {1})</translation>
     </message>
     <message>
         <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab vähemalt kaht valikut, millest täpselt üks on õige: „- [x]“, teised „- [ ]“</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab väärtust lens.sensor_width_mm või lens.sensor_height_mm; 36 x 24 mm-ga võrreldav on lens.focal_length_mm</translation>
     </message>
     <message>
         <source>needs the program {0}, which is not on the PATH: write .webp instead</source>
-        <translation type="unfinished"></translation>
+        <translation>vajab programmi {0}, mida PATH-is ei ole: kirjutage selle asemel .webp</translation>
     </message>
     <message>
         <source>needs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>vaja on {0}</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>pane = {0}: peab olema üks järgmistest: {1}.</translation>
     </message>
     <message>
         <source>panes = {0}: must name at least one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>panes = {0}: peab nimetama vähemalt ühe järgmistest: {1}.</translation>
     </message>
     <message>
         <source>plotter() needs the package pyvista: pip install pyvista.</source>
-        <translation type="unfinished"></translation>
+        <translation>plotter() vajab paketti pyvista: pip install pyvista.</translation>
     </message>
     <message>
         <source>points: at most {0} can be marked, and {1} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>points: märkida saab ülimalt {0}, aga anti {1}.</translation>
     </message>
     <message>
         <source>repeats the name of line {0}; each needs its own</source>
-        <translation type="unfinished"></translation>
+        <translation>kordab nime realt {0}; igaüks vajab oma nime</translation>
     </message>
     <message>
         <source>says another number than its formula&apos;s value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ütleb teist arvu, kui on valemi väärtus {0}</translation>
     </message>
     <message>
         <source>scale = {0}: must be greater than 0 and at most {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>scale = {0}: peab olema suurem kui 0 ja ülimalt {1}.</translation>
     </message>
     <message>
         <source>size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm, or two numbers of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>size = {0}: peab olema WIDTHxHEIGHT ühikutes {1}, näiteks 120mmx80mm, või kaks pikslite arvu.</translation>
     </message>
     <message>
         <source>sweep = {0}: must be NAME=FIRST:LAST with finite numbers, such as lens.near=0.5:8 or camera.eye=3,2,4:0,2,5.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: peab olema NAME=FIRST:LAST lõplike arvudega, näiteks lens.near=0.5:8 või camera.eye=3,2,4:0,2,5.</translation>
     </message>
     <message>
         <source>sweep = {0}: {1} is swept already.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: {1} juba muutub.</translation>
     </message>
     <message>
         <source>text size = {0}: must be from {1} to {2} points in panes of this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>text size = {0}: selle suurusega paanides peab olema {1} kuni {2} punkti.</translation>
     </message>
     <message>
         <source>uses an unknown function or matrix, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>kasutab tundmatut funktsiooni või maatriksit {0}; lähim on {1}</translation>
     </message>
     <message>
         <source>uses an unknown name, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>kasutab tundmatut nime {0}; lähim on {1}</translation>
     </message>
     <message>
         <source>varies more than {0} numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>muudab arve, mille arv on suurem kui {0}</translation>
     </message>
     <message>
         <source>varies {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>muudab kaks korda: {0}</translation>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>oli kahjustatud ja on alles nimega {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>on kirjutatud uuema Frustum Labiga: selle versioon on {0}, piir on {1}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>on kirjutatud uuema Frustum Labiga: selle versioon on {0}, see programm loeb kuni versioonini {1}</translation>
     </message>
     <message>
         <source>was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>on kirjutatud uuema Frustum Labi jaoks, mis loeb versiooni {0}; see loeb kuni versioonini {1}</translation>
     </message>
     <message>
         <source>width = {0} mm: a line of this equation needs {1} mm in letters of {2} points.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} mm: selle võrrandi üks rida vajab {1} mm, kui tähtede suurus on {2} punkti.</translation>
     </message>
     <message>
         <source>width = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} korda scale {3}: peab olema {1} kuni {2} pikslit.</translation>
     </message>
     <message>
         <source>width = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} {3}: peab olema {1} kuni {2} {3}.</translation>
     </message>
     <message>
         <source>width = {0}: must be a length in {1}, such as 84mm, or a number of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: peab olema pikkus ühikutes {1}, näiteks 84mm, või pikslite arv.</translation>
     </message>
     <message>
         <source>width = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: peab olema pikslite täisarv {1} kuni {2}.</translation>
     </message>
     <message>
         <source>{0} of {1} numbers are right; the others are marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õigeid arve on {0}, kokku {1}; ülejäänud on märgitud.</translation>
     </message>
     <message>
         <source>{0}, with {1}; “where: CONDITION” excludes numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kui {1}; „where: CONDITION“ jätab arve välja</translation>
     </message>
     <message>
         <source>{0}: TeX reads a picture beside it, whose name may have only letters from a to z, digits and . _ + = -.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: TeX loeb selle kõrvalt pilti, mille nimes tohivad olla ainult tähed a kuni z, numbrid ja . _ + = -.</translation>
     </message>
     <message>
         <source>{0}: a face, line or point names a vertex that does not exist (there are {1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: mõni tahk, joon või punkt nimetab tippu, mida ei ole (neid on {1}); eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: a mesh file must end in {1} or {2}; convert it to one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: võrgufaili lõpp peab olema {1} või {2}; teisendage see üheks nendest.</translation>
     </message>
     <message>
         <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: mõne tipu koordinaat on {1}, aga see peab olema ±{2} piires, mis on 1e12 korda võrgu suurus; viige võrk alguspunkti.</translation>
     </message>
     <message>
         <source>{0}: all vertices are at one point, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: kõik tipud on ühes punktis, nii et midagi ei ole näha; kontrollige eksporti.</translation>
     </message>
     <message>
         <source>{0}: all vertices are on one line, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: kõik tipud on ühel sirgel, nii et midagi ei ole näha; kontrollige eksporti.</translation>
     </message>
     <message>
         <source>{0}: cannot be opened ({1}); check its name and its permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ei saa avada ({1}); kontrollige selle nime ja õigusi.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: välja jäetud tahke: {1}, kokku {2}, sest neil on vähem kui kolm eri nurka; esimese number on {3}.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: välja jäetud tahke: {1}, kokku {2}, sest neil on vähem kui kolm eri nurka; esimene on real {3}.</translation>
     </message>
     <message>
         <source>{0}: from line {1} on, it has more rows than its header counts; correct the header, or export the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: alates reast {1} on ridu rohkem, kui päis loendab; parandage päis või eksportige fail uuesti.</translation>
     </message>
     <message>
         <source>{0}: is a link, where a picture of the figure would be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: on link, aga seal oleks joonise pilt.</translation>
     </message>
     <message>
         <source>{0}: is damaged: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: on kahjustatud: {1}.</translation>
     </message>
     <message>
         <source>{0}: is not a file of measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ei ole mõõtmiste fail.</translation>
     </message>
     <message>
         <source>{0}: it cannot be read ({1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: seda ei saa lugeda ({1}); eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: it uses “{1}”, which this program does not read; export it without that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: see kasutab võimalust „{1}“, mida see programm ei loe; eksportige fail ilma selleta.</translation>
     </message>
     <message>
         <source>{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} and {4} MiB; make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: kolmnurkade, joonte ja punktide arv kasvaks arvuni {1} ja maht {2} MiB-ni, aga lubatud on ülimalt {3} ja {4} MiB; tehke see väiksemaks.</translation>
     </message>
     <message>
         <source>{0}: its faces are not divided into triangles within {1} s; give them fewer corners, or divide them before the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: selle tahud ei jagune {1} s jooksul kolmnurkadeks; andke neile vähem nurki või jagage need enne eksporti.</translation>
     </message>
     <message>
         <source>{0}: its part {1} is not a readable file in the folder of the mesh; keep the files of a glTF mesh together.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: selle osa {1} ei ole loetav fail võrgu kaustas; hoidke glTF-võrgu failid koos.</translation>
     </message>
     <message>
         <source>{0}: line {1} cannot be read as {2}; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: rida {1} ei saa lugeda kui {2}; eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: line {1} has a vertex that is not finite (nan or inf), and line {2} uses it; repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: real {1} on tipp, mis ei ole lõplik (nan või inf), ja rida {2} kasutab seda; parandage võrk ja eksportige uuesti.</translation>
     </message>
     <message>
         <source>{0}: line {1} names a vertex that does not exist (there are {2}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: rida {1} nimetab tippu, mida ei ole (neid on {2}); eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: must end in .svg, .pdf, .tex or .png.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: lõpp peab olema .svg, .pdf, .tex või .png.</translation>
     </message>
     <message>
         <source>{0}: must end in one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: lõpp peab olema üks järgmistest: {1}.</translation>
     </message>
     <message>
         <source>{0}: some vertices are not finite (nan or inf: {1} of {2}); repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: osa tippe ei ole lõplikud (nan või inf: {1}, kokku {2}); parandage võrk ja eksportige uuesti.</translation>
     </message>
     <message>
         <source>{0}: the content of the file is not {1}; check what kind of file it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: faili sisu ei ole {1}; kontrollige, mis liiki fail see on.</translation>
     </message>
     <message>
         <source>{0}: the file has no faces (vertices: {1}), so there is no surface to draw; export the mesh with faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: failis ei ole tahke (tippe: {1}), nii et joonistamiseks ei ole pinda; eksportige võrk koos tahkudega.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: fail on katkenud: ridu „{3}“ on {1}, kokku peaks olema {2}; eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} triangles; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: fail on katkenud: kolmnurki on {1}, kokku peaks olema {2}; eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: fail on katkenud; eksportige fail uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: the file is empty; save or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: fail on tühi; salvestage see uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ühe tahu nurkade arv on {1}, aga peab olema 3 kuni {2}; jagage või parandage see.</translation>
     </message>
     <message>
         <source>{0}: the process that reads it ended too early; make it smaller, or export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: seda lugev protsess lõppes liiga vara; tehke fail väiksemaks, eksportige see uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
         <source>{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: võrgu suurus on {1} ühikut, aga peab olema 1e-30 ja 1e30 vahel; skaleerige see.</translation>
     </message>
     <message>
         <source>{0}: the window could not be shown whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: akent ei saanud tervikuna näidata.</translation>
     </message>
     <message>
         <source>{0}: the window did not appear on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: aken ei ilmunud ekraanile.</translation>
     </message>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: sellist faili ei ole; kontrollige selle nime ja kausta.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: selle lugemiseks ei ole piisavalt mälu; tehke see väiksemaks või sulgege teisi programme.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: välja jäetud tippe: {1}, kokku {2}, sest need ei ole lõplikud (nan või inf) ja ükski tahk ega joon neid ei kasuta; esimese number on {3}.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: välja jäetud tippe: {1}, kokku {2}, sest need ei ole lõplikud (nan või inf) ja ükski tahk ega joon neid ei kasuta; esimene on real {3}.</translation>
     </message>
     <message>
         <source>{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: on mõõdetud teise Frustum Labiga: selle versioon on {1}, see loeb versiooni {2}.</translation>
     </message>
     <message>
         <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: oleks {1} MB; TeXi mällu mahuvad joonised suurusega {2} MB: kirjutage {3}.</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}</translation>
     </message>
 </context>
 <context>
@@ -8335,7 +8335,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>AB left out by the cut at z = −0.01</source>
-        <translation>Lõige kohal z = −0.01 jätab ära</translation>
+        <translation>AB osa, mille lõige kohal z = −0.01 ära jätab</translation>
     </message>
     <message>
         <source>AB missed</source>
@@ -8347,7 +8347,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Aperture N</source>
-        <translation>Ava N</translation>
+        <translation>Diafragma N</translation>
     </message>
     <message>
         <source>Arithmetic</source>
@@ -9231,7 +9231,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 64 %, lähitasandiga 0.1 0 %, kaugtasandiga 60 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
+        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 64 %, lähitasandi 0.1 korral 0 %, kaugtasandi 60 korral 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>
@@ -9327,1475 +9327,1475 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Two meshes share a seam. Each stores its vertices in few bits over its own box, and so rounds the same place in its own way: light comes through. The gap is at most half of both steps together along each axis. In a common grid both round alike, and nothing gapes, though the smaller mesh loses its finer steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahel võrgul on ühine õmblus. Kumbki salvestab oma tipud väheste bittidega üle omaenda risttahuka ja ümardab seega sama kohta omamoodi: valgus paistab läbi. Pilu on piki iga telge ülimalt pool mõlema astme summast. Ühisel ruudustikul ümardavad mõlemad ühtemoodi ja pilu ei ole, kuigi väiksem võrk kaotab oma peenemad astmed.</translation>
     </message>
     <message>
         <source>Unit cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühikkuup</translation>
     </message>
     <message>
         <source>Up to which frame the path is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis kaadrini tee joonistatakse</translation>
     </message>
     <message>
         <source>V_x of edges along x</source>
-        <translation type="unfinished"></translation>
+        <translation>x-sihiliste servade V_x</translation>
     </message>
     <message>
         <source>V_y of edges along y</source>
-        <translation type="unfinished"></translation>
+        <translation>y-sihiliste servade V_y</translation>
     </message>
     <message>
         <source>V_z of edges along z</source>
-        <translation type="unfinished"></translation>
+        <translation>z-sihiliste servade V_z</translation>
     </message>
     <message>
         <source>V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right</source>
-        <translation type="unfinished"></translation>
+        <translation>V_{0} on lõpmatuses: {0}-sihilised servad jäävad paralleelseks, nurgaga {1}° paremalt</translation>
     </message>
     <message>
         <source>Vanishing points</source>
-        <translation type="unfinished"></translation>
+        <translation>Koondumispunktid</translation>
     </message>
     <message>
         <source>Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipud</translation>
     </message>
     <message>
         <source>View volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav ruum</translation>
     </message>
     <message>
         <source>View volumes</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtavad ruumid</translation>
     </message>
     <message>
         <source>Walk past the window: drag the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõndige aknast mööda: lohistage silma.</translation>
     </message>
     <message>
         <source>Walk round it: drag the azimuth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõndige ringi ümber: lohistage asimuuti.</translation>
     </message>
     <message>
         <source>Way back</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasitee</translation>
     </message>
     <message>
         <source>What does cutting before the divide do?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida teeb lõikamine enne jagamist?</translation>
     </message>
     <message>
         <source>What happens in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis juhtub kuubis?</translation>
     </message>
     <message>
         <source>What happens to its shape in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis juhtub selle kujuga kuubis?</translation>
     </message>
     <message>
         <source>What happens to the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis juhtub pildiga?</translation>
     </message>
     <message>
         <source>What stays in its place in the image?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis jääb pildil oma kohale?</translation>
     </message>
     <message>
         <source>When is everything far away sharp?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millal on kõik kaugel olev terav?</translation>
     </message>
     <message>
         <source>Where do both pictures agree?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus langevad mõlemad pildid kokku?</translation>
     </message>
     <message>
         <source>Where does the texture bend?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus tekstuur murdub?</translation>
     </message>
     <message>
         <source>Where in the cube do the posts crowd?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus kuubis postid tihenevad?</translation>
     </message>
     <message>
         <source>Where it ends; behind the eye its image is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus see lõpeb; silma taga on selle kujutis peegeldatud</translation>
     </message>
     <message>
         <source>Where the logarithm of the distance is computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus arvutatakse kauguse logaritm</translation>
     </message>
     <message>
         <source>Where the segment starts, in world coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus lõik algab, maailma koordinaatides</translation>
     </message>
     <message>
         <source>Which edges are parallel in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised servad on pildil paralleelsed?</translation>
     </message>
     <message>
         <source>Which edges meet, and where?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised servad kohtuvad, ja kus?</translation>
     </message>
     <message>
         <source>Which faces keep their shape?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised tahud säilitavad oma kuju?</translation>
     </message>
     <message>
         <source>Which of A to E are inside now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised punktidest A kuni E on nüüd sees?</translation>
     </message>
     <message>
         <source>Which parts grow when you come near?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised osad kasvavad, kui lähemale tulete?</translation>
     </message>
     <message>
         <source>Which way does the frustum lean?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu poole on frustum kaldu?</translation>
     </message>
     <message>
         <source>Width of the left mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Vasaku võrgu laius</translation>
     </message>
     <message>
         <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Vasaku võrgu risttahuka laius; selle astmed kasvavad kaasa</translation>
     </message>
     <message>
         <source>Width of the right mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Parema võrgu laius</translation>
     </message>
     <message>
         <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Parema võrgu risttahuka laius; selle astmed kasvavad kaasa</translation>
     </message>
     <message>
         <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laiema frustumi nurgaga peab kaamera olema lähemal, et motiiv jääks sama suureks. Selle lähedased osad paistavad siis kaugetega võrreldes suuremad: perspektiivne lühenemine sõltub ainult kaugusest. Kui te kaugust muudate, muutub frustumi nurk kaasa, nii et asjad sihtpunkti kaugusel jäävad sama suureks (dolly zoom). Üks ühik on 10 cm.</translation>
     </message>
     <message>
         <source>World y of the plane; at most 0, where the object stands</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandi y maailmas; ülimalt 0, kus objekt seisab</translation>
     </message>
     <message>
         <source>Your mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Teie võrk</translation>
     </message>
     <message>
         <source>a corner is behind the eye: until near has cut, there is nothing to draw in NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>üks nurk on silma taga: kuni lähitasand ei ole lõiganud, ei ole NDC-s midagi joonistada</translation>
     </message>
     <message>
         <source>a logarithmic depth buffer needs a perspective lens and a far plane that is not at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>logaritmiline sügavuspuhver vajab perspektiivset objektiivi ja kaugtasandit, mis ei ole lõpmatuses</translation>
     </message>
     <message>
         <source>a logarithmic depth needs a far plane that is not at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>logaritmiline sügavus vajab kaugtasandit, mis ei ole lõpmatuses</translation>
     </message>
     <message>
         <source>a parallel lens cannot have its far plane at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi kaugtasand ei saa olla lõpmatuses</translation>
     </message>
     <message>
         <source>a parallel lens divides by 1 and has no eye plane: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelne objektiiv jagab 1-ga ja sellel ei ole silmatasandit: valige perspektiivne objektiiv</translation>
     </message>
     <message>
         <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelne objektiiv jagab 1-ga: selle z&apos; on ise afiinne ja midagi ei kõverdu</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelsel objektiivil ei ole silma, kust koonus võiks alata: näidatakse selle oma nähtavat ruumi</translation>
     </message>
     <message>
         <source>a parallel lens has no field of view, only a width</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelsel objektiivil ei ole frustumi nurka, ainult laius</translation>
     </message>
     <message>
         <source>a parallel lens has no focal length: choose a perspective lens to focus it</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelsel objektiivil ei ole fookuskaugust: teravustamiseks valige perspektiivne objektiiv</translation>
     </message>
     <message>
         <source>a parallel lens has no hole through which all light passes: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelsel objektiivil ei ole ava, mille kaudu kogu valgus tuleb: valige perspektiivne objektiiv</translation>
     </message>
     <message>
         <source>a perspective lens draws equal edges with unequal lengths: choose the oblique lens</source>
-        <translation type="unfinished"></translation>
+        <translation>perspektiivne objektiiv joonistab võrdsed servad eri pikkusega: valige kaldnurgaline objektiiv</translation>
     </message>
     <message>
         <source>a step is so long that it may lead past the eye: there is no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>üks samm on nii pikk, et see võib silmast mööda viia: tõket ei ole</translation>
     </message>
     <message>
         <source>a vertex of the picture has come behind the drifted camera</source>
-        <translation type="unfinished"></translation>
+        <translation>üks pildi tipp on sattunud triivinud kaamera taha</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished"></translation>
+        <translation>afiinne</translation>
     </message>
     <message>
         <source>affine: s linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>afiinne: s on ekraanil lineaarne</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>kõik</translation>
     </message>
     <message>
         <source>an axis is too long or too short by up to</source>
-        <translation type="unfinished"></translation>
+        <translation>telg on liiga pikk või liiga lühike kuni</translation>
     </message>
     <message>
         <source>an axis leans by up to</source>
-        <translation type="unfinished"></translation>
+        <translation>telg on viltu kuni</translation>
     </message>
     <message>
         <source>arrows in the image, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>nooled pildil, suurendatud</translation>
     </message>
     <message>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>nagu joonistatud</translation>
     </message>
     <message>
         <source>at each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>igas pikslis</translation>
     </message>
     <message>
         <source>at each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>igas tipus</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished">telg</translation>
+        <translation>telg</translation>
     </message>
     <message>
         <source>before the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraani ees</translation>
     </message>
     <message>
         <source>behind the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraani taga</translation>
     </message>
     <message>
         <source>bfloat16</source>
-        <translation type="unfinished"></translation>
+        <translation>bfloat16</translation>
     </message>
     <message>
         <source>blur disc</source>
-        <translation type="unfinished"></translation>
+        <translation>hägususketas</translation>
     </message>
     <message>
         <source>blur disc on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>hägususketas filmil</translation>
     </message>
     <message>
         <source>blur of the target</source>
-        <translation type="unfinished"></translation>
+        <translation>sihtpunkti hägusus</translation>
     </message>
     <message>
         <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
-        <translation type="unfinished"></translation>
+        <translation>mõlemad langevad kokku ainult siis, kui objektiivi telg läbib pildi keskkoha; siin läbib see kohta ({0}, {1}) px ja nende summa on sellest kaks korda suurem</translation>
     </message>
     <message>
         <source>bottom</source>
-        <translation type="unfinished">alumine</translation>
+        <translation>alumine</translation>
     </message>
     <message>
         <source>bound of the error</source>
-        <translation type="unfinished"></translation>
+        <translation>vea tõke</translation>
     </message>
     <message>
         <source>bytes a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>baiti tipu kohta</translation>
     </message>
     <message>
         <source>cards crossing: to be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>kaardid piiril: lõikamisele</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation type="unfinished"></translation>
+        <translation>kaardid väljas</translation>
     </message>
     <message>
         <source>cards whole inside</source>
-        <translation type="unfinished"></translation>
+        <translation>kaardid tervenisti sees</translation>
     </message>
     <message>
         <source>case, by the cut at z = −0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>juhtum, lõikega kohal z = −0.01</translation>
     </message>
     <message>
         <source>cheap</source>
-        <translation type="unfinished"></translation>
+        <translation>odav</translation>
     </message>
     <message>
         <source>checks</source>
-        <translation type="unfinished"></translation>
+        <translation>ruudud</translation>
     </message>
     <message>
         <source>circle of confusion</source>
-        <translation type="unfinished"></translation>
+        <translation>hajumisring</translation>
     </message>
     <message>
         <source>clip coordinates are too large for float64 numbers, or lie on one ray of the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>kärperuumi koordinaadid on float64-arvude jaoks liiga suured või asuvad ühel silmast lähtuval kiirel</translation>
     </message>
     <message>
         <source>clipped</source>
-        <translation type="unfinished"></translation>
+        <translation>kärbitud</translation>
     </message>
     <message>
         <source>clipped, then divided</source>
-        <translation type="unfinished"></translation>
+        <translation>kärbitud, siis jagatud</translation>
     </message>
     <message>
         <source>codes of the buffer</source>
-        <translation type="unfinished"></translation>
+        <translation>puhvri koodid</translation>
     </message>
     <message>
         <source>common grid</source>
-        <translation type="unfinished"></translation>
+        <translation>ühine ruudustik</translation>
     </message>
     <message>
         <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
-        <translation type="unfinished"></translation>
+        <translation>arvutatud: vahe ja koodid on graafikakaardi float32-st peenemad, nii et pilt näitab hoopis selle müra</translation>
     </message>
     <message>
         <source>contrast left where they pop</source>
-        <translation type="unfinished"></translation>
+        <translation>kontrast, mis ilmumisel alles on</translation>
     </message>
     <message>
         <source>corners after it</source>
-        <translation type="unfinished"></translation>
+        <translation>nurki pärast seda</translation>
     </message>
     <message>
         <source>corners before it</source>
-        <translation type="unfinished"></translation>
+        <translation>nurki enne seda</translation>
     </message>
     <message>
         <source>correct</source>
-        <translation type="unfinished"></translation>
+        <translation>korrektne</translation>
     </message>
     <message>
         <source>correct: s/w and 1/w, divided</source>
-        <translation type="unfinished"></translation>
+        <translation>korrektne: s/w ja 1/w, jagatud</translation>
     </message>
     <message>
         <source>cut</source>
-        <translation type="unfinished"></translation>
+        <translation>lõigatud</translation>
     </message>
     <message>
         <source>cut at z = −0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>lõigatud kohal z = −0.01</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation type="unfinished"></translation>
+        <translation>d w järgi, 32 koodi</translation>
     </message>
     <message>
         <source>depth of field</source>
-        <translation type="unfinished"></translation>
+        <translation>teravussügavus</translation>
     </message>
     <message>
         <source>depth z&apos; = A + B/z along the marked edge is, too</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavus z&apos; = A + B/z piki märgitud serva samuti</translation>
     </message>
     <message>
         <source>diameter, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>läbimõõt, mm</translation>
     </message>
     <message>
         <source>distance d to the target</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugus d sihtpunktini</translation>
     </message>
     <message>
         <source>distance of the target, w</source>
-        <translation type="unfinished"></translation>
+        <translation>sihtpunkti kaugus, w</translation>
     </message>
     <message>
         <source>distance, m</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugus, m</translation>
     </message>
     <message>
         <source>divided, not cut</source>
-        <translation type="unfinished"></translation>
+        <translation>jagatud, lõikamata</translation>
     </message>
     <message>
         <source>drawn at</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud kohal</translation>
     </message>
     <message>
         <source>drawn by P V, off by</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud P V kaudu, viga</translation>
     </message>
     <message>
         <source>drawn by V, then P, off by</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud V ja siis P kaudu, viga</translation>
     </message>
     <message>
         <source>drawn floor</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud põrand</translation>
     </message>
     <message>
         <source>drift drawn, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud triiv, suurendatud</translation>
     </message>
     <message>
         <source>each camera turns in by</source>
-        <translation type="unfinished"></translation>
+        <translation>kumbki kaamera pöördub sissepoole</translation>
     </message>
     <message>
         <source>each mesh its own</source>
-        <translation type="unfinished"></translation>
+        <translation>igal võrgul oma</translation>
     </message>
     <message>
         <source>each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>iga piksel</translation>
     </message>
     <message>
         <source>each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>iga tipp</translation>
     </message>
     <message>
         <source>edges along {0} are seen end on, as points</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}-sihilised servad on otsevaates, punktidena</translation>
     </message>
     <message>
         <source>edges of the mesh that are counted, and all</source>
-        <translation type="unfinished"></translation>
+        <translation>võrgu servad: arvesse võetud, ja kõik</translation>
     </message>
     <message>
         <source>error of P</source>
-        <translation type="unfinished"></translation>
+        <translation>P viga</translation>
     </message>
     <message>
         <source>error of a jump, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>hüppe viga, mõõdetud</translation>
     </message>
     <message>
         <source>error of a jump, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>hüppe viga, ennustatud</translation>
     </message>
     <message>
         <source>error of the join</source>
-        <translation type="unfinished"></translation>
+        <translation>liitekoha viga</translation>
     </message>
     <message>
         <source>error, of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, kauguse suhtes</translation>
     </message>
     <message>
         <source>error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>viga, px</translation>
     </message>
     <message>
         <source>every vertex is as high as the light or higher: none has a shadow on the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>kõik tipud on valgusega samal kõrgusel või kõrgemal: ühelgi ei ole tasandil varju</translation>
     </message>
     <message>
         <source>everything from the target to the far plane may share its code</source>
-        <translation type="unfinished"></translation>
+        <translation>kõik sihtpunktist kaugtasandini võib olla ühesama koodiga</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>täpne</translation>
     </message>
     <message>
         <source>exponential, by its density</source>
-        <translation type="unfinished"></translation>
+        <translation>eksponentsiaalne, tiheduse järgi</translation>
     </message>
     <message>
         <source>faces, with both images of AB</source>
-        <translation type="unfinished"></translation>
+        <translation>tahud koos AB mõlema kujutisega</translation>
     </message>
     <message>
         <source>far</source>
-        <translation type="unfinished">kaugtasand</translation>
+        <translation>kaugtasand</translation>
     </message>
     <message>
         <source>far is infinite, and so is the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand on lõpmatuses ja maht seega lõpmatu</translation>
     </message>
     <message>
         <source>farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugeim</translation>
     </message>
     <message>
         <source>farthest that a vertex of the right seam moves</source>
-        <translation type="unfinished"></translation>
+        <translation>kõige rohkem, mis parema õmbluse tipp nihkub</translation>
     </message>
     <message>
         <source>fast root</source>
-        <translation type="unfinished"></translation>
+        <translation>kiire juur</translation>
     </message>
     <message>
         <source>film</source>
-        <translation type="unfinished"></translation>
+        <translation>film</translation>
     </message>
     <message>
         <source>film in front: +d·h / z</source>
-        <translation type="unfinished"></translation>
+        <translation>film ees: +d·h / z</translation>
     </message>
     <message>
         <source>fixed point 16.16</source>
-        <translation type="unfinished"></translation>
+        <translation>püsikoma 16.16</translation>
     </message>
     <message>
         <source>float of 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>ujukoma, 16 bitti</translation>
     </message>
     <message>
         <source>float of 32 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>ujukoma, 32 bitti</translation>
     </message>
     <message>
         <source>float16</source>
-        <translation type="unfinished"></translation>
+        <translation>float16</translation>
     </message>
     <message>
         <source>float32</source>
-        <translation type="unfinished"></translation>
+        <translation>float32</translation>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, alguspunktist kaugel</translation>
     </message>
     <message>
         <source>float32, from the object</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, objektist</translation>
     </message>
     <message>
         <source>float32, from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, alguspunktist</translation>
     </message>
     <message>
         <source>float64</source>
-        <translation type="unfinished"></translation>
+        <translation>float64</translation>
     </message>
     <message>
         <source>floor</source>
-        <translation type="unfinished"></translation>
+        <translation>põrand</translation>
     </message>
     <message>
         <source>focal length f</source>
-        <translation type="unfinished"></translation>
+        <translation>fookuskaugus f</translation>
     </message>
     <message>
         <source>focal length, 35-mm camera</source>
-        <translation type="unfinished"></translation>
+        <translation>fookuskaugus, 35-mm kaamera</translation>
     </message>
     <message>
         <source>foreshortening, nearest : farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>perspektiivne lühenemine, lähim : kaugeim</translation>
     </message>
     <message>
         <source>found point</source>
-        <translation type="unfinished"></translation>
+        <translation>leitud punkt</translation>
     </message>
     <message>
         <source>foundation</source>
-        <translation type="unfinished"></translation>
+        <translation>alusmüür</translation>
     </message>
     <message>
         <source>frame size minus right end</source>
-        <translation type="unfinished"></translation>
+        <translation>kaadri suurus miinus parem ots</translation>
     </message>
     <message>
         <source>frames in which P stands still</source>
-        <translation type="unfinished"></translation>
+        <translation>kaadrid, milles P seisab paigal</translation>
     </message>
     <message>
         <source>from P to V</source>
-        <translation type="unfinished"></translation>
+        <translation>punktist P punkti V</translation>
     </message>
     <message>
         <source>from there to the ray&apos;s end</source>
-        <translation type="unfinished"></translation>
+        <translation>sealt kiire lõpuni</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation type="unfinished"></translation>
+        <translation>poolujuk</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraanil poolel teel piki märgitud serva, maailmas, selle lähemast otsast</translation>
     </message>
     <message>
         <source>hole</source>
-        <translation type="unfinished"></translation>
+        <translation>ava</translation>
     </message>
     <message>
         <source>horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>horisont</translation>
     </message>
     <message>
         <source>horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>horisontaalne frustumi nurk</translation>
     </message>
     <message>
         <source>horizontal parallax of P</source>
-        <translation type="unfinished"></translation>
+        <translation>P horisontaalne parallaks</translation>
     </message>
     <message>
         <source>hyperfocal distance H</source>
-        <translation type="unfinished"></translation>
+        <translation>hüperfokaalne kaugus H</translation>
     </message>
     <message>
         <source>if w were linear</source>
-        <translation type="unfinished"></translation>
+        <translation>kui w oleks lineaarne</translation>
     </message>
     <message>
         <source>image of AB</source>
-        <translation type="unfinished"></translation>
+        <translation>AB kujutis</translation>
     </message>
     <message>
         <source>image of P</source>
-        <translation type="unfinished"></translation>
+        <translation>P kujutis</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation type="unfinished"></translation>
+        <translation>terav</translation>
     </message>
     <message>
         <source>in its own plane</source>
-        <translation type="unfinished"></translation>
+        <translation>oma tasandil</translation>
     </message>
     <message>
         <source>in the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraanis</translation>
     </message>
     <message>
         <source>inverse of P V</source>
-        <translation type="unfinished"></translation>
+        <translation>P V pöördmaatriks</translation>
     </message>
     <message>
         <source>it keeps</source>
-        <translation type="unfinished"></translation>
+        <translation>alles jääb</translation>
     </message>
     <message>
         <source>its distance z from the hole</source>
-        <translation type="unfinished"></translation>
+        <translation>selle kaugus z avast</translation>
     </message>
     <message>
         <source>its height in the plane through the target is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>selle kõrgust sihtpunkti läbival tasandil pildil ei ole</translation>
     </message>
     <message>
         <source>its image is straight, so no place is the farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>selle kujutis on sirge, nii et kõige kaugemat kohta ei ole</translation>
     </message>
     <message>
         <source>its shadow S·P / w</source>
-        <translation type="unfinished"></translation>
+        <translation>selle vari S·P / w</translation>
     </message>
     <message>
         <source>its volume, cubic units</source>
-        <translation type="unfinished"></translation>
+        <translation>selle ruumala, kuupühikut</translation>
     </message>
     <message>
         <source>join</source>
-        <translation type="unfinished"></translation>
+        <translation>liitekoht</translation>
     </message>
     <message>
         <source>keep x</source>
-        <translation type="unfinished"></translation>
+        <translation>säilita x</translation>
     </message>
     <message>
         <source>keep y</source>
-        <translation type="unfinished"></translation>
+        <translation>säilita y</translation>
     </message>
     <message>
         <source>kind of projection</source>
-        <translation type="unfinished"></translation>
+        <translation>projektsiooni liik</translation>
     </message>
     <message>
         <source>largest deviation, of the length</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim kõrvalekalle, pikkusest</translation>
     </message>
     <message>
         <source>largest error of affine, in texels of 256</source>
-        <translation type="unfinished"></translation>
+        <translation>afiinse suurim viga, tekslites, kokku 256</translation>
     </message>
     <message>
         <source>largest error of affine, on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>afiinse suurim viga, ekraanil</translation>
     </message>
     <message>
         <source>largest error, by the format of the vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim viga, tippude vormingu järgi</translation>
     </message>
     <message>
         <source>largest error, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim viga, mõõdetud</translation>
     </message>
     <message>
         <source>largest error, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim viga, ennustatud</translation>
     </message>
     <message>
         <source>largest gap, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim pilu, mõõdetud</translation>
     </message>
     <message>
         <source>largest gap, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim pilu, ennustatud</translation>
     </message>
     <message>
         <source>largest jump of P between two frames</source>
-        <translation type="unfinished"></translation>
+        <translation>P suurim hüpe kahe kaadri vahel</translation>
     </message>
     <message>
         <source>largest vertical parallax in the screen plane</source>
-        <translation type="unfinished"></translation>
+        <translation>suurim vertikaalne parallaks ekraanitasandil</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished">vasak</translation>
+        <translation>vasak</translation>
     </message>
     <message>
         <source>left eye</source>
-        <translation type="unfinished"></translation>
+        <translation>vasak silm</translation>
     </message>
     <message>
         <source>left mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>vasak võrk</translation>
     </message>
     <message>
         <source>left screen</source>
-        <translation type="unfinished"></translation>
+        <translation>vasak ekraan</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished"></translation>
+        <translation>valgus</translation>
     </message>
     <message>
         <source>linear, from start to end</source>
-        <translation type="unfinished"></translation>
+        <translation>lineaarne, algusest lõpuni</translation>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>logaritmiline</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>mõõdetud</translation>
     </message>
     <message>
         <source>mesh drawn wrongly</source>
-        <translation type="unfinished"></translation>
+        <translation>võrk valesti joonistatud</translation>
     </message>
     <message>
         <source>mesh missed</source>
-        <translation type="unfinished"></translation>
+        <translation>võrk puudu</translation>
     </message>
     <message>
         <source>mirrored end</source>
-        <translation type="unfinished"></translation>
+        <translation>peegeldatud ots</translation>
     </message>
     <message>
         <source>naive</source>
-        <translation type="unfinished"></translation>
+        <translation>naiivne</translation>
     </message>
     <message>
         <source>naive divide</source>
-        <translation type="unfinished"></translation>
+        <translation>naiivne jagamine</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished">lähitasand</translation>
+        <translation>lähitasand</translation>
     </message>
     <message>
         <source>nearest</source>
-        <translation type="unfinished"></translation>
+        <translation>lähim</translation>
     </message>
     <message>
         <source>no edge of the letter lies in the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>ükski tähe serv ei ole nähtavas ruumis</translation>
     </message>
     <message>
         <source>no end is behind the eye, so none is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>kumbki ots ei ole silma taga, nii et kumbki ei ole peegeldatud</translation>
     </message>
     <message>
         <source>no lens makes a cone: everything in the pyramid around it is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>ükski objektiiv ei tee koonust: joonistatakse kõik, mis on selle ümber olevas püramiidis</translation>
     </message>
     <message>
         <source>no pixel of the picture shows both surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>ükski pildi piksel ei näita mõlemat pinda</translation>
     </message>
     <message>
         <source>no tree passes the far plane in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>pildil ei läbi kaugtasandit ükski puu</translation>
     </message>
     <message>
         <source>no vertex of the scene is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>pildil ei ole ühtki stseeni tippu</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>puudub</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>ükski vaadeldud võrgu servadest ei ole nähtavas ruumis</translation>
     </message>
     <message>
         <source>none of the subject&apos;s compared points is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>pildil ei ole ühtki motiivi võrreldavat punkti</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>veel mitte ükski</translation>
     </message>
     <message>
         <source>nothing of the subject is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>motiivist ei ole pildil midagi</translation>
     </message>
     <message>
         <source>of P: (x, y, z, −z/d)</source>
-        <translation type="unfinished"></translation>
+        <translation>P homogeensed koordinaadid: (x, y, z, −z/d)</translation>
     </message>
     <message>
         <source>of {0} vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>tippude arvust {0}</translation>
     </message>
     <message>
         <source>off the axis, ({r} + {l})/({r} − {l})</source>
-        <translation type="unfinished"></translation>
+        <translation>teljest kõrvale, ({r} + {l})/({r} − {l})</translation>
     </message>
     <message>
         <source>off-axis</source>
-        <translation type="unfinished"></translation>
+        <translation>teljeväline</translation>
     </message>
     <message>
         <source>on the film: h&apos; = −d·h / z</source>
-        <translation type="unfinished"></translation>
+        <translation>filmil: h&apos; = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
-        <translation type="unfinished"></translation>
+        <translation>üks mõlemale</translation>
     </message>
     <message>
         <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatakse ja võetakse arvesse ainult pikimad servad, {0} võrgu {1} servast</translation>
     </message>
     <message>
         <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatakse ja võetakse arvesse ainult {0} võrgu {1} servast: enne need, mis läbivad silmatasandit, siis pikimad</translation>
     </message>
     <message>
         <source>opening f / N</source>
-        <translation type="unfinished"></translation>
+        <translation>ava f / N</translation>
     </message>
     <message>
         <source>own boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>oma risttahukad</translation>
     </message>
     <message>
         <source>parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelne projektsioon</translation>
     </message>
     <message>
         <source>part of the subject is beside the eye or behind it</source>
-        <translation type="unfinished"></translation>
+        <translation>osa motiivist on silma kõrval või taga</translation>
     </message>
     <message>
         <source>path in the image, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>tee pildil, suurendatud</translation>
     </message>
     <message>
         <source>pixels that show surface 2, which is behind</source>
-        <translation type="unfinished"></translation>
+        <translation>pikslid, mis näitavad taga olevat pinda 2</translation>
     </message>
     <message>
         <source>plane of this step</source>
-        <translation type="unfinished"></translation>
+        <translation>selle sammu tasand</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>ennustatud</translation>
     </message>
     <message>
         <source>products</source>
-        <translation type="unfinished"></translation>
+        <translation>korrutised</translation>
     </message>
     <message>
         <source>products alone</source>
-        <translation type="unfinished"></translation>
+        <translation>ainult korrutised</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation type="unfinished"></translation>
+        <translation>korrutised, kiire pöördjuur</translation>
     </message>
     <message>
         <source>products, renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>korrutised, uuesti normeeritud</translation>
     </message>
     <message>
         <source>projection, with −1/d</source>
-        <translation type="unfinished"></translation>
+        <translation>projektsioon, koos arvuga −1/d</translation>
     </message>
     <message>
         <source>px</source>
-        <translation type="unfinished">px</translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>ray times depth</source>
-        <translation type="unfinished"></translation>
+        <translation>kiir korda sügavus</translation>
     </message>
     <message>
         <source>receding angle as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavusnurk joonisel</translation>
     </message>
     <message>
         <source>receding edges are seen end on, as points</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavusse minevad servad on otsevaates, punktidena</translation>
     </message>
     <message>
         <source>receding scale as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>sügavusmastaap joonisel</translation>
     </message>
     <message>
         <source>renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>uuesti normeeritud</translation>
     </message>
     <message>
         <source>reversed, 1 at near</source>
-        <translation type="unfinished"></translation>
+        <translation>pööratud, lähitasandil 1</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">parem</translation>
+        <translation>parem</translation>
     </message>
     <message>
         <source>right eye</source>
-        <translation type="unfinished"></translation>
+        <translation>parem silm</translation>
     </message>
     <message>
         <source>right mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>parem võrk</translation>
     </message>
     <message>
         <source>right screen</source>
-        <translation type="unfinished"></translation>
+        <translation>parem ekraan</translation>
     </message>
     <message>
         <source>s red, t green</source>
-        <translation type="unfinished"></translation>
+        <translation>s punane, t roheline</translation>
     </message>
     <message>
         <source>scale d / −z</source>
-        <translation type="unfinished"></translation>
+        <translation>mastaap d / −z</translation>
     </message>
     <message>
         <source>screen plane</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraanitasand</translation>
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>õmblus</translation>
     </message>
     <message>
         <source>sharp</source>
-        <translation type="unfinished"></translation>
+        <translation>terav</translation>
     </message>
     <message>
         <source>sharp from</source>
-        <translation type="unfinished"></translation>
+        <translation>terav alates</translation>
     </message>
     <message>
         <source>sharp to</source>
-        <translation type="unfinished"></translation>
+        <translation>terav kuni</translation>
     </message>
     <message>
         <source>sine and cosine of the angle</source>
-        <translation type="unfinished"></translation>
+        <translation>nurga siinus ja koosinus</translation>
     </message>
     <message>
         <source>smallest gap that is sure at the target</source>
-        <translation type="unfinished"></translation>
+        <translation>väikseim vahe, mis on sihtpunkti kaugusel kindel</translation>
     </message>
     <message>
         <source>smooth jump</source>
-        <translation type="unfinished"></translation>
+        <translation>sujuv hüpe</translation>
     </message>
     <message>
         <source>smooth path</source>
-        <translation type="unfinished"></translation>
+        <translation>sujuv tee</translation>
     </message>
     <message>
         <source>standard, 0 at near</source>
-        <translation type="unfinished"></translation>
+        <translation>tavaline, lähitasandil 0</translation>
     </message>
     <message>
         <source>standard, far at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>tavaline, kaugtasand lõpmatuses</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
-        <translation type="unfinished"></translation>
+        <translation>kahe ruudustiku sammud</translation>
     </message>
     <message>
         <source>stretch</source>
-        <translation type="unfinished">venita</translation>
+        <translation>venita</translation>
     </message>
     <message>
         <source>subject&apos;s height, at the target&apos;s distance</source>
-        <translation type="unfinished"></translation>
+        <translation>motiivi kõrgus, sihtpunkti kaugusel</translation>
     </message>
     <message>
         <source>sun</source>
-        <translation type="unfinished"></translation>
+        <translation>päike</translation>
     </message>
     <message>
         <source>surface 1</source>
-        <translation type="unfinished"></translation>
+        <translation>pind 1</translation>
     </message>
     <message>
         <source>surface 2</source>
-        <translation type="unfinished"></translation>
+        <translation>pind 2</translation>
     </message>
     <message>
         <source>synthetic film</source>
-        <translation type="unfinished"></translation>
+        <translation>sünteetiline film</translation>
     </message>
     <message>
         <source>t, part of the edge on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>t, osa servast ekraanil</translation>
     </message>
     <message>
         <source>t, to infinity at 1</source>
-        <translation type="unfinished"></translation>
+        <translation>t, 1 puhul lõpmatusse</translation>
     </message>
     <message>
         <source>table alone</source>
-        <translation type="unfinished"></translation>
+        <translation>ainult tabel</translation>
     </message>
     <message>
         <source>table, 1 Newton step</source>
-        <translation type="unfinished"></translation>
+        <translation>tabel, 1 Newtoni samm</translation>
     </message>
     <message>
         <source>table, 2 Newton steps</source>
-        <translation type="unfinished"></translation>
+        <translation>tabel, 2 Newtoni sammu</translation>
     </message>
     <message>
         <source>test points inside</source>
-        <translation type="unfinished"></translation>
+        <translation>katsepunkte sees</translation>
     </message>
     <message>
         <source>the angles α and β give scale and angle before the picture is stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>nurgad α ja β annavad mastaabi ja nurga enne pildi venitamist</translation>
     </message>
     <message>
         <source>the arrow is behind the hole or beside it: no light comes from it into the box</source>
-        <translation type="unfinished"></translation>
+        <translation>nool on ava taga või kõrval: sellest ei tule kasti valgust</translation>
     </message>
     <message>
         <source>the arrow&apos;s height h</source>
-        <translation type="unfinished"></translation>
+        <translation>noole kõrgus h</translation>
     </message>
     <message>
         <source>the board reaches behind the near plane: the edges that are cut there have no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>laud ulatub lähitasandi taha: seal läbi lõigatud servadel kujutist ei ole</translation>
     </message>
     <message>
         <source>the bound is so large that a vertex may be behind the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>tõke on nii suur, et mõni tipp võib olla kaamera taga</translation>
     </message>
     <message>
         <source>the camera looks straight down or up: there is no floor from near to far</source>
-        <translation type="unfinished"></translation>
+        <translation>kaamera vaatab otse alla või üles: lähedalt kaugele ulatuvat põrandat ei ole</translation>
     </message>
     <message>
         <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>serva piksleid on float64-ga mõõtmiseks liiga palju või liiga vähe</translation>
     </message>
     <message>
         <source>the end lies in the eye plane: its image is at ∞</source>
-        <translation type="unfinished"></translation>
+        <translation>ots on silmatasandil: selle kujutis on kohal ∞</translation>
     </message>
     <message>
         <source>the eye lies in the seam, or the seam behind it: its picture has no width</source>
-        <translation type="unfinished"></translation>
+        <translation>silm on õmblusel või õmblus selle taga: selle kujutisel ei ole laiust</translation>
     </message>
     <message>
         <source>the far plane is at infinity: nothing pops in</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand on lõpmatuses: midagi ei ilmu äkki</translation>
     </message>
     <message>
         <source>the floor is drawn too far by a factor of up to</source>
-        <translation type="unfinished"></translation>
+        <translation>põrand joonistatakse liiga kaugele, kordajaga kuni</translation>
     </message>
     <message>
         <source>the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image</source>
-        <translation type="unfinished"></translation>
+        <translation>fookuse kaugus {0} m ei ole suurem kui fookuskaugus {1} m: nii lähedasel asjal kujutist ei ole</translation>
     </message>
     <message>
         <source>the image on the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>kujutis tasandil</translation>
     </message>
     <message>
         <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>valgus on objekti piiride sees: viige see välja, et kogu varju näha</translation>
     </message>
     <message>
         <source>the line as a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>sirge ringjoonena</translation>
     </message>
     <message>
         <source>the mesh reaches behind the near plane: the edges that are cut there have no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>võrk ulatub lähitasandi taha: seal läbi lõigatud servadel kujutist ei ole</translation>
     </message>
     <message>
         <source>the middle of a 105-mm photograph, enlarged {0} times</source>
-        <translation type="unfinished"></translation>
+        <translation>105-mm foto keskosa, suurendatud {0} korda</translation>
     </message>
     <message>
         <source>the next tree</source>
-        <translation type="unfinished"></translation>
+        <translation>järgmine puu</translation>
     </message>
     <message>
         <source>the object</source>
-        <translation type="unfinished"></translation>
+        <translation>objekt</translation>
     </message>
     <message>
         <source>the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>alguspunkt</translation>
     </message>
     <message>
         <source>the picture is stretched {0} times as much upwards as across: faces do not keep their shape</source>
-        <translation type="unfinished"></translation>
+        <translation>pilt on püstsihis venitatud {0} korda rohkem kui rõhtsihis: tahud ei säilita oma kuju</translation>
     </message>
     <message>
         <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>pilt on venitatud: sihtpunkti ketas on selle laiuse ja kõrgusega ellips</translation>
     </message>
     <message>
         <source>the point is behind the eye or beside it: its projector meets no plane in front</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt on silma taga või kõrval: selle projektsioonikiir ei kohta ühtki tasandit ees</translation>
     </message>
     <message>
         <source>the point is not in front of both eyes</source>
-        <translation type="unfinished"></translation>
+        <translation>punkt ei ole mõlema silma ees</translation>
     </message>
     <message>
         <source>the projectors of a parallel lens do not meet in an eye: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi projektsioonikiired ei kohtu silmas: valige perspektiivne objektiiv</translation>
     </message>
     <message>
         <source>the same, counted in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>sama, pildilt loendatud</translation>
     </message>
     <message>
         <source>the screen plane is before the near plane: nothing that is drawn can lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraanitasand on lähitasandi ees: miski joonistatu ei saa sellel asuda</translation>
     </message>
     <message>
         <source>the segment is a single point of the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>lõik on kuubi üksainus punkt</translation>
     </message>
     <message>
         <source>the segment lies in the eye plane: its whole image is at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>lõik on silmatasandil: kogu selle kujutis on lõpmatuses</translation>
     </message>
     <message>
         <source>the segment lies outside the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>lõik on väljaspool nähtavat ruumi</translation>
     </message>
     <message>
         <source>the segment points at the eye: the image of its whole line is one point</source>
-        <translation type="unfinished"></translation>
+        <translation>lõik on suunatud silma: kogu selle sirge kujutis on üks punkt</translation>
     </message>
     <message>
         <source>the shadow is farther than 1e30 away</source>
-        <translation type="unfinished"></translation>
+        <translation>vari on kaugemal kui 1e30</translation>
     </message>
     <message>
         <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
-        <translation type="unfinished"></translation>
+        <translation>ühel ekraanidest on motiivi piksleid rohkem, kui float64 suudab hoida</translation>
     </message>
     <message>
         <source>the target is not between near and far</source>
-        <translation type="unfinished"></translation>
+        <translation>sihtpunkt ei ole lähi- ja kaugtasandi vahel</translation>
     </message>
     <message>
         <source>the target is so close to the lens that its disc has no finite size</source>
-        <translation type="unfinished"></translation>
+        <translation>sihtpunkt on objektiivile nii lähedal, et selle kettal ei ole lõplikku suurust</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
-        <translation type="unfinished"></translation>
+        <translation>tekstuur on laotatud võrgu kahe suurima mõõtme peale; vaadeldakse ainult kõige pikemate külgedega kolmnurki: {0}</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
-        <translation type="unfinished"></translation>
+        <translation>tekstuur on laotatud võrgu kahe suurima mõõtme peale; failis olevaid tekstuuri koordinaate ei kasutata</translation>
     </message>
     <message>
         <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>nähtav ruum lõikab PQ läbi: mõõdetakse selle sees olevat osa P&apos;-st Q&apos;-ni</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>sein ulatub silma taha: sealsel tipul ei ole logaritmi</translation>
     </message>
     <message>
         <source>there is no error that an arrow could show</source>
-        <translation type="unfinished"></translation>
+        <translation>ei ole viga, mida nool saaks näidata</translation>
     </message>
     <message>
         <source>there is no number: a vertex may be behind the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>arvu ei ole: mõni tipp võib olla silma taga</translation>
     </message>
     <message>
         <source>there is only one screen, and so no join</source>
-        <translation type="unfinished"></translation>
+        <translation>ekraane on ainult üks, seega liitekohta ei ole</translation>
     </message>
     <message>
         <source>there, it is drawn at</source>
-        <translation type="unfinished"></translation>
+        <translation>seal joonistatakse see kohale</translation>
     </message>
     <message>
         <source>there, its distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>seal on selle kaugus w</translation>
     </message>
     <message>
         <source>these are</source>
-        <translation type="unfinished"></translation>
+        <translation>need on</translation>
     </message>
     <message>
         <source>these formats may overflow or divide by 0 here, so there is no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>need vormingud võivad siin üle täituda või jagada 0-ga, seega tõket ei ole</translation>
     </message>
     <message>
         <source>this lens has no inverse whose numbers float64 can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>sellel objektiivil ei ole pöördmaatriksit, mille arve float64 suudaks hoida</translation>
     </message>
     <message>
         <source>this window is too narrow for two screens</source>
-        <translation type="unfinished"></translation>
+        <translation>see aken on kahe ekraani jaoks liiga kitsas</translation>
     </message>
     <message>
         <source>toed in</source>
-        <translation type="unfinished"></translation>
+        <translation>kokku pööratud</translation>
     </message>
     <message>
         <source>too few pixels of the picture show both surfaces to count them</source>
-        <translation type="unfinished"></translation>
+        <translation>piksleid, mis näitavad mõlemat pinda, on pildil loendamiseks liiga vähe</translation>
     </message>
     <message>
         <source>too large or too small for a float64 number</source>
-        <translation type="unfinished"></translation>
+        <translation>float64-arvu jaoks liiga suur või liiga väike</translation>
     </message>
     <message>
         <source>too large or too small for a number in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>pikslites arvu jaoks liiga suur või liiga väike</translation>
     </message>
     <message>
         <source>top</source>
-        <translation type="unfinished"></translation>
+        <translation>ülemine</translation>
     </message>
     <message>
         <source>trees that pop in each second, driving on at 12 units a second</source>
-        <translation type="unfinished"></translation>
+        <translation>puud, mis igas sekundis ilmuvad, kui sõita edasi 12 ühikut sekundis</translation>
     </message>
     <message>
         <source>trees that pop out each second, driving on</source>
-        <translation type="unfinished"></translation>
+        <translation>puud, mis igas sekundis kaovad, kui sõita edasi</translation>
     </message>
     <message>
         <source>true distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>tegelik kaugus w</translation>
     </message>
     <message>
         <source>truncated cone</source>
-        <translation type="unfinished"></translation>
+        <translation>pügatud koonus</translation>
     </message>
     <message>
         <source>two eyes so far apart have no pictures with this lens</source>
-        <translation type="unfinished"></translation>
+        <translation>nii kaugel teineteisest asuvatel silmadel ei ole selle objektiiviga pilte</translation>
     </message>
     <message>
         <source>two floats</source>
-        <translation type="unfinished"></translation>
+        <translation>kaks ujukomaarvu</translation>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>kaks ujukomaarvu, alguspunktist</translation>
     </message>
     <message>
         <source>upright</source>
-        <translation type="unfinished"></translation>
+        <translation>püstine</translation>
     </message>
     <message>
         <source>upside down and left for right</source>
-        <translation type="unfinished"></translation>
+        <translation>tagurpidi ja vasak on paremal</translation>
     </message>
     <message>
         <source>vertex P</source>
-        <translation type="unfinished"></translation>
+        <translation>tipp P</translation>
     </message>
     <message>
         <source>vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>vertikaalne frustumi nurk</translation>
     </message>
     <message>
         <source>vertical parallax of P</source>
-        <translation type="unfinished"></translation>
+        <translation>P vertikaalne parallaks</translation>
     </message>
     <message>
         <source>vertices drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud tipud</translation>
     </message>
     <message>
         <source>vertices drawn without level of detail</source>
-        <translation type="unfinished"></translation>
+        <translation>joonistatud tipud ilma detailsuseta</translation>
     </message>
     <message>
         <source>vertices not below the light</source>
-        <translation type="unfinished"></translation>
+        <translation>tipud, mis ei ole valgusest madalamal</translation>
     </message>
     <message>
         <source>view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>nähtav ruum</translation>
     </message>
     <message>
         <source>w may be 0 in these numbers, so nothing is known</source>
-        <translation type="unfinished"></translation>
+        <translation>w võib nendes arvudes olla 0, nii et midagi ei ole teada</translation>
     </message>
     <message>
         <source>w of P = (1 − t)·C + t·(D : 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>w punktil P = (1 − t)·C + t·(D : 0)</translation>
     </message>
     <message>
         <source>wall against one picture, float64</source>
-        <translation type="unfinished"></translation>
+        <translation>sein võrreldes ühe pildiga, float64</translation>
     </message>
     <message>
         <source>where the floor is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>kuhu põrand joonistatakse</translation>
     </message>
     <message>
         <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>kus: w = √(w_P&apos;·w_Q&apos;)</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
-        <translation type="unfinished"></translation>
+        <translation>kus: w = √(w_P·w_Q)</translation>
     </message>
     <message>
         <source>whole pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>täispikslid</translation>
     </message>
     <message>
         <source>width of the gap along the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>pilu laius piki õmblust</translation>
     </message>
     <message>
         <source>window</source>
-        <translation type="unfinished"></translation>
+        <translation>aken</translation>
     </message>
     <message>
         <source>with a parallel lens a box goes through the window, not a frustum from the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi puhul läbib akent risttahukas, mitte silmast lähtuv frustum</translation>
     </message>
     <message>
         <source>with a parallel lens half-way on the screen is half-way in the world: affine is correct</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi puhul on poolel teel ekraanil ka poolel teel maailmas: afiinne on korrektne</translation>
     </message>
     <message>
         <source>with a parallel lens parallel edges stay parallel in the image</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi puhul jäävad paralleelsed servad pildil paralleelseks</translation>
     </message>
     <message>
         <source>with a parallel lens the distance itself is linear on the screen: nobody needs its logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>paralleelse objektiivi puhul on kaugus ise ekraanil lineaarne: selle logaritmi ei vaja keegi</translation>
     </message>
     <message>
         <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
-        <translation type="unfinished"></translation>
+        <translation>kui kaugtasand on lõpmatuses, ei kata ükski afiinne z&apos; = A z + B kõiki sügavusi: valige lõplik kaugtasand</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
-        <translation type="unfinished"></translation>
+        <translation>F-tähe halvim serv, sees</translation>
     </message>
     <message>
         <source>worst edge of the mesh, inside</source>
-        <translation type="unfinished"></translation>
+        <translation>võrgu halvim serv, sees</translation>
     </message>
     <message>
         <source>wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>vale</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse kaugusega w. Kui z-i ainult skaleeritaks ja nihutataks, z&apos; = A z + B, oleks sirge lõik PQ kuubis kaar. Selle otste vahel ei saaks siis midagi interpoleerida ega kärpida nagu sirgel. Valikuga z&apos; = {divided_z} jääb see sirgeks.</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>your own</source>
-        <translation type="unfinished"></translation>
+        <translation>teie oma</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>{0} = {1}: is at infinity, so it is a direction and not a point; it must be another than {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} = {1}: on lõpmatuses, seega on see suund ja mitte punkt; see peab olema mõni muu kui {2}</translation>
     </message>
     <message>
         <source>{0} = {1}: must be from 0 to {2}, or P has no pixel and no depth in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} = {1}: peab olema 0 kuni {2}, muidu ei ole P-l pildil pikslit ega sügavust</translation>
     </message>
     <message>
         <source>{0} is beyond what float64 can hold in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ületab selle, mida float64 suudab pikslites hoida</translation>
     </message>
     <message>
         <source>{0} vertices of the picture have no number in these formats: they are drawn where they belong</source>
-        <translation type="unfinished"></translation>
+        <translation>pildi tippude arv, millel nendes vormingutes arvu ei ole: {0}; need joonistatakse sinna, kuhu need kuuluvad</translation>
     </message>
     <message>
         <source>{b}, {t}</source>
-        <translation type="unfinished"></translation>
+        <translation>{b}, {t}</translation>
     </message>
     <message>
         <source>{l}, {r} of the left screen</source>
-        <translation type="unfinished"></translation>
+        <translation>vasaku ekraani {l}, {r}</translation>
     </message>
     <message>
         <source>{l}, {r} of the right screen</source>
-        <translation type="unfinished"></translation>
+        <translation>parema ekraani {l}, {r}</translation>
     </message>
     <message>
         <source>{l}, {r} of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>akna {l}, {r}</translation>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation type="unfinished"></translation>
+        <translation>½ maailmas</translation>
     </message>
     <message>
         <source>½ on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>½ ekraanil</translation>
     </message>
     <message>
         <source>∞: focused at the hyperfocal distance or beyond, everything far away is sharp</source>
-        <translation type="unfinished"></translation>
+        <translation>∞: kui teravustada hüperfokaalsele kaugusele või kaugemale, on kõik kaugel olev terav</translation>
     </message>
 </context>
 </TS>

@@ -4017,631 +4017,631 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Measure</name>
     <message>
         <source>180 − vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>180 − vertikalno vidno polje, stupnjeva</translation>
     </message>
     <message>
         <source>A logarithmic depth only at the vertices: the floor sinks behind the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritamska dubina samo u vrhovima: pod tone iza zida.</translation>
     </message>
     <message>
         <source>A turn made of many small turns: a full round does not come home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okret sastavljen od mnogo malih zakreta: puni krug ne vraća se na početak.</translation>
     </message>
     <message>
         <source>Antialiasing and resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Zaglađivanje i rezolucija</translation>
     </message>
     <message>
         <source>Arithmetic</source>
-        <translation type="unfinished">Aritmetika</translation>
+        <translation>Aritmetika</translation>
     </message>
     <message>
         <source>At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, {3} with {4}, surfaces at least {5} apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kod cilja {0} uz {2} razlikuje plohe razmaknute bar {1} globalnih jedinica; najfinije, {3} uz {4}, plohe razmaknute bar {5}.</translation>
     </message>
     <message>
         <source>Back from the picture</source>
-        <translation type="unfinished">Natrag sa slike</translation>
+        <translation>Natrag sa slike</translation>
     </message>
     <message>
         <source>Cracks</source>
-        <translation type="unfinished">Pukotine</translation>
+        <translation>Pukotine</translation>
     </message>
     <message>
         <source>Depth at the vertices</source>
-        <translation type="unfinished">Dubina u vrhovima</translation>
+        <translation>Dubina u vrhovima</translation>
     </message>
     <message>
         <source>Depth buffer</source>
-        <translation type="unfinished">Spremnik dubine</translation>
+        <translation>Spremnik dubine</translation>
     </message>
     <message>
         <source>Depth gap over the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Razmak dubina kroz udaljenost</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Detalji</translation>
     </message>
     <message>
         <source>Drift</source>
-        <translation type="unfinished">Odlutavanje</translation>
+        <translation>Odlutavanje</translation>
     </message>
     <message>
         <source>Each mesh rounded in a box of its own: light comes through the seam.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaka mreža zaokružena nad vlastitim kvadrom: kroz šav prolazi svjetlo.</translation>
     </message>
     <message>
         <source>Equal in bytes to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po bajtovima jednako kao {0}: {1}.</translation>
     </message>
     <message>
         <source>Equal in time to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Po vremenu jednako kao {0}: {1}.</translation>
     </message>
     <message>
         <source>Fewer bits of depth: what lies behind comes through in stripes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manje bitova dubine: što leži iza, probija u prugama.</translation>
     </message>
     <message>
         <source>Fewer digits for each vertex: the corners move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manje znamenaka za svaki vrh: vrhovi se pomiču.</translation>
     </message>
     <message>
         <source>Fewer samples in a pixel: edges become stairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manje uzoraka u pikselu: bridovi postaju stepenice.</translation>
     </message>
     <message>
         <source>Fewer triangles: outlines become angular.</source>
-        <translation type="unfinished"></translation>
+        <translation>Manje trokuta: obrisi postaju uglati.</translation>
     </message>
     <message>
         <source>From a pixel back into the world by one matrix: the point misses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od piksela natrag u svijet jednom matricom: točka promašuje.</translation>
     </message>
     <message>
         <source>Interpolation</source>
-        <translation type="unfinished">Interpolacija</translation>
+        <translation>Interpolacija</translation>
     </message>
     <message>
         <source>Its price is in {0}: {1}, against {2} for {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cijena je ovdje – {0}: {1}, prema {2} za {3}.</translation>
     </message>
     <message>
         <source>Jitter</source>
-        <translation type="unfinished">Podrhtavanje</translation>
+        <translation>Podrhtavanje</translation>
     </message>
     <message>
         <source>No choice is cheaper ({1}) or more exact ({2}) than {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nijedan izbor nije jeftiniji ({1}) ni točniji ({2}) od: {0}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); none is off by less than {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nijedan izbor nije jeftiniji od: {0} ({1}, pogreška {2}), nijedan točniji od: {3} ({4}, pogreška {5}); nijedan ne griješi manje od {6}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); of those off by less than {6}, none is cheaper than {7}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nijedan izbor nije jeftiniji od: {0} ({1}, pogreška {2}), nijedan točniji od: {3} ({4}, pogreška {5}); među onima koji griješe manje od {6} nijedan nije jeftiniji od: {7}.</translation>
     </message>
     <message>
         <source>No division at each pixel: the pattern bends along the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bez dijeljenja u svakom pikselu: uzorak se savija duž dijagonale.</translation>
     </message>
     <message>
         <source>Not certain: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nije sigurno: {0}.</translation>
     </message>
     <message>
         <source>Nothing could be measured: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ništa se nije moglo izmjeriti: {0}.</translation>
     </message>
     <message>
         <source>Sweep of far</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: daleka ravnina</translation>
     </message>
     <message>
         <source>Sweep of near</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: bliska ravnina</translation>
     </message>
     <message>
         <source>Sweep of the aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: omjer stranica</translation>
     </message>
     <message>
         <source>Sweep of the distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: udaljenost od ishodišta</translation>
     </message>
     <message>
         <source>Sweep of the field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: vidno polje</translation>
     </message>
     <message>
         <source>Sweep of up</source>
-        <translation type="unfinished"></translation>
+        <translation>Niz: smjer prema gore</translation>
     </message>
     <message>
         <source>VTK&apos;s transform</source>
-        <translation type="unfinished"></translation>
+        <translation>transformacija iz VTK-a</translation>
     </message>
     <message>
         <source>World coordinates in float32, far from the origin: the picture jumps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Globalne koordinate u float32, daleko od ishodišta: slika skače.</translation>
     </message>
     <message>
         <source>a sphere: the scene has too few triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>kugla: scena ima premalo trokuta</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished">afino</translation>
+        <translation>afino</translation>
     </message>
     <message>
         <source>angle between up and view direction, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>kut između smjera prema gore i smjera gledanja, stupnjeva</translation>
     </message>
     <message>
         <source>aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>omjer stranica</translation>
     </message>
     <message>
         <source>aspect of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>omjer stranica prozora</translation>
     </message>
     <message>
         <source>at most {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška najviše {0}</translation>
     </message>
     <message>
         <source>bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova</translation>
     </message>
     <message>
         <source>bytes a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova po kameri</translation>
     </message>
     <message>
         <source>bytes a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova po pikselu</translation>
     </message>
     <message>
         <source>bytes a point</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova po točki</translation>
     </message>
     <message>
         <source>bytes a vertex</source>
-        <translation type="unfinished">bajtova po vrhu</translation>
+        <translation>bajtova po vrhu</translation>
     </message>
     <message>
         <source>bytes an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova po bridu</translation>
     </message>
     <message>
         <source>bytes of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>bajtova mreže</translation>
     </message>
     <message>
         <source>cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>prekinuto</translation>
     </message>
     <message>
         <source>common grid</source>
-        <translation type="unfinished">zajednička rešetka</translation>
+        <translation>zajednička rešetka</translation>
     </message>
     <message>
         <source>depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška dubine (od 1)</translation>
     </message>
     <message>
         <source>direct3d</source>
-        <translation type="unfinished"></translation>
+        <translation>direct3d</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>udaljenost</translation>
     </message>
     <message>
         <source>distance from the eye plane</source>
-        <translation type="unfinished"></translation>
+        <translation>udaljenost od ravnine kamere</translation>
     </message>
     <message>
         <source>distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>udaljenost od ishodišta</translation>
     </message>
     <message>
         <source>each pixel</source>
-        <translation type="unfinished">svaki piksel</translation>
+        <translation>svaki piksel</translation>
     </message>
     <message>
         <source>each vertex</source>
-        <translation type="unfinished">svaki vrh</translation>
+        <translation>svaki vrh</translation>
     </message>
     <message>
         <source>error after 360°, px</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška nakon 360°, px</translation>
     </message>
     <message>
         <source>error of a jump, px</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška skoka, px</translation>
     </message>
     <message>
         <source>error, levels of 255</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška, razina od 255</translation>
     </message>
     <message>
         <source>error, parts of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška, dijelova udaljenosti</translation>
     </message>
     <message>
         <source>error, parts of the distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška, dijelova udaljenosti w</translation>
     </message>
     <message>
         <source>error, px</source>
-        <translation type="unfinished">pogreška, px</translation>
+        <translation>pogreška, px</translation>
     </message>
     <message>
         <source>error, texels</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška, teksela</translation>
     </message>
     <message>
         <source>every stage</source>
-        <translation type="unfinished"></translation>
+        <translation>svaka etapa</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished">egzaktno</translation>
+        <translation>egzaktno</translation>
     </message>
     <message>
         <source>eye 1 000 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>kamera 1 000 od ishodišta</translation>
     </message>
     <message>
         <source>eye 1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>kamera 1 od ishodišta</translation>
     </message>
     <message>
         <source>eye first</source>
-        <translation type="unfinished"></translation>
+        <translation>najprije kamera</translation>
     </message>
     <message>
         <source>far</source>
-        <translation type="unfinished">daleka</translation>
+        <translation>daleka ravnina</translation>
     </message>
     <message>
         <source>far is at least 4 near</source>
-        <translation type="unfinished"></translation>
+        <translation>daleka ravnina je bar 4 bliske</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation type="unfinished"></translation>
+        <translation>brzi inverzni korijen</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>prvi kadar (ms)</translation>
     </message>
     <message>
         <source>fov</source>
-        <translation type="unfinished"></translation>
+        <translation>vidno polje</translation>
     </message>
     <message>
         <source>gap, px</source>
-        <translation type="unfinished"></translation>
+        <translation>procjep, px</translation>
     </message>
     <message>
         <source>gap, world units</source>
-        <translation type="unfinished"></translation>
+        <translation>razmak, globalnih jedinica</translation>
     </message>
     <message>
         <source>half resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>pola rezolucije</translation>
     </message>
     <message>
         <source>imitated in software: its time says nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>oponašano u softveru: vrijeme mu ništa ne govori</translation>
     </message>
     <message>
         <source>inverse of P V</source>
-        <translation type="unfinished">inverz od P V</translation>
+        <translation>inverz od P V</translation>
     </message>
     <message>
         <source>inverses of P and of V</source>
-        <translation type="unfinished"></translation>
+        <translation>inverzi od P i od V</translation>
     </message>
     <message>
         <source>largest error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>najveća pogreška, px</translation>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>razina RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation type="unfinished">logaritamski</translation>
+        <translation>logaritamski</translation>
     </message>
     <message>
         <source>matplotlib&apos;s proj3d</source>
-        <translation type="unfinished"></translation>
+        <translation>proj3d iz matplotliba</translation>
     </message>
     <message>
         <source>ms a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ms po kadru</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished">bliska</translation>
+        <translation>bliska ravnina</translation>
     </message>
     <message>
         <source>near is at most far / 4</source>
-        <translation type="unfinished"></translation>
+        <translation>bliska ravnina je najviše daleka / 4</translation>
     </message>
     <message>
         <source>no edge of the scene&apos;s box is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>nijedan brid kvadra scene nije na slici</translation>
     </message>
     <message>
         <source>no outline of the scene is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>nijedan obris scene nije na slici</translation>
     </message>
     <message>
         <source>no vertex is in front of the eye, so there is nothing to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>nijedan vrh nije ispred kamere, pa nema ničega za mjerenje</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished">nijedna</translation>
+        <translation>bez</translation>
     </message>
     <message>
         <source>not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>nije instalirano</translation>
     </message>
     <message>
         <source>ns a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ns po kadru</translation>
     </message>
     <message>
         <source>ns a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>ns po pikselu</translation>
     </message>
     <message>
         <source>ns a point</source>
-        <translation type="unfinished"></translation>
+        <translation>ns po točki</translation>
     </message>
     <message>
         <source>numpy&apos;s hstack</source>
-        <translation type="unfinished"></translation>
+        <translation>hstack iz numpyja</translation>
     </message>
     <message>
         <source>object first</source>
-        <translation type="unfinished"></translation>
+        <translation>najprije objekt</translation>
     </message>
     <message>
         <source>of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>udaljenosti</translation>
     </message>
     <message>
         <source>opengl</source>
-        <translation type="unfinished"></translation>
+        <translation>opengl</translation>
     </message>
     <message>
         <source>overflows</source>
-        <translation type="unfinished"></translation>
+        <translation>prelazi najveći broj</translation>
     </message>
     <message>
         <source>own boxes</source>
-        <translation type="unfinished">vlastiti kvadri</translation>
+        <translation>vlastiti kvadri</translation>
     </message>
     <message>
         <source>p95</source>
-        <translation type="unfinished"></translation>
+        <translation>p95</translation>
     </message>
     <message>
         <source>pairs collapsed (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>parova koji se stapaju (od 1)</translation>
     </message>
     <message>
         <source>perspective-correct</source>
-        <translation type="unfinished"></translation>
+        <translation>perspektivno ispravno</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished">predviđeno</translation>
+        <translation>predviđeno</translation>
     </message>
     <message>
         <source>predicted depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>predviđena pogreška dubine (od 1)</translation>
     </message>
     <message>
         <source>predicted to collapse (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>predviđeno da se stapa (od 1)</translation>
     </message>
     <message>
         <source>products</source>
-        <translation type="unfinished">umnošci</translation>
+        <translation>umnošci</translation>
     </message>
     <message>
         <source>ray times depth</source>
-        <translation type="unfinished">zraka puta dubina</translation>
+        <translation>zraka puta dubina</translation>
     </message>
     <message>
         <source>reciprocal table</source>
-        <translation type="unfinished"></translation>
+        <translation>tablica recipročnih vrijednosti</translation>
     </message>
     <message>
         <source>reducing (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>pojednostavnjivanje (ms)</translation>
     </message>
     <message>
         <source>renormalised</source>
-        <translation type="unfinished">renormirano</translation>
+        <translation>renormirano</translation>
     </message>
     <message>
         <source>returns NaN</source>
-        <translation type="unfinished"></translation>
+        <translation>vraća NaN</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>obrnuti</translation>
     </message>
     <message>
         <source>separates surfaces {0} apart</source>
-        <translation type="unfinished"></translation>
+        <translation>razlikuje plohe razmaknute {0}</translation>
     </message>
     <message>
         <source>silhouette, px</source>
-        <translation type="unfinished"></translation>
+        <translation>silueta, px</translation>
     </message>
     <message>
         <source>snapped to 1/16 px</source>
-        <translation type="unfinished"></translation>
+        <translation>hvatanje na 1/16 px</translation>
     </message>
     <message>
         <source>snapped to 1/4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>hvatanje na 1/4 px</translation>
     </message>
     <message>
         <source>snapped to whole px</source>
-        <translation type="unfinished"></translation>
+        <translation>hvatanje na cijele px</translation>
     </message>
     <message>
         <source>supersampling {0} x {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>supersampling {0} x {0}</translation>
     </message>
     <message>
         <source>tells nothing behind it apart</source>
-        <translation type="unfinished"></translation>
+        <translation>iza nje ne razlikuje ništa</translation>
     </message>
     <message>
         <source>texels</source>
-        <translation type="unfinished"></translation>
+        <translation>teksela</translation>
     </message>
     <message>
         <source>the largest of up to {0} points against 200 digits of mpmath</source>
-        <translation type="unfinished"></translation>
+        <translation>najveća od najviše {0} točaka, prema 200 znamenaka iz mpmatha</translation>
     </message>
     <message>
         <source>the same picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ista slika</translation>
     </message>
     <message>
         <source>the smallest gap at the target (at 2 near or far / 2 if it lies outside)</source>
-        <translation type="unfinished"></translation>
+        <translation>najmanji razmak kod cilja (kod 2 bliske ili daleke / 2 ako leži izvan)</translation>
     </message>
     <message>
         <source>the smallest gap behind a surface at this distance</source>
-        <translation type="unfinished"></translation>
+        <translation>najmanji razmak iza plohe na ovoj udaljenosti</translation>
     </message>
     <message>
         <source>the target lies outside of near and far</source>
-        <translation type="unfinished"></translation>
+        <translation>cilj leži izvan bliske i daleke ravnine</translation>
     </message>
     <message>
         <source>the whole edge is equally far away, so there is no error</source>
-        <translation type="unfinished"></translation>
+        <translation>cijeli je brid jednako daleko, pa pogreške nema</translation>
     </message>
     <message>
         <source>this OpenGL gives {0} samples</source>
-        <translation type="unfinished"></translation>
+        <translation>ovaj OpenGL daje uzoraka: {0}</translation>
     </message>
     <message>
         <source>this also switches off the early depth test, whose loss is not in this time</source>
-        <translation type="unfinished"></translation>
+        <translation>to isključuje i rani test dubine, a njegov gubitak nije u ovom vremenu</translation>
     </message>
     <message>
         <source>this machine is busy: compare again</source>
-        <translation type="unfinished"></translation>
+        <translation>ovo je računalo zauzeto: usporedite ponovno</translation>
     </message>
     <message>
         <source>time ran out before the least time was steady</source>
-        <translation type="unfinished"></translation>
+        <translation>vrijeme je isteklo prije nego što se najkraće vrijeme ustalilo</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>trokuta</translation>
     </message>
     <message>
         <source>two floats</source>
-        <translation type="unfinished">dva broja float</translation>
+        <translation>dva broja float</translation>
     </message>
     <message>
         <source>two sines</source>
-        <translation type="unfinished"></translation>
+        <translation>dva sinusa</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished"></translation>
+        <translation>smjer prema gore</translation>
     </message>
     <message>
         <source>up to {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>pogreška do {0}</translation>
     </message>
     <message>
         <source>vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>vertikalno vidno polje, stupnjeva</translation>
     </message>
     <message>
         <source>vertices moved by up to (px)</source>
-        <translation type="unfinished"></translation>
+        <translation>pomak vrhova do (px)</translation>
     </message>
     <message>
         <source>world coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>globalne koordinate</translation>
     </message>
     <message>
         <source>world units</source>
-        <translation type="unfinished">globalnih jedinica</translation>
+        <translation>globalnih jedinica</translation>
     </message>
     <message>
         <source>{0} (cancelled)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (prekinuto)</translation>
     </message>
     <message>
         <source>{0} (now)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (sada)</translation>
     </message>
     <message>
         <source>{0} Newton step</source>
-        <translation type="unfinished"></translation>
+        <translation>Newtonovih koraka: {0}</translation>
     </message>
     <message>
         <source>{0} Newton steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Newtonovih koraka: {0}</translation>
     </message>
     <message>
         <source>{0} bits</source>
-        <translation type="unfinished"></translation>
+        <translation>bitova: {0}</translation>
     </message>
     <message>
         <source>{0} instead of {1}: the same cost, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umjesto {1}: isti trošak, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times faster, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umjesto {1}: {2} puta brže, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times larger, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umjesto {1}: {2} puta veće, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times slower, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umjesto {1}: {2} puta sporije, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times smaller, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} umjesto {1}: {2} puta manje, {3}.</translation>
     </message>
     <message>
         <source>{0} is only measured: the panes are not drawn with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} se samo mjeri: okna se time ne crtaju.</translation>
     </message>
     <message>
         <source>{0} pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>komada: {0}</translation>
     </message>
     <message>
         <source>{0}; eye {1}, target {2}, {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; kamera {1}, cilj {2}, {3}</translation>
     </message>
 </context>
 <context>
@@ -4843,39 +4843,39 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Options</name>
     <message>
         <source>How a camera turns a 3-D scene into a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kako kamera 3D scenu pretvara u sliku.</translation>
     </message>
     <message>
         <source>a document, an exported PNG picture, a mesh, a camera, a lesson or a talk (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>dokument, izvezena slika PNG, mreža, kamera, lekcija ili izlaganje (zadano: slovo F)</translation>
     </message>
     <message>
         <source>a document, picture or mesh to measure (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>dokument, slika ili mreža za mjerenje (zadano: slovo F)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>dokument, slika, mreža ili datoteka kamere čija se kamera koristi (zadano: slovo F)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F), and the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be 0 for a point at infinity; any other w divides x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>dokument, slika, mreža ili datoteka kamere čija se kamera koristi (zadano: slovo F) te točke: CSV sa stupcima x,y,z, ili - za standardni ulaz; četvrti stupac, w, može biti 0 za beskonačno daleku točku; svaki drugi w dijeli x, y i z</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation type="unfinished"></translation>
+        <translation>izlaganje ili lekcija, ili ime jednog od onih koja dolaze s programom, npr. 001 ili L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation type="unfinished"></translation>
+        <translation>nakon --convention (zadano: oni tog programa)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
-        <translation type="unfinished"></translation>
+        <translation>aritmetika (zadano: float64, ili egzaktna gdje je potrebna)</translation>
     </message>
     <message>
         <source>camera and lens as another program writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>kamera i objektiv kako ih piše drugi program</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -4883,19 +4883,19 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
-        <translation type="unfinished"></translation>
+        <translation>provjerava ili nabraja lekcije i izlaganja, ispisuje testove od vježbi, ocjenjuje rezultate</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation type="unfinished"></translation>
+        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: oni koji dolaze s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
-        <translation type="unfinished"></translation>
+        <translation>boje, samo za ovo pokretanje</translation>
     </message>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>boje: kao na svijetlom ili tamnom ekranu; za tisak, gdje se strane i linije razlikuju i u sivom; ili s najvećim kontrastom (zadano: screen)</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
@@ -4903,95 +4903,95 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
-        <translation type="unfinished"></translation>
+        <translation>briše postavke, zatim otvara prozor</translation>
     </message>
     <message>
         <source>draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display</source>
-        <translation type="unfinished"></translation>
+        <translation>crta sliku kao PNG, SVG, PDF, TikZ ili HTML, bez prozora i zaslona</translation>
     </message>
     <message>
         <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation type="unfinished"></translation>
+        <translation>crta pokretnu sliku: vrijednost iz --set mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
     </message>
     <message>
         <source>draw a moving picture: how --step follows from the step before</source>
-        <translation type="unfinished"></translation>
+        <translation>crta pokretnu sliku: kako --step slijedi iz prethodnog koraka</translation>
     </message>
     <message>
         <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>crta pokretnu sliku: okno ndc ide od svijeta kroz sve etape do slike i natrag</translation>
     </message>
     <message>
         <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>crta pokretnu sliku: svijet se gleda sa svih strana, ili onoliko ukrug koliko kaže DEGREES, i natrag; kamera ostaje gdje jest</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>crta sve rezultate; FILE kao kod --json, s nastavkom .png, ili .svg ili .pdf za vektore</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
-        <translation type="unfinished"></translation>
+        <translation>crta pogreške nad vremenom ili nad bajtovima, koji su isti na svakom računalu</translation>
     </message>
     <message>
         <source>draw every step of a talk, or print it with its notes</source>
-        <translation type="unfinished"></translation>
+        <translation>crta svaki korak izlaganja ili ga ispisuje s bilješkama</translation>
     </message>
     <message>
         <source>draw every step without a display, run lesson check, measure the pictures, and report each mistake with file and line</source>
-        <translation type="unfinished"></translation>
+        <translation>crta svaki korak bez zaslona, pokreće lesson check, mjeri slike i prijavljuje svaku pogrešku s datotekom i retkom</translation>
     </message>
     <message>
         <source>draw many figures: a CSV file with a line for each, whose columns are out, file, the options without their dashes, and names of --set; each document, and each step of the lessons and talks, of a folder; or each step of one lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>crta mnogo slika: datoteka CSV s retkom za svaku, čiji su stupci out, file, opcije bez crtica i imena za --set; svaki dokument i svaki korak lekcija i izlaganja iz mape; ili svaki korak jedne lekcije</translation>
     </message>
     <message>
         <source>draw the same figure with more pixels (default: 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>crta istu sliku s više piksela (zadano: 1)</translation>
     </message>
     <message>
         <source>every factor from the object to the picture, and the products so far</source>
-        <translation type="unfinished"></translation>
+        <translation>svaki faktor od objekta do slike te dosadašnji umnošci</translation>
     </message>
     <message>
         <source>follow points through every stage of the projection</source>
-        <translation type="unfinished"></translation>
+        <translation>prati točke kroz svaku etapu projekcije</translation>
     </message>
     <message>
         <source>how panes draw (default: opengl with a graphics card, raster without)</source>
-        <translation type="unfinished"></translation>
+        <translation>kako okna crtaju (zadano: opengl s grafičkom karticom, raster bez nje)</translation>
     </message>
     <message>
         <source>in LaTeX: formulas in the cells instead of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>u LaTeX-u: formule u ćelijama umjesto brojeva</translation>
     </message>
     <message>
         <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>u LaTeX-u: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
         <source>in LaTeX: numbers, also after --symbols</source>
-        <translation type="unfinished"></translation>
+        <translation>u LaTeX-u: brojevi, i nakon --symbols</translation>
     </message>
     <message>
         <source>in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)</source>
-        <translation type="unfinished"></translation>
+        <translation>u LaTeX-u: značajne znamenke brojeva, do 17, što su sve (zadano: 4)</translation>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
-        <translation type="unfinished"></translation>
+        <translation>u LaTeX-u: širina teksta ili stupca, npr. 84mm, u mm, cm, in ili pt (zadano: 345pt, tekst članka)</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>u svemu osim .png, linije iza strana: izostavljene, crtkane kao u ISO 128, ili tanke i sive (zadano: none)</translation>
     </message>
     <message>
         <source>instead of --size: how wide it is after it was cropped without a margin, such as 84mm; its height is free, and letters keep their size</source>
-        <translation type="unfinished"></translation>
+        <translation>umjesto --size: koliko je široka nakon obrezivanja bez ruba, npr. 84mm; visina je slobodna, a slova zadržavaju veličinu</translation>
     </message>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
-        <translation type="unfinished"></translation>
+        <translation>umjesto toga: kod i njegovi paketi, za računala s Pythonom</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
@@ -4999,203 +4999,203 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>izostavlja ono što je oko slike prazno, osim ruba od 2 mm</translation>
     </message>
     <message>
         <source>leave the background transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>ostavlja pozadinu prozirnom</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta ili iz lekcije)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz izlaganja)</translation>
     </message>
     <message>
         <source>make a folder to carry to machines without a network or an administrator</source>
-        <translation type="unfinished"></translation>
+        <translation>stvara mapu za prijenos na računala bez mreže ili administratora</translation>
     </message>
     <message>
         <source>measure for half a minute only, less exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>mjeri samo pola minute, manje točno</translation>
     </message>
     <message>
         <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
-        <translation type="unfinished"></translation>
+        <translation>mjeri pogreške kroz raspon parametra; NAME je jedno od near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
-        <translation type="unfinished"></translation>
+        <translation>mjeri ovaj kompromis; može se ponoviti (zadano, bez --sweep: sve)</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>mjeri, na ovom računalu, koliko točnosti stoji brzina</translation>
     </message>
     <message>
         <source>of --batch with a folder or a lesson: what to write (default: png)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --batch s mapom ili lekcijom: što zapisati (zadano: png)</translation>
     </message>
     <message>
         <source>of --batch: leave out figures that are newer than the list and their document</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --batch: izostavlja slike koje su novije od popisa i njihova dokumenta</translation>
     </message>
     <message>
         <source>of --sweep: in equal steps, in equal ratios, or slowly at both ends (default: linear)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --sweep: u jednakim koracima, u jednakim omjerima ili polako na oba kraja (zadano: linear)</translation>
     </message>
     <message>
         <source>of --sweep: write the values below the panes</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --sweep: ispisuje vrijednosti ispod okana</translation>
     </message>
     <message>
         <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: ona ovdje)</translation>
     </message>
     <message>
         <source>of --wheels; may be repeated (default: all of them)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz --wheels; može se ponoviti (zadano: svi)</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz pokretnu sliku: od posljednjeg kadra na prvi, nikako, ili tamo i natrag u svim kadrovima zajedno (zadano: repeat za --sweep i cijeli krug, once za --transition i numerirane datoteke, inače back-and-forth)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz pokretnu sliku: koliko kadrova (zadano: 48; za --stages 120, za --transition 24; u .html 21)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz pokretnu sliku: koliko kadrova u sekundi (zadano: 25)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
-        <translation type="unfinished"></translation>
+        <translation>uz print: teme ili datoteke lekcija čije vježbe čine test</translation>
     </message>
     <message>
         <source>of print: the variants, one file for each; a variant has the same numbers everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>uz print: varijante, jedna datoteka za svaku; varijanta ima svuda iste brojeve</translation>
     </message>
     <message>
         <source>of print: where the PDF files go; existing files are overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>uz print: kamo idu datoteke PDF; postojeće se prepisuju</translation>
     </message>
     <message>
         <source>of print: write one more file, with the answers of all variants and their ways</source>
-        <translation type="unfinished"></translation>
+        <translation>uz print: zapisuje još jednu datoteku, s odgovorima svih varijanti i postupcima</translation>
     </message>
     <message>
         <source>of results: write a table, a row for each answer; an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>uz results: zapisuje tablicu, redak za svaki odgovor; postojeća datoteka se prepisuje</translation>
     </message>
     <message>
         <source>of the chart, as of a figure (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>za grafikon, kao za sliku (zadano: screen)</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation type="unfinished"></translation>
+        <translation>za grafikon, kao za sliku; uz zadanu veličinu njega ili njegovih slova ispod nema bilježaka</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
-        <translation type="unfinished"></translation>
+        <translation>za grafikon, umjesto --size; visina je slobodna</translation>
     </message>
     <message>
         <source>of the handout: teacher has answers and notes, students room to write instead</source>
-        <translation type="unfinished"></translation>
+        <translation>za materijal za podjelu: teacher ima odgovore i bilješke, students umjesto toga prostor za pisanje</translation>
     </message>
     <message>
         <source>output format (default: table)</source>
-        <translation type="unfinished"></translation>
+        <translation>format ispisa (zadano: table)</translation>
     </message>
     <message>
         <source>output format (default: text)</source>
-        <translation type="unfinished"></translation>
+        <translation>format ispisa (zadano: text)</translation>
     </message>
     <message>
         <source>print every stage&apos;s matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>ispisuje matricu svake etape</translation>
     </message>
     <message>
         <source>report the fraction done, one per line, and take the commands pause, resume and cancel from standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>javlja obavljeni dio, po jedan u retku, i prima naredbe pause, resume i cancel sa standardnog ulaza</translation>
     </message>
     <message>
         <source>report what this machine has, what is missing and how to get it</source>
-        <translation type="unfinished"></translation>
+        <translation>javlja što ovo računalo ima, što nedostaje i kako to nabaviti</translation>
     </message>
     <message>
         <source>save a picture of the window as PNG and quit</source>
-        <translation type="unfinished"></translation>
+        <translation>sprema sliku prozora kao PNG i završava</translation>
     </message>
     <message>
         <source>show program&apos;s version number and exit</source>
-        <translation type="unfinished"></translation>
+        <translation>ispisuje verziju programa i završava</translation>
     </message>
     <message>
         <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation type="unfinished"></translation>
+        <translation>veličina svih slova grafikona u točkama (zadano: 7 ako se traži veličina ili širina)</translation>
     </message>
     <message>
         <source>size of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>veličina prozora</translation>
     </message>
     <message>
         <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation type="unfinished"></translation>
+        <translation>veličina riječi u točkama; 72 točke su 300 piksela pri mjerilu 1 (zadano: 7 u oknu od 640 piksela, u drugima razmjerno)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation type="unfinished"></translation>
+        <translation>veličina na papiru, npr. 120mmx80mm, u mm, cm ili in; ili u pikselima pri mjerilu 1, 300 po palcu (zadano: 640x640 za svako okno, ili vlastita veličina samo za sliku); u .html, svakog okna</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation type="unfinished"></translation>
+        <translation>koordinatni sustav koordinata (zadano: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>slika koju treba zapisati (.png; .svg, .pdf ili TikZ-ov .tex za oblike i tekst; .html za stranicu koju prikazuju telefoni) te dokument, slika, mreža, kamera, lekcija ili izlaganje za crtanje (zadano: slovo F); uz --batch, mapa za slike; uz --sweep, --orbit, --stages ili --transition, film (.gif, .apng, .webp ili .mp4 s ffmpegom), stranica s klizačem (.html) ili ime s %03d za sliku svakog kadra</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>okna za crtanje, jedno uz drugo, ili jedno ispod drugog uz / umjesto zareza (zadano: sva, jedno uz drugo; za korak, ona s njegova slajda); ili equation, samo: ona iz view.equation, što je zadano gdje je traži --set</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
-        <translation type="unfinished"></translation>
+        <translation>isto što i --set scene=NAME</translation>
     </message>
     <message>
         <source>the six planes of the view volume in world space</source>
-        <translation type="unfinished"></translation>
+        <translation>šest ravnina volumena pogleda u globalnom koordinatnom sustavu</translation>
     </message>
     <message>
         <source>the step of a lesson or a talk to draw, its number or its name (default: the first)</source>
-        <translation type="unfinished"></translation>
+        <translation>korak lekcije ili izlaganja za crtanje, njegov broj ili ime (zadano: prvi)</translation>
     </message>
     <message>
         <source>what the world pane frames: what is named, with the whole frustum too, or the objects alone (default: named)</source>
-        <translation type="unfinished"></translation>
+        <translation>što okno svijeta obuhvaća: ono što je imenovano, i s cijelom krnjom piramidom, ili samo objekte (zadano: named)</translation>
     </message>
     <message>
         <source>where to put the folder frustum-lab, with the program and all that it needs, for machines like this one without Python; and an archive of it</source>
-        <translation type="unfinished"></translation>
+        <translation>kamo staviti mapu frustum-lab, s programom i svime što treba, za računala poput ovoga bez Pythona; i njezinu arhivu</translation>
     </message>
     <message>
         <source>write all results; FILE is overwritten, - is standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisuje sve rezultate; FILE se prepisuje, - je standardni izlaz</translation>
     </message>
     <message>
         <source>write the figures, text and notes of every step on A4 pages (.pdf) or as a page that phones show (.html); an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisuje slike, tekst i bilješke svakog koraka na stranice A4 (.pdf) ili kao stranicu koju prikazuju telefoni (.html); postojeća datoteka se prepisuje</translation>
     </message>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisuje tablice, jednu za drugom; FILE kao kod --json</translation>
     </message>
 </context>
 <context>
@@ -5731,1447 +5731,1447 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Refusal</name>
     <message>
         <source>A film&apos;s frames have one size: leave out crop and width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kadrovi filma imaju istu veličinu: izostavite crop i width.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svi su predznaci obrnuti.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>Blizu je, ali nije dovoljno točno.</translation>
     </message>
     <message>
         <source>It is off by the factor 180/π: degrees and radians are mixed up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Razlikuje se za faktor 180/π: pomiješani su stupnjevi i radijani.</translation>
     </message>
     <message>
         <source>It is too large, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Previše je, za faktor oko {0}.</translation>
     </message>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Premalo je, za faktor oko {0}.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nijedan broj nije točan.</translation>
     </message>
     <message>
         <source>Only column {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogrešan je samo stupac {0}.</translation>
     </message>
     <message>
         <source>Only row {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogrešan je samo redak {0}.</translation>
     </message>
     <message>
         <source>Only the number in row {0}, column {1} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogrešan je samo broj u retku {0}, stupcu {1}.</translation>
     </message>
     <message>
         <source>The digits are right, but the power of ten is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Znamenke su točne, ali je potencija broja deset pogrešna.</translation>
     </message>
     <message>
         <source>The document</source>
-        <translation type="unfinished"></translation>
+        <translation>Dokument</translation>
     </message>
     <message>
         <source>The marked numbers have the wrong sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Označeni brojevi imaju pogrešan predznak.</translation>
     </message>
     <message>
         <source>The numbers are right, but columns {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brojevi su točni, ali su stupci {0} i {1} zamijenjeni.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows and columns are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brojevi su točni, ali su retci i stupci zamijenjeni.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Brojevi su točni, ali su retci {0} i {1} zamijenjeni.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Predznak je pogrešan, a i veličina.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veličina je točna, ali je predznak pogrešan.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nema pretpregleda za toliko trokuta i točaka: {0}.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nema scene „{0}”, samo {1} ili {2}; datoteka mreže treba nastavak imena.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Nema scene „{0}”, samo {1} ili {2}; jeste li mislili „{3}”?</translation>
     </message>
     <message>
         <source>This is 1 divided by the right number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo je 1 podijeljeno točnim brojem.</translation>
     </message>
     <message>
         <source>asks for a part that {0} does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>traži dio kojeg u {0} nema</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje blok koji nije zatvoren: mora ga završiti redak ```</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it, above line {0}, where another begins</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje blok koji nije zatvoren: mora ga završiti redak ```, iznad retka {0}, u kojem počinje drugi</translation>
     </message>
     <message>
         <source>begins a block, but is indented: ``` must begin the line</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje blok, ali je uvučeno: ``` mora biti na početku retka</translation>
     </message>
     <message>
         <source>begins a formula with $ that no other $ on its line ends</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje formulu znakom $ koju nijedan drugi $ u istom retku ne završava</translation>
     </message>
     <message>
         <source>begins code that is not closed: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje kod koji nije zatvoren: jedan je redak ``` viška ili je jedan bez svoje vrste</translation>
     </message>
     <message>
         <source>begins code, not a block, and the block of line {0} is in it: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>počinje kod, a ne blok, i u njemu je blok iz retka {0}: jedan je redak ``` viška ili je jedan bez svoje vrste</translation>
     </message>
     <message>
         <source>belongs to another lens: set lens.kind as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>pripada drugom objektivu: postavite i lens.kind ({0})</translation>
     </message>
     <message>
         <source>belongs to another scene: set scene as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>pripada drugoj sceni: postavite i scene ({0})</translation>
     </message>
     <message>
         <source>can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points</source>
-        <translation type="unfinished"></translation>
+        <translation>može se čitati kao {0} brojeva s decimalnim zarezima ili kao {1} brojeva: pišite decimalne točke</translation>
     </message>
     <message>
         <source>cannot be moved in the scene {0}, whose objects are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se pomicati u sceni {0}, čiji su objekti nepomični</translation>
     </message>
     <message>
         <source>cannot be read: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se pročitati: {0}</translation>
     </message>
     <message>
         <source>cannot be set together with {0}, which it replaces</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se postaviti zajedno s {0}, jer to zamjenjuje</translation>
     </message>
     <message>
         <source>cannot be set together with {0}: both decide what the lens sees</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se postaviti zajedno s {0}: oboje određuje što objektiv vidi</translation>
     </message>
     <message>
         <source>cannot be shown in the scene {0}, which needs its own objects</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se prikazati u sceni {0}, koja treba vlastite objekte</translation>
     </message>
     <message>
         <source>cannot be shown: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se prikazati: {0}</translation>
     </message>
     <message>
         <source>cannot be told from the wrong value of line {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se razlikovati od pogrešne vrijednosti iz retka {0}, {1}</translation>
     </message>
     <message>
         <source>cannot be written as NAME=VALUE alone</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati samo kao NAME=VALUE</translation>
     </message>
     <message>
         <source>cannot be written: another program may be writing it</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati: možda u to piše drugi program</translation>
     </message>
     <message>
         <source>cannot be written: it is a pipe or a device, not a regular file</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati: to je cijev ili uređaj, a ne obična datoteka</translation>
     </message>
     <message>
         <source>cannot be written: it is write-protected</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati: zaštićeno je od pisanja</translation>
     </message>
     <message>
         <source>cannot be written: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati: {0}</translation>
     </message>
     <message>
         <source>cannot be written: {0} says “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>ne može se zapisati: {0} kaže „{1}”</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>cloud: mora imati 1 do {1} točaka, a zadano ih je {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>dolazi s programom i ne može se mijenjati: kopirajte datoteku i otvorite kopiju</translation>
     </message>
     <message>
         <source>counts something, but its value is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>nešto broji, ali vrijednost je {0}</translation>
     </message>
     <message>
         <source>divides by zero</source>
-        <translation type="unfinished"></translation>
+        <translation>dijeli s nulom</translation>
     </message>
     <message>
         <source>does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>ne postoji</translation>
     </message>
     <message>
         <source>does not fulfil the task</source>
-        <translation type="unfinished"></translation>
+        <translation>ne ispunjava zadatak</translation>
     </message>
     <message>
         <source>does not hold</source>
-        <translation type="unfinished"></translation>
+        <translation>ne vrijedi</translation>
     </message>
     <message>
         <source>ease = log: {0} has no equal ratios from {1} to {2}; choose linear.</source>
-        <translation type="unfinished"></translation>
+        <translation>ease = log: {0} nema jednake omjere od {1} do {2}; odaberite linear.</translation>
     </message>
     <message>
         <source>finds no numbers that suit, for seed {0}; the last ones were refused: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne nalazi prikladne brojeve, za sjeme {0}; posljednji su odbijeni: {1}</translation>
     </message>
     <message>
         <source>fps = {0}: must be from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>fps = {0}: mora biti od 1 do {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be a whole number from 2 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: mora biti cijeli broj od 2 do {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be even to go back and forth.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: mora biti parno da bi išlo naprijed-natrag.</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>dobiva „{0}” umjesto „{1}”</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”; this variant has {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>dobiva „{0}” umjesto „{1}”; ova varijanta ima {2}</translation>
     </message>
     <message>
         <source>gives the answer in a second way: keep one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>daje odgovor na drugi način: zadržite jedno od {0}</translation>
     </message>
     <message>
         <source>has HTML, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>ima HTML, koji lekcija prikazuje onako kako je upisan</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
-        <translation type="unfinished"></translation>
+        <translation>ima CAMERA_ID kojeg nema u cameras.txt</translation>
     </message>
     <message>
         <source>has a formula that cannot be typeset: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima formulu koja se ne može složiti: {0}</translation>
     </message>
     <message>
         <source>has a function that is not defined for its argument</source>
-        <translation type="unfinished"></translation>
+        <translation>ima funkciju koja za svoj argument nije definirana</translation>
     </message>
     <message>
         <source>has a note of {0} words; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima bilješku s brojem riječi {0}; granica je {1}</translation>
     </message>
     <message>
         <source>has a picture or a link, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>ima sliku ili poveznicu, koju lekcija prikazuje onako kako je upisana</translation>
     </message>
     <message>
         <source>has a power with a degree above {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>ima potenciju stupnja većeg od {0} (znak {1})</translation>
     </message>
     <message>
         <source>has a value that is too large; the limit is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima preveliku vrijednost; granica je {0}</translation>
     </message>
     <message>
         <source>has an answer that the scene shows as “{0}”: add “hide: numbers”</source>
-        <translation type="unfinished"></translation>
+        <translation>ima odgovor koji scena prikazuje kao „{0}”: dodajte „hide: numbers”</translation>
     </message>
     <message>
         <source>has an unknown kind of block, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima nepoznatu vrstu bloka, {0}; najbliža je {1}</translation>
     </message>
     <message>
         <source>has faces that cross each other in too many places for a figure without pixels: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>ima strane koje se međusobno sijeku na previše mjesta za sliku bez piksela: zapišite je kao .png</translation>
     </message>
     <message>
         <source>has more than {0} answers</source>
-        <translation type="unfinished"></translation>
+        <translation>ima više odgovora od {0}</translation>
     </message>
     <message>
         <source>has more than {0} levels of brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>ima više razina zagrada od {0}</translation>
     </message>
     <message>
         <source>has more than {0} nested brackets (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>ima više ugniježđenih zagrada od {0} (znak {1})</translation>
     </message>
     <message>
         <source>has more than {0} steps</source>
-        <translation type="unfinished"></translation>
+        <translation>ima više koraka od {0}</translation>
     </message>
     <message>
         <source>has more than {0} values</source>
-        <translation type="unfinished"></translation>
+        <translation>ima više vrijednosti od {0}</translation>
     </message>
     <message>
         <source>has no camera: no camera_matrix, K or fx, and no frame</source>
-        <translation type="unfinished"></translation>
+        <translation>nema kamere: ni camera_matrix, ni K ni fx, a ni kadra</translation>
     </message>
     <message>
         <source>has no steps</source>
-        <translation type="unfinished"></translation>
+        <translation>nema koraka</translation>
     </message>
     <message>
         <source>has no strokes as Frustum Lab writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>nema poteza kako ih piše Frustum Lab</translation>
     </message>
     <message>
         <source>has no value in this state, which has no {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>nema vrijednosti u ovom stanju, u kojem nema {0}</translation>
     </message>
     <message>
         <source>has no value, because infinity minus infinity or infinity times 0 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>nema vrijednosti, jer beskonačno minus beskonačno i beskonačno puta 0 nisu brojevi</translation>
     </message>
     <message>
         <source>has the place ({0}), which is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ima mjesto ({0}), kojeg nema na slici</translation>
     </message>
     <message>
         <source>has the title of a step, but no line --- above it</source>
-        <translation type="unfinished"></translation>
+        <translation>ima naslov koraka, ali bez retka --- iznad sebe</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima premalo varijanti, oko {0}; treba ih bar {1}</translation>
     </message>
     <message>
         <source>has unreadable lines ({0}), which are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>ima nečitljive retke ({0}), koji su izostavljeni</translation>
     </message>
     <message>
         <source>has {0} characters, with the indented lines below; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} znakova, s uvučenim retcima ispod; granica je {1}</translation>
     </message>
     <message>
         <source>has {0} characters; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} znakova; granica je {1}</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} strana, linija i točaka u oknu; granica slike bez piksela je {1}: zapišite je kao .png</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} strana, linija i točaka u oknu; granica slike bez piksela je {1}: zapišite {2}</translation>
     </message>
     <message>
         <source>has {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} dvaput</translation>
     </message>
     <message>
         <source>has {0} values; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} vrijednosti; granica je {1}</translation>
     </message>
     <message>
         <source>has {0} words in its step; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} riječi u svojem koraku; granica je {1}</translation>
     </message>
     <message>
         <source>has {0} × {1} cells; the answer has {2} × {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0} × {1} ćelija; odgovor ima {2} × {3}</translation>
     </message>
     <message>
         <source>has {0}, which no formula may contain (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0}, što nijedna formula ne smije sadržavati (znak {1})</translation>
     </message>
     <message>
         <source>has {0}, which no picture of the step can name</source>
-        <translation type="unfinished"></translation>
+        <translation>ima {0}, što nijedna slika koraka ne može imenovati</translation>
     </message>
     <message>
         <source>height = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} puta mjerilo {3}: mora biti od {1} do {2} piksela.</translation>
     </message>
     <message>
         <source>height = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} {3}: mora biti od {1} do {2} {3}.</translation>
     </message>
     <message>
         <source>height = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0}: mora biti cijeli broj piksela od {1} do {2}.</translation>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>je oblak točaka druge vrste ({0}): pretvorite ga u .ply; naredba „project --points” čita tablicu x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>je dokument i nema pogled {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation type="unfinished"></translation>
+        <translation>je datoteka programa {0}, koja se ne čita: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>je mapa, a ne datoteka</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation type="unfinished"></translation>
+        <translation>je objektiv s distorzijom, a ovdje pravci ostaju ravni: ispravite distorziju slika i koristite kameru novih</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation type="unfinished"></translation>
+        <translation>je slika bez dokumenta programa Frustum Lab u sebi</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>je nakošenost piksela, koja mora biti 0: prozor objektiva je pravokutnik</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation type="unfinished"></translation>
+        <translation>je transponirana K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
-        <translation type="unfinished"></translation>
+        <translation>beskonačno je daleko, pa je smjer, a ne točka</translation>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation type="unfinished"></translation>
+        <translation>je binarno: zapišite tekst naredbom colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>oštećeno je ili prekinuto: tekst od retka {0}, stupca {1} nadalje nije JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>oštećeno je i ne može se preimenovati: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
-        <translation type="unfinished"></translation>
+        <translation>ispunjeno je prije nego što student išta učini</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>prazno je</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>zadano je dvaput</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
-        <translation type="unfinished"></translation>
+        <translation>dano je u pikselima slike čija veličina nije poznata, a nije ni {0} x {1}: postavite image.width i image.height ili dodajte image_width i image_height u datoteku</translation>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation type="unfinished"></translation>
+        <translation>uvučeno je, ali ne pripada ničemu iznad sebe</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>veće je od {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>dulje je od broja znakova {0}</translation>
     </message>
     <message>
         <source>is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>nedostaje</translation>
     </message>
     <message>
         <source>is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a camera file (.json, .yml, .xml, cameras.txt, images.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>nije ni dokument (.json), ni lekcija (.md), ni izvezena slika (.png), ni mreža ({0}), ni datoteka kamere (.json, .yml, .xml, cameras.txt, images.txt)</translation>
     </message>
     <message>
         <source>is no perspective camera, and is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>nije perspektivna kamera i ne čita se</translation>
     </message>
     <message>
         <source>is not UTF-8 text, some letters may be wrong: save the file in that encoding</source>
-        <translation type="unfinished"></translation>
+        <translation>nije tekst UTF-8, neka slova mogu biti pogrešna: spremite datoteku u tom kodiranju</translation>
     </message>
     <message>
         <source>is not XML as OpenCV writes it: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>nije XML kako ga piše OpenCV: {0}</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document</source>
-        <translation type="unfinished"></translation>
+        <translation>nije dokument programa Frustum Lab</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document: it is not text</source>
-        <translation type="unfinished"></translation>
+        <translation>nije dokument programa Frustum Lab: nije tekst</translation>
     </message>
     <message>
         <source>is not a complete PNG picture: it is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>nije potpuna slika PNG: oštećena je ili prekinuta</translation>
     </message>
     <message>
         <source>is not a file of results of Frustum Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>nije datoteka rezultata programa Frustum Lab</translation>
     </message>
     <message>
         <source>is not a name that a file can have</source>
-        <translation type="unfinished"></translation>
+        <translation>nije ime koje datoteka može imati</translation>
     </message>
     <message>
         <source>is not in the picture that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>nije na slici koja se tiska</translation>
     </message>
     <message>
         <source>is not known; the nearest name is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>nije poznato; najbliže ime je {0}</translation>
     </message>
     <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>je korak {0} lekcije; granica je {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>je korak {0} s vježbom; granica lekcije je {1}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
-        <translation type="unfinished"></translation>
+        <translation>već je slovo za {0}; dvije stvari ne mogu dijeliti isto</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation type="unfinished"></translation>
+        <translation>je presuda koju nema nijedan uzorak u bloku „test”</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation type="unfinished"></translation>
+        <translation>preblizu je {0} za ravninu koja je od kamere udaljena koliko i bliska ravnina</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
-        <translation type="unfinished"></translation>
+        <translation>preblizu je {0} da bi float64 to dvoje razlikovao</translation>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation type="unfinished"></translation>
+        <translation>predugo je za jednu stranicu</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
-        <translation type="unfinished"></translation>
+        <translation>ne isprobava nijedan uzorak „{0}: ... -&gt; right”, pa se pogrešna vrijednost ne bi primijetila</translation>
     </message>
     <message>
         <source>is wrong, but has no reply: name a wrong idea, or add “says:” below</source>
-        <translation type="unfinished"></translation>
+        <translation>pogrešno je, ali nema odgovora: navedite pogrešnu predodžbu ili ispod dodajte „says:”</translation>
     </message>
     <message>
         <source>is wrong, but holds in the right state</source>
-        <translation type="unfinished"></translation>
+        <translation>pogrešno je, ali vrijedi u točnom stanju</translation>
     </message>
     <message>
         <source>is wrong, but its formula gives the right value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>pogrešno je, ali njegova formula daje točnu vrijednost, {0}</translation>
     </message>
     <message>
         <source>lacks a line --- above it, which ends the lines like “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>nema iznad sebe redak --- koji završava retke poput „title: ...”</translation>
     </message>
     <message>
         <source>lacks a line “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>nema redak „title: ...”</translation>
     </message>
     <message>
         <source>mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; open the file as a scene of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {0}: datoteka ima samo linije ili točke, ali scena „{1}” treba plohu; otvorite datoteku kao zasebnu scenu.</translation>
     </message>
     <message>
         <source>mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {1}: scena „{0}” ima vlastiti motiv, koji nijedna mreža ne može zamijeniti.</translation>
     </message>
     <message>
         <source>must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up to 255, or parts of 1</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti #rrggbb ili crvena, zelena i plava, za sve točke ili za svaku od {0}: cijeli brojevi do 255 ili dijelovi od 1</translation>
     </message>
     <message>
         <source>must be 0 or at least {0} in size</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti 0 ili po veličini bar {0}</translation>
     </message>
     <message>
         <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti 16 brojeva ili K kalibrirane kamere: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
         <source>must be 9, 12 or 16 numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti 9, 12 ili 16 brojeva, a ima ih {0}</translation>
     </message>
     <message>
         <source>must be NAME=VALUE, or document: FILE.json</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti NAME=VALUE ili document: FILE.json</translation>
     </message>
     <message>
         <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti [SECTION] ili NAME = &quot;LETTER&quot;, ili počinjati s # kao napomena</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti latinično slovo ili riječ, ili jedno od {0}, s indeksom nakon _ ako ga ima, npr. x_min, i od najviše {1} znakova</translation>
     </message>
     <message>
         <source>must be a condition: two formulas with =, !=, &lt;, &gt;, &lt;= or &gt;= between them, or NAME = WORD</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti uvjet: dvije formule sa znakom =, !=, &lt;, &gt;, &lt;= ili &gt;= između njih, ili NAME = WORD</translation>
     </message>
     <message>
         <source>must be a document or a projection, such as load({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti dokument ili projekcija, npr. load({0})</translation>
     </message>
     <message>
         <source>must be a file beside the lesson, or in a folder there</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti datoteka uz lekciju ili u mapi ondje</translation>
     </message>
     <message>
         <source>must be a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti konačan broj</translation>
     </message>
     <message>
         <source>must be a finite number or inf</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti konačan broj ili inf</translation>
     </message>
     <message>
         <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis od 2 do {0} slika, od kojih je točno jedna slika samog dokumenta</translation>
     </message>
     <message>
         <source>must be a list of at most {0} different names, or only *</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis od najviše {0} različitih imena ili samo *</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names from {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis od najviše {0} imena iz {1}</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names of values</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis od najviše {0} imena vrijednosti</translation>
     </message>
     <message>
         <source>must be a list of at most {0} probes</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis od najviše {0} sonda</translation>
     </message>
     <message>
         <source>must be a list of names from {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis imena iz {0}</translation>
     </message>
     <message>
         <source>must be a list of texts NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis tekstova NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a list of the numbers of probes</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis brojeva sonda</translation>
     </message>
     <message>
         <source>must be a matrix of finite numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti matrica konačnih brojeva, a ima {0}</translation>
     </message>
     <message>
         <source>must be a matrix of numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti matrica brojeva, a ima {0}</translation>
     </message>
     <message>
         <source>must be a name</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti ime</translation>
     </message>
     <message>
         <source>must be a name of letters, digits and -</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti ime od slova, znamenaka i -</translation>
     </message>
     <message>
         <source>must be a number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj od {0} do {1}</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj poput 0.5, 1/2, √3/2 ili 2e-3; {0} se ne može čitati kao njegov dio</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj od najviše {0} znakova</translation>
     </message>
     <message>
         <source>must be a number of points, such as 8 or 8pt</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj točaka (pt), npr. 8 ili 8pt</translation>
     </message>
     <message>
         <source>must be a number of the model that can be set, and the answer; it is {0} here</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj modela koji se može postaviti, i odgovor; ovdje je {0}</translation>
     </message>
     <message>
         <source>must be a number whose power of ten is between -{0} and {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj čija je potencija broja deset između -{0} i {0}</translation>
     </message>
     <message>
         <source>must be a number without {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj bez {0}</translation>
     </message>
     <message>
         <source>must be a number, or inf for ∞</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj, ili inf za ∞</translation>
     </message>
     <message>
         <source>must be a number, such as 0.5 or 2e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj, npr. 0.5 ili 2e-3</translation>
     </message>
     <message>
         <source>must be a number, such as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj, npr. {0}</translation>
     </message>
     <message>
         <source>must be a number: a function has no value there</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj: funkcija ondje nema vrijednost</translation>
     </message>
     <message>
         <source>must be a number: nothing can be divided by 0</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj: ništa se ne može dijeliti s 0</translation>
     </message>
     <message>
         <source>must be a number; nothing is typed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj; još ništa nije upisano</translation>
     </message>
     <message>
         <source>must be a number; something is missing after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj; nešto nedostaje nakon {0}</translation>
     </message>
     <message>
         <source>must be a number; {0} is neither a number nor a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj; {0} nije ni broj ni jedinica</translation>
     </message>
     <message>
         <source>must be a number; {0} may be {1} or {2}: write one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj; {0} može biti {1} ili {2}: napišite jedno od toga</translation>
     </message>
     <message>
         <source>must be a number; {0} mixes degrees and radians</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj; {0} miješa stupnjeve i radijane</translation>
     </message>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti raspon poput 20..100 step 5 ili brojevi odvojeni zarezima</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti rotacija: jednako duge, međusobno okomite osi, bez zrcaljenja</translation>
     </message>
     <message>
         <source>must be a row and a column, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti redak i stupac, odvojeni znakom „,”</translation>
     </message>
     <message>
         <source>must be a sample like “NAME: SAMPLE -&gt; VERDICT”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti uzorak poput „NAME: SAMPLE -&gt; VERDICT”</translation>
     </message>
     <message>
         <source>must be a text</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tekst</translation>
     </message>
     <message>
         <source>must be a text or a list of some of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tekst ili popis od nekih od {0}</translation>
     </message>
     <message>
         <source>must be a type such as float64, to which numpy.asarray(points, float) converts</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti vrsta poput float64 u koju pretvara numpy.asarray(points, float)</translation>
     </message>
     <message>
         <source>must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti vrijednost iz settings, camera, lens, image, object ili depth, kao NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti cijeli broj</translation>
     </message>
     <message>
         <source>must be a whole number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti cijeli broj od {0} do {1}</translation>
     </message>
     <message>
         <source>must be a whole number of pixels from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti cijeli broj piksela od 1 do {0}</translation>
     </message>
     <message>
         <source>must be a whole number, 1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti cijeli broj, 1 ili veći</translation>
     </message>
     <message>
         <source>must be a whole number: the question asks for a count</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti cijeli broj: pitanje pita koliko ih ima</translation>
     </message>
     <message>
         <source>must be an answer with its lesson, exercise and time</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti odgovor s lekcijom, vježbom i vremenom</translation>
     </message>
     <message>
         <source>must be an object with named values in braces</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti objekt s imenovanim vrijednostima u vitičastim zagradama</translation>
     </message>
     <message>
         <source>must be at least {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti bar {0}</translation>
     </message>
     <message>
         <source>must be at least {0} away from the target</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti bar {0} udaljeno od cilja</translation>
     </message>
     <message>
         <source>must be at least {0} long</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti dugo bar {0}</translation>
     </message>
     <message>
         <source>must be at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti najviše {0}</translation>
     </message>
     <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>iza mora stajati # i broj, do {0}, ili ime pogleda: {1}</translation>
     </message>
     <message>
         <source>must be four rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti četiri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be from {0} to {1} points</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti od {0} do {1} točaka (pt)</translation>
     </message>
     <message>
         <source>must be fx, fy, cx, cy, or K: three rows fx, 0, cx and 0, fy, cy and 0, 0, 1</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti fx, fy, cx, cy ili K: tri retka fx, 0, cx i 0, fy, cy i 0, 0, 1</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od 0; ispod 0 os x slike pokazuje ulijevo: uzmite fx = {0} i cx = W - 1 - cx</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od 0; ispod 0 os y slike pokazuje prema gore: uzmite fy = {0} i cy = H - 1 - cy</translation>
     </message>
     <message>
         <source>must be greater than bottom, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od donjeg ruba, koji je {0}</translation>
     </message>
     <message>
         <source>must be greater than left, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od lijevog ruba, koji je {0}</translation>
     </message>
     <message>
         <source>must be greater than near, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od udaljenosti bliske ravnine, koja je {0}</translation>
     </message>
     <message>
         <source>must be greater than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti veće od {0}</translation>
     </message>
     <message>
         <source>must be in pixels, but the four numbers are in widths and heights of the image: multiply fx and cx by {0}, fy and cy by {1}, then subtract 0.5 from cx and cy</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti u pikselima, a ta četiri broja su u širinama i visinama slike: pomnožite fx i cx s {0}, fy i cy s {1}, zatim oduzmite 0.5 od cx i cy</translation>
     </message>
     <message>
         <source>must be in {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti u {0}</translation>
     </message>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti rastući niz brojeva od 0 do 1, jedan manje od broja uspoređenih slika, ili nijedan za prikaz jedno uz drugo</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti manje od udaljenosti daleke ravnine, koja je {0}</translation>
     </message>
     <message>
         <source>must be less than right, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti manje od desnog ruba, koji je {0}</translation>
     </message>
     <message>
         <source>must be less than top, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti manje od gornjeg ruba, koji je {0}</translation>
     </message>
     <message>
         <source>must be one line of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedan redak od najviše {0} znakova</translation>
     </message>
     <message>
         <source>must be one line of text</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedan redak teksta</translation>
     </message>
     <message>
         <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedna od usporedbi same scene ({0}) ili PATH=VALUE, s ; između vrijednosti jedne slike, | između slika i NAME: ispred slike koja ima ime</translation>
     </message>
     <message>
         <source>must be one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0}</translation>
     </message>
     <message>
         <source>must be one of {0}, a colon, and its value</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0}, dvotočka i vrijednost</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters beside the lesson, such as letters.toml</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0} ili datoteka slova uz lekciju, npr. letters.toml</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0} ili datoteka slova s najviše {1} znakova</translation>
     </message>
     <message>
         <source>must be one of {0}, or a number from {1} to {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0} ili broj od {1} do {2}</translation>
     </message>
     <message>
         <source>must be one of {0}, or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0} ili prazno za ništa</translation>
     </message>
     <message>
         <source>must be one of {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti jedno od {0}; najbliže je {1}</translation>
     </message>
     <message>
         <source>must be the document&apos;s own, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti vlastito dokumentu, {0}</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti ime scene ili datoteke mreže</translation>
     </message>
     <message>
         <source>must be the number of a choice, from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti broj ponuđenog odgovora, od 1 do {0}</translation>
     </message>
     <message>
         <source>must be the numbers x, y, z of each point in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>moraju biti redom brojevi x, y, z svake točke</translation>
     </message>
     <message>
         <source>must be the path of a mesh file ({0}), or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti put do datoteke mreže ({0}) ili prazno za ništa</translation>
     </message>
     <message>
         <source>must be the text of one matrix, up to {0} characters long</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tekst jedne matrice, dug najviše {0} znakova</translation>
     </message>
     <message>
         <source>must be three finite numbers x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tri konačna broja x, y, z</translation>
     </message>
     <message>
         <source>must be three numbers for a point, four with w, two for the ray of a pixel, or null for no probe</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tri broja za točku, četiri s w, dva za zraku piksela ili null za nijednu sondu</translation>
     </message>
     <message>
         <source>must be three rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be three rows of three finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti tri retka s po tri konačna broja</translation>
     </message>
     <message>
         <source>must be tiles such as translate 3,0,0 or rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti lanac pločica poput translate 3,0,0 ili rotate z 90</translation>
     </message>
     <message>
         <source>must be topics from L1 to L27, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti popis tema od L1 do L27, odvojenih zarezima</translation>
     </message>
     <message>
         <source>must be true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti true ili false</translation>
     </message>
     <message>
         <source>must be two numbers of pixels, width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti dva broja piksela, širina i visina</translation>
     </message>
     <message>
         <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti world ili ndc s položajem kamere okna, ili s njezinim položajem i ciljem, npr. world: 6,4,8 ili ndc: 1.3,0.2,0.3,0,0,0; znak | odvaja ta dva okna (što vide studenti, kaže view.slide)</translation>
     </message>
     <message>
         <source>must be written as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti napisano kao NAME=VALUE</translation>
     </message>
     <message>
         <source>must be {0} coordinates, separated by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti {0} koordinata, odvojenih razmacima</translation>
     </message>
     <message>
         <source>must be {0} finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti {0} konačnih brojeva</translation>
     </message>
     <message>
         <source>must be {0} numbers, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti {0} brojeva, a ima ih {1}</translation>
     </message>
     <message>
         <source>must begin a step with its title, like “# Title”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora početi korak naslovom, poput „# Title”</translation>
     </message>
     <message>
         <source>must begin the lesson: ---, then lines like “title: ...”, then --- again</source>
-        <translation type="unfinished"></translation>
+        <translation>mora početi lekciju: ---, zatim retci poput „title: ...”, zatim opet ---</translation>
     </message>
     <message>
         <source>must begin with a seed, a whole number from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora početi sjemenom, cijelim brojem od 1 do {0}</translation>
     </message>
     <message>
         <source>must begin with “- [x]” if it is right, else “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora početi s „- [x]” ako je točno, inače s „- [ ]”</translation>
     </message>
     <message>
         <source>must differ from the eye, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>mora se razlikovati od položaja kamere, inače kamera ne gleda nikamo</translation>
     </message>
     <message>
         <source>must differ from the target, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>mora se razlikovati od cilja, inače kamera ne gleda nikamo</translation>
     </message>
     <message>
         <source>must end in {0}, the numbers of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>mora završiti s {0}, brojevima točke</translation>
     </message>
     <message>
         <source>must have 0, 0, 0, 1 in its last row: no move of an object changes w</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati 0, 0, 0, 1 u posljednjem retku: nijedno pomicanje objekta ne mijenja w</translation>
     </message>
     <message>
         <source>must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, separated by “,”; and at least two cells</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati 1 do {0} redaka, odvojenih znakom „;”, svaki s jednakim brojem ćelija, 1 do {0}, odvojenih znakom „,”; i bar dvije ćelije</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati lijevi blok 3 x 3 koji ima inverz: kamera je u beskonačnosti, kao paralelna</translation>
     </message>
     <message>
         <source>must have a product with numbers up to {0} only</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati umnožak s brojevima samo do {0}</translation>
     </message>
     <message>
         <source>must have a result whose formulas have at most {0} characters, or end in {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati rezultat čije formule imaju najviše {0} znakova, ili završavati na {1}</translation>
     </message>
     <message>
         <source>must have an inverse whose numbers and products float64 can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati inverz čije brojeve i umnoške float64 može zapisati</translation>
     </message>
     <message>
         <source>must have an inverse, but its rank is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati inverz, a rang je {0}</translation>
     </message>
     <message>
         <source>must have at most {0} tiles, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati najviše {0} pločica, a ima ih {1}</translation>
     </message>
     <message>
         <source>must have equally many numbers in every row</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati jednako mnogo brojeva u svakom retku</translation>
     </message>
     <message>
         <source>must have finite real numbers only</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati samo konačne realne brojeve</translation>
     </message>
     <message>
         <source>must have no masked number</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije imati nijedan maskirani broj</translation>
     </message>
     <message>
         <source>must have no number after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije imati broj nakon {0}</translation>
     </message>
     <message>
         <source>must have numbers up to {0} in size only</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati samo brojeve veličine do {0}</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati tri broja za svaku rotaciju, koja ih ima tri ili devet</translation>
     </message>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati {0} koordinata, odvojenih znakom „,”</translation>
     </message>
     <message>
         <source>must have {0} finite numbers after {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati {0} konačnih brojeva nakon {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati {0} značajnih znamenaka ispred „...”</translation>
     </message>
     <message>
         <source>must have {0} × {1} cells: “;” separates rows, “|” the cells of a row</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati {0} × {1} ćelija: „;” odvaja retke, „|” ćelije u retku</translation>
     </message>
     <message>
         <source>must lie above the plane y = {0}: a light on the plane or under it casts no shadow there</source>
-        <translation type="unfinished"></translation>
+        <translation>mora ležati iznad ravnine y = {0}: svjetlo na ravnini ili ispod nje ondje ne baca sjenu</translation>
     </message>
     <message>
         <source>must lie between {0} and {1}, both excluded</source>
-        <translation type="unfinished"></translation>
+        <translation>mora ležati između {0} i {1}, bez njih samih</translation>
     </message>
     <message>
         <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imenovati 1 do {0} matrica, npr. {1}; ovaj objektiv nema matricu {2}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imenovati matrice koje jedno predavanje ima zajedno</translation>
     </message>
     <message>
         <source>must not be 0 if x, y and z are 0: (0, 0, 0, 0) is neither a point nor a direction</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije biti 0 ako su x, y i z 0: (0, 0, 0, 0) nije ni točka ni smjer</translation>
     </message>
     <message>
         <source>must not be 0: the plane would go through the eye, where nothing is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije biti 0: ravnina bi prolazila kroz kameru, gdje se ništa ne siječe</translation>
     </message>
     <message>
         <source>must not be before the near plane ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije biti ispred bliske ravnine ({0})</translation>
     </message>
     <message>
         <source>must not be parallel to the view direction</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije biti paralelno sa smjerom gledanja</translation>
     </message>
     <message>
         <source>must not be the zero vector</source>
-        <translation type="unfinished"></translation>
+        <translation>ne smije biti nulvektor</translation>
     </message>
     <message>
         <source>must point upward, to the sun: otherwise its rays never meet the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>mora biti usmjereno prema gore, prema suncu: inače njegove zrake nikad ne sijeku ravninu</translation>
     </message>
     <message>
         <source>names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>imenuje nepoznatu pogrešnu predodžbu (najbliža je {0}) i nema vlastiti „says:”</translation>
     </message>
     <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>treba zatvorenu zagradu umjesto {0} (znak {1})</translation>
     </message>
     <message>
         <source>needs a number, a letter or a bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>treba broj, slovo ili zagradu umjesto {0} (znak {1})</translation>
     </message>
     <message>
         <source>needs a sign such as + or * in front of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>treba znak poput + ili * ispred {0} (znak {1})</translation>
     </message>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>treba cijeli broj kao eksponent umjesto {0} (znak {1})</translation>
     </message>
     <message>
         <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>treba bar dva ponuđena odgovora, točno jedan točan: „- [x]”, ostali „- [ ]”</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>treba lens.sensor_width_mm ili lens.sensor_height_mm; za usporedbu s 36 x 24 mm služi lens.focal_length_mm</translation>
     </message>
     <message>
         <source>needs the program {0}, which is not on the PATH: write .webp instead</source>
-        <translation type="unfinished"></translation>
+        <translation>treba program {0}, koji nije na PATH: zapišite umjesto toga .webp</translation>
     </message>
     <message>
         <source>needs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>treba {0}</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>pane = {0}: mora biti jedno od {1}.</translation>
     </message>
     <message>
         <source>panes = {0}: must name at least one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>panes = {0}: mora imenovati bar jedno od {1}.</translation>
     </message>
     <message>
         <source>plotter() needs the package pyvista: pip install pyvista.</source>
-        <translation type="unfinished"></translation>
+        <translation>plotter() treba paket pyvista: pip install pyvista.</translation>
     </message>
     <message>
         <source>points: at most {0} can be marked, and {1} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>points: može se označiti najviše {0}, a zadano ih je {1}.</translation>
     </message>
     <message>
         <source>repeats the name of line {0}; each needs its own</source>
-        <translation type="unfinished"></translation>
+        <translation>ponavlja ime iz retka {0}; svaki treba svoje</translation>
     </message>
     <message>
         <source>says another number than its formula&apos;s value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>kaže drugi broj, a ne vrijednost svoje formule, {0}</translation>
     </message>
     <message>
         <source>scale = {0}: must be greater than 0 and at most {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>scale = {0}: mora biti veće od 0 i najviše {1}.</translation>
     </message>
     <message>
         <source>size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm, or two numbers of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>size = {0}: mora biti WIDTHxHEIGHT u {1}, npr. 120mmx80mm, ili dva broja piksela.</translation>
     </message>
     <message>
         <source>sweep = {0}: must be NAME=FIRST:LAST with finite numbers, such as lens.near=0.5:8 or camera.eye=3,2,4:0,2,5.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: mora biti NAME=FIRST:LAST s konačnim brojevima, npr. lens.near=0.5:8 ili camera.eye=3,2,4:0,2,5.</translation>
     </message>
     <message>
         <source>sweep = {0}: {1} is swept already.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: {1} se već mijenja.</translation>
     </message>
     <message>
         <source>text size = {0}: must be from {1} to {2} points in panes of this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>veličina teksta = {0}: mora biti od {1} do {2} točaka (pt) u oknima ove veličine.</translation>
     </message>
     <message>
         <source>uses an unknown function or matrix, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>koristi nepoznatu funkciju ili matricu, {0}; najbliža je {1}</translation>
     </message>
     <message>
         <source>uses an unknown name, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>koristi nepoznato ime, {0}; najbliže je {1}</translation>
     </message>
     <message>
         <source>varies more than {0} numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>mijenja više brojeva od {0}</translation>
     </message>
     <message>
         <source>varies {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>mijenja {0} dvaput</translation>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>bilo je oštećeno i čuva se kao {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisao je noviji Frustum Lab: njegova je verzija {0}, granica je {1}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>zapisao je noviji Frustum Lab: verzija je {0}, ovaj program čita do {1}</translation>
     </message>
     <message>
         <source>was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>pisano je za noviji Frustum Lab, koji čita verziju {0}; ovaj čita do {1}</translation>
     </message>
     <message>
         <source>width = {0} mm: a line of this equation needs {1} mm in letters of {2} points.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} mm: redak ove jednadžbe treba {1} mm uz slova od {2} točaka (pt).</translation>
     </message>
     <message>
         <source>width = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} puta mjerilo {3}: mora biti od {1} do {2} piksela.</translation>
     </message>
     <message>
         <source>width = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} {3}: mora biti od {1} do {2} {3}.</translation>
     </message>
     <message>
         <source>width = {0}: must be a length in {1}, such as 84mm, or a number of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: mora biti duljina u {1}, npr. 84mm, ili broj piksela.</translation>
     </message>
     <message>
         <source>width = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: mora biti cijeli broj piksela od {1} do {2}.</translation>
     </message>
     <message>
         <source>{0} of {1} numbers are right; the others are marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točnih brojeva: {0} od {1}; ostali su označeni.</translation>
     </message>
     <message>
         <source>{0}, with {1}; “where: CONDITION” excludes numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, uz {1}; „where: CONDITION” isključuje brojeve</translation>
     </message>
     <message>
         <source>{0}: TeX reads a picture beside it, whose name may have only letters from a to z, digits and . _ + = -.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: TeX čita sliku uz nju, čije ime smije imati samo slova od a do z, znamenke i . _ + = -.</translation>
     </message>
     <message>
         <source>{0}: a face, line or point names a vertex that does not exist (there are {1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: strana, linija ili točka imenuje vrh koji ne postoji (ima ih {1}); ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: a mesh file must end in {1} or {2}; convert it to one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka mreže mora završavati na {1} ili {2}; pretvorite je u jedno od toga.</translation>
     </message>
     <message>
         <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: vrh ima koordinatu {1}, a ona mora biti unutar ±{2}, 1e12 puta veličina mreže; pomaknite mrežu u ishodište.</translation>
     </message>
     <message>
         <source>{0}: all vertices are at one point, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: svi su vrhovi u jednoj točki, pa se nema što vidjeti; provjerite izvoz.</translation>
     </message>
     <message>
         <source>{0}: all vertices are on one line, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: svi su vrhovi na jednom pravcu, pa se nema što vidjeti; provjerite izvoz.</translation>
     </message>
     <message>
         <source>{0}: cannot be opened ({1}); check its name and its permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ne može se otvoriti ({1}); provjerite ime i dopuštenja.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: izostavljene strane: {1} od {2}, jer imaju manje od tri različita vrha; prva je broj {3}.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: izostavljene strane: {1} od {2}, jer imaju manje od tri različita vrha; prva je u retku {3}.</translation>
     </message>
     <message>
         <source>{0}: from line {1} on, it has more rows than its header counts; correct the header, or export the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: od retka {1} nadalje ima više redaka nego što zaglavlje broji; ispravite zaglavlje ili ponovno izvezite datoteku.</translation>
     </message>
     <message>
         <source>{0}: is a link, where a picture of the figure would be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: to je poveznica, na mjestu gdje bi bila slika.</translation>
     </message>
     <message>
         <source>{0}: is damaged: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: oštećeno je: {1}.</translation>
     </message>
     <message>
         <source>{0}: is not a file of measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: nije datoteka mjerenja.</translation>
     </message>
     <message>
         <source>{0}: it cannot be read ({1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ne može se pročitati ({1}); ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: it uses “{1}”, which this program does not read; export it without that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: koristi „{1}”, što ovaj program ne čita; izvezite bez toga.</translation>
     </message>
     <message>
         <source>{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} and {4} MiB; make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: naraslo bi na {1} trokuta, linija i točaka i {2} MiB, a smije imati najviše {3} i {4} MiB; smanjite je.</translation>
     </message>
     <message>
         <source>{0}: its faces are not divided into triangles within {1} s; give them fewer corners, or divide them before the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: strane se ne daju podijeliti u trokute za {1} s; dajte im manje vrhova ili ih podijelite prije izvoza.</translation>
     </message>
     <message>
         <source>{0}: its part {1} is not a readable file in the folder of the mesh; keep the files of a glTF mesh together.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: dio {1} nije čitljiva datoteka u mapi mreže; držite datoteke mreže glTF zajedno.</translation>
     </message>
     <message>
         <source>{0}: line {1} cannot be read as {2}; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: redak {1} ne može se čitati kao {2}; ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: line {1} has a vertex that is not finite (nan or inf), and line {2} uses it; repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: redak {1} ima vrh koji nije konačan (nan ili inf), a redak {2} ga koristi; popravite mrežu i ponovno je izvezite.</translation>
     </message>
     <message>
         <source>{0}: line {1} names a vertex that does not exist (there are {2}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: redak {1} imenuje vrh koji ne postoji (ima ih {2}); ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: must end in .svg, .pdf, .tex or .png.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: mora završavati na .svg, .pdf, .tex ili .png.</translation>
     </message>
     <message>
         <source>{0}: must end in one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: mora završavati na jedno od {1}.</translation>
     </message>
     <message>
         <source>{0}: some vertices are not finite (nan or inf: {1} of {2}); repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: neki vrhovi nisu konačni (nan ili inf: {1} od {2}); popravite mrežu i ponovno je izvezite.</translation>
     </message>
     <message>
         <source>{0}: the content of the file is not {1}; check what kind of file it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: sadržaj datoteke nije {1}; provjerite koje je vrste.</translation>
     </message>
     <message>
         <source>{0}: the file has no faces (vertices: {1}), so there is no surface to draw; export the mesh with faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka nema strana (vrhova: {1}), pa nema plohe za crtanje; izvezite mrežu sa stranama.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka je prekinuta: ima {1} od {2} redaka „{3}”; ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} triangles; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka je prekinuta: ima {1} od {2} trokuta; ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka je prekinuta; ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: the file is empty; save or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: datoteka je prazna; ponovno je spremite ili preuzmite.</translation>
     </message>
     <message>
         <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: broj vrhova strane je {1}, a mora biti od 3 do {2}; podijelite je ili popravite.</translation>
     </message>
     <message>
         <source>{0}: the process that reads it ended too early; make it smaller, or export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: proces koji čita završio je prerano; smanjite mrežu ili ponovno izvezite ili preuzmite datoteku.</translation>
     </message>
     <message>
         <source>{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: veličina mreže je {1} jedinica, a mora biti između 1e-30 i 1e30; skalirajte je.</translation>
     </message>
     <message>
         <source>{0}: the window could not be shown whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: prozor se nije mogao prikazati cijel.</translation>
     </message>
     <message>
         <source>{0}: the window did not appear on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: prozor se nije pojavio na ekranu.</translation>
     </message>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: nema takve datoteke; provjerite ime i mapu.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: nema dovoljno memorije za čitanje; smanjite mrežu ili zatvorite druge programe.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: izostavljeni vrhovi: {1} od {2}, jer nisu konačni (nan ili inf) i nijedna ih strana ni linija ne koristi; prvi je broj {3}.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: izostavljeni vrhovi: {1} od {2}, jer nisu konačni (nan ili inf) i nijedna ih strana ni linija ne koristi; prvi je u retku {3}.</translation>
     </message>
     <message>
         <source>{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: izmjerio je drugi Frustum Lab: njegova je verzija {1}, ovaj čita {2}.</translation>
     </message>
     <message>
         <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: imalo bi {1} MB; TeX-ova memorija prima slike od {2} MB: zapišite {3}.</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}</translation>
     </message>
 </context>
 <context>

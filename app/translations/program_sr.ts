@@ -4017,631 +4017,631 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Measure</name>
     <message>
         <source>180 − vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>180 − вертикално видно поље, степени</translation>
     </message>
     <message>
         <source>A logarithmic depth only at the vertices: the floor sinks behind the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Логаритамска дубина само у теменима: под тоне иза зида.</translation>
     </message>
     <message>
         <source>A turn made of many small turns: a full round does not come home.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окретање састављено од много малих окретања: пун круг не враћа кући.</translation>
     </message>
     <message>
         <source>Antialiasing and resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>Умекшавање ивица и резолуција</translation>
     </message>
     <message>
         <source>Arithmetic</source>
-        <translation type="unfinished">Аритметика</translation>
+        <translation>Аритметика</translation>
     </message>
     <message>
         <source>At the target, {0} with {2} separates surfaces at least {1} world units apart; the finest, {3} with {4}, surfaces at least {5} apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>На растојању циља {0} са {2} раздваја површи размакнуте бар {1} јединица света; најфиније, {3} са {4}, површи размакнуте бар {5}.</translation>
     </message>
     <message>
         <source>Back from the picture</source>
-        <translation type="unfinished">Назад од слике</translation>
+        <translation>Назад од слике</translation>
     </message>
     <message>
         <source>Cracks</source>
-        <translation type="unfinished">Пукотине</translation>
+        <translation>Пукотине</translation>
     </message>
     <message>
         <source>Depth at the vertices</source>
-        <translation type="unfinished">Дубина у теменима</translation>
+        <translation>Дубина у теменима</translation>
     </message>
     <message>
         <source>Depth buffer</source>
-        <translation type="unfinished">Бафер дубине</translation>
+        <translation>Бафер дубине</translation>
     </message>
     <message>
         <source>Depth gap over the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Размак дубине према растојању</translation>
     </message>
     <message>
         <source>Detail</source>
-        <translation type="unfinished"></translation>
+        <translation>Детаљност</translation>
     </message>
     <message>
         <source>Drift</source>
-        <translation type="unfinished">Заношење</translation>
+        <translation>Заношење</translation>
     </message>
     <message>
         <source>Each mesh rounded in a box of its own: light comes through the seam.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свака мрежа заокружена у сопственом оквиру: светлост пролази кроз шав.</translation>
     </message>
     <message>
         <source>Equal in bytes to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Исто бајтова као {0}: {1}.</translation>
     </message>
     <message>
         <source>Equal in time to {0}: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Исто време као {0}: {1}.</translation>
     </message>
     <message>
         <source>Fewer bits of depth: what lies behind comes through in stripes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мање битова дубине: оно што је иза пробија у пругама.</translation>
     </message>
     <message>
         <source>Fewer digits for each vertex: the corners move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мање цифара за свако теме: углови се померају.</translation>
     </message>
     <message>
         <source>Fewer samples in a pixel: edges become stairs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мање узорака у пикселу: ивице постају степенице.</translation>
     </message>
     <message>
         <source>Fewer triangles: outlines become angular.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мање троуглова: обриси постају угласти.</translation>
     </message>
     <message>
         <source>From a pixel back into the world by one matrix: the point misses.</source>
-        <translation type="unfinished"></translation>
+        <translation>Од пиксела назад у свет једном матрицом: тачка промашује.</translation>
     </message>
     <message>
         <source>Interpolation</source>
-        <translation type="unfinished">Интерполација</translation>
+        <translation>Интерполација</translation>
     </message>
     <message>
         <source>Its price is in {0}: {1}, against {2} for {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Цена је у {0}: {1}, према {2} за {3}.</translation>
     </message>
     <message>
         <source>Jitter</source>
-        <translation type="unfinished">Подрхтавање</translation>
+        <translation>Подрхтавање</translation>
     </message>
     <message>
         <source>No choice is cheaper ({1}) or more exact ({2}) than {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ниједан избор није јефтинији ({1}) ни тачнији ({2}) од {0}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); none is off by less than {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ниједан избор није јефтинији од {0} ({1}, одступа за {2}), ниједан тачнији од {3} ({4}, одступа за {5}); ниједан не одступа за мање од {6}.</translation>
     </message>
     <message>
         <source>No choice is cheaper than {0} ({1}, off by {2}), none more exact than {3} ({4}, off by {5}); of those off by less than {6}, none is cheaper than {7}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ниједан избор није јефтинији од {0} ({1}, одступа за {2}), ниједан тачнији од {3} ({4}, одступа за {5}); од оних који одступају за мање од {6}, ниједан није јефтинији од {7}.</translation>
     </message>
     <message>
         <source>No division at each pixel: the pattern bends along the diagonal.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нема дељења у сваком пикселу: шара се прелама дуж дијагонале.</translation>
     </message>
     <message>
         <source>Not certain: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Није сигурно: {0}.</translation>
     </message>
     <message>
         <source>Nothing could be measured: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ништа није могло да се измери: {0}.</translation>
     </message>
     <message>
         <source>Sweep of far</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: задња раван</translation>
     </message>
     <message>
         <source>Sweep of near</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: предња раван</translation>
     </message>
     <message>
         <source>Sweep of the aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: однос ширине и висине</translation>
     </message>
     <message>
         <source>Sweep of the distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: растојање од координатног почетка</translation>
     </message>
     <message>
         <source>Sweep of the field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: видно поље</translation>
     </message>
     <message>
         <source>Sweep of up</source>
-        <translation type="unfinished"></translation>
+        <translation>Низ мерења: вектор нагоре</translation>
     </message>
     <message>
         <source>VTK&apos;s transform</source>
-        <translation type="unfinished"></translation>
+        <translation>трансформација VTK-а</translation>
     </message>
     <message>
         <source>World coordinates in float32, far from the origin: the picture jumps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Координате света у float32, далеко од координатног почетка: слика скаче.</translation>
     </message>
     <message>
         <source>a sphere: the scene has too few triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>сфера: сцена има премало троуглова</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished"></translation>
+        <translation>афино</translation>
     </message>
     <message>
         <source>angle between up and view direction, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>угао између вектора нагоре и смера погледа, степени</translation>
     </message>
     <message>
         <source>aspect</source>
-        <translation type="unfinished"></translation>
+        <translation>однос ширине и висине</translation>
     </message>
     <message>
         <source>aspect of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>однос ширине и висине прозора</translation>
     </message>
     <message>
         <source>at most {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>одступа највише {0}</translation>
     </message>
     <message>
         <source>bytes</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтови</translation>
     </message>
     <message>
         <source>bytes a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по камери</translation>
     </message>
     <message>
         <source>bytes a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по пикселу</translation>
     </message>
     <message>
         <source>bytes a point</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по тачки</translation>
     </message>
     <message>
         <source>bytes a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по темену</translation>
     </message>
     <message>
         <source>bytes an edge</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по ивици</translation>
     </message>
     <message>
         <source>bytes of the mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтови мреже</translation>
     </message>
     <message>
         <source>cancelled</source>
-        <translation type="unfinished"></translation>
+        <translation>отказано</translation>
     </message>
     <message>
         <source>common grid</source>
-        <translation type="unfinished"></translation>
+        <translation>заједничка решетка</translation>
     </message>
     <message>
         <source>depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка дубине (од 1)</translation>
     </message>
     <message>
         <source>direct3d</source>
-        <translation type="unfinished"></translation>
+        <translation>direct3d</translation>
     </message>
     <message>
         <source>distance</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање</translation>
     </message>
     <message>
         <source>distance from the eye plane</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање од равни камере</translation>
     </message>
     <message>
         <source>distance from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање од координатног почетка</translation>
     </message>
     <message>
         <source>each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>сваки пиксел</translation>
     </message>
     <message>
         <source>each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>свако теме</translation>
     </message>
     <message>
         <source>error after 360°, px</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка после 360°, px</translation>
     </message>
     <message>
         <source>error of a jump, px</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка скока, px</translation>
     </message>
     <message>
         <source>error, levels of 255</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, нивоа од 255</translation>
     </message>
     <message>
         <source>error, parts of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, делова растојања</translation>
     </message>
     <message>
         <source>error, parts of the distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, делова растојања w</translation>
     </message>
     <message>
         <source>error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, px</translation>
     </message>
     <message>
         <source>error, texels</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, тексела</translation>
     </message>
     <message>
         <source>every stage</source>
-        <translation type="unfinished"></translation>
+        <translation>свака фаза</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>тачно</translation>
     </message>
     <message>
         <source>eye 1 000 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>камера 1 000 од координатног почетка</translation>
     </message>
     <message>
         <source>eye 1 from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>камера 1 од координатног почетка</translation>
     </message>
     <message>
         <source>eye first</source>
-        <translation type="unfinished"></translation>
+        <translation>прво камера</translation>
     </message>
     <message>
         <source>far</source>
-        <translation type="unfinished">задња</translation>
+        <translation>задња раван</translation>
     </message>
     <message>
         <source>far is at least 4 near</source>
-        <translation type="unfinished"></translation>
+        <translation>задња раван је на бар 4 растојања предње</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation type="unfinished"></translation>
+        <translation>брзи инверзни корен</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>први кадар (ms)</translation>
     </message>
     <message>
         <source>fov</source>
-        <translation type="unfinished"></translation>
+        <translation>видно поље</translation>
     </message>
     <message>
         <source>gap, px</source>
-        <translation type="unfinished"></translation>
+        <translation>процеп, px</translation>
     </message>
     <message>
         <source>gap, world units</source>
-        <translation type="unfinished"></translation>
+        <translation>размак, јединица света</translation>
     </message>
     <message>
         <source>half resolution</source>
-        <translation type="unfinished"></translation>
+        <translation>половина резолуције</translation>
     </message>
     <message>
         <source>imitated in software: its time says nothing</source>
-        <translation type="unfinished"></translation>
+        <translation>опонашано софтвером: његово време ништа не говори</translation>
     </message>
     <message>
         <source>inverse of P V</source>
-        <translation type="unfinished"></translation>
+        <translation>инверз од P V</translation>
     </message>
     <message>
         <source>inverses of P and of V</source>
-        <translation type="unfinished"></translation>
+        <translation>инверзи од P и од V</translation>
     </message>
     <message>
         <source>largest error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка, px</translation>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation type="unfinished"></translation>
+        <translation>нивои RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>логаритамски</translation>
     </message>
     <message>
         <source>matplotlib&apos;s proj3d</source>
-        <translation type="unfinished"></translation>
+        <translation>proj3d из matplotlib-а</translation>
     </message>
     <message>
         <source>ms a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ms по кадру</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished">предња</translation>
+        <translation>предња раван</translation>
     </message>
     <message>
         <source>near is at most far / 4</source>
-        <translation type="unfinished"></translation>
+        <translation>предња раван је највише на задња / 4</translation>
     </message>
     <message>
         <source>no edge of the scene&apos;s box is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједна ивица оквира сцене није на слици</translation>
     </message>
     <message>
         <source>no outline of the scene is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједан обрис сцене није на слици</translation>
     </message>
     <message>
         <source>no vertex is in front of the eye, so there is nothing to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједно теме није испред камере, па нема шта да се мери</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ништа</translation>
     </message>
     <message>
         <source>not installed</source>
-        <translation type="unfinished"></translation>
+        <translation>није инсталирано</translation>
     </message>
     <message>
         <source>ns a frame</source>
-        <translation type="unfinished"></translation>
+        <translation>ns по кадру</translation>
     </message>
     <message>
         <source>ns a pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>ns по пикселу</translation>
     </message>
     <message>
         <source>ns a point</source>
-        <translation type="unfinished"></translation>
+        <translation>ns по тачки</translation>
     </message>
     <message>
         <source>numpy&apos;s hstack</source>
-        <translation type="unfinished"></translation>
+        <translation>hstack из numpy-ја</translation>
     </message>
     <message>
         <source>object first</source>
-        <translation type="unfinished"></translation>
+        <translation>прво објекат</translation>
     </message>
     <message>
         <source>of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>од растојања</translation>
     </message>
     <message>
         <source>opengl</source>
-        <translation type="unfinished"></translation>
+        <translation>opengl</translation>
     </message>
     <message>
         <source>overflows</source>
-        <translation type="unfinished"></translation>
+        <translation>прекорачење</translation>
     </message>
     <message>
         <source>own boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>сопствени оквири</translation>
     </message>
     <message>
         <source>p95</source>
-        <translation type="unfinished"></translation>
+        <translation>p95</translation>
     </message>
     <message>
         <source>pairs collapsed (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>спојени парови (од 1)</translation>
     </message>
     <message>
         <source>perspective-correct</source>
-        <translation type="unfinished"></translation>
+        <translation>перспективно исправно</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>предвиђено</translation>
     </message>
     <message>
         <source>predicted depth error (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>предвиђена грешка дубине (од 1)</translation>
     </message>
     <message>
         <source>predicted to collapse (of 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>предвиђено спојених (од 1)</translation>
     </message>
     <message>
         <source>products</source>
-        <translation type="unfinished"></translation>
+        <translation>производи</translation>
     </message>
     <message>
         <source>ray times depth</source>
-        <translation type="unfinished"></translation>
+        <translation>зрак пута дубина</translation>
     </message>
     <message>
         <source>reciprocal table</source>
-        <translation type="unfinished"></translation>
+        <translation>табела реципрочних вредности</translation>
     </message>
     <message>
         <source>reducing (ms)</source>
-        <translation type="unfinished"></translation>
+        <translation>смањивање (ms)</translation>
     </message>
     <message>
         <source>renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>поново нормирано</translation>
     </message>
     <message>
         <source>returns NaN</source>
-        <translation type="unfinished"></translation>
+        <translation>даје NaN</translation>
     </message>
     <message>
         <source>reversed</source>
-        <translation type="unfinished"></translation>
+        <translation>обрнуто</translation>
     </message>
     <message>
         <source>separates surfaces {0} apart</source>
-        <translation type="unfinished"></translation>
+        <translation>раздваја површи размакнуте {0}</translation>
     </message>
     <message>
         <source>silhouette, px</source>
-        <translation type="unfinished"></translation>
+        <translation>силуета, px</translation>
     </message>
     <message>
         <source>snapped to 1/16 px</source>
-        <translation type="unfinished"></translation>
+        <translation>приањање на 1/16 px</translation>
     </message>
     <message>
         <source>snapped to 1/4 px</source>
-        <translation type="unfinished"></translation>
+        <translation>приањање на 1/4 px</translation>
     </message>
     <message>
         <source>snapped to whole px</source>
-        <translation type="unfinished"></translation>
+        <translation>приањање на целе px</translation>
     </message>
     <message>
         <source>supersampling {0} x {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>суперузорковање {0} x {0}</translation>
     </message>
     <message>
         <source>tells nothing behind it apart</source>
-        <translation type="unfinished"></translation>
+        <translation>иза њега ништа не разликује</translation>
     </message>
     <message>
         <source>texels</source>
-        <translation type="unfinished"></translation>
+        <translation>тексела</translation>
     </message>
     <message>
         <source>the largest of up to {0} points against 200 digits of mpmath</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа од највише {0} тачака према 200 цифара из mpmath</translation>
     </message>
     <message>
         <source>the same picture</source>
-        <translation type="unfinished"></translation>
+        <translation>иста слика</translation>
     </message>
     <message>
         <source>the smallest gap at the target (at 2 near or far / 2 if it lies outside)</source>
-        <translation type="unfinished"></translation>
+        <translation>најмањи размак код циља (на 2 предње или задња / 2 ако циљ лежи изван)</translation>
     </message>
     <message>
         <source>the smallest gap behind a surface at this distance</source>
-        <translation type="unfinished"></translation>
+        <translation>најмањи размак иза површи на овом растојању</translation>
     </message>
     <message>
         <source>the target lies outside of near and far</source>
-        <translation type="unfinished"></translation>
+        <translation>циљ лежи изван предње и задње равни</translation>
     </message>
     <message>
         <source>the whole edge is equally far away, so there is no error</source>
-        <translation type="unfinished"></translation>
+        <translation>цела ивица је једнако далеко, па нема грешке</translation>
     </message>
     <message>
         <source>this OpenGL gives {0} samples</source>
-        <translation type="unfinished"></translation>
+        <translation>овај OpenGL даје узорака: {0}</translation>
     </message>
     <message>
         <source>this also switches off the early depth test, whose loss is not in this time</source>
-        <translation type="unfinished"></translation>
+        <translation>ово уједно искључује рани тест дубине, чији губитак није у овом времену</translation>
     </message>
     <message>
         <source>this machine is busy: compare again</source>
-        <translation type="unfinished"></translation>
+        <translation>ова машина је заузета: упоредите поново</translation>
     </message>
     <message>
         <source>time ran out before the least time was steady</source>
-        <translation type="unfinished"></translation>
+        <translation>време је истекло пре него што се најкраће време усталило</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>троуглови</translation>
     </message>
     <message>
         <source>two floats</source>
-        <translation type="unfinished"></translation>
+        <translation>два броја у покретном зарезу</translation>
     </message>
     <message>
         <source>two sines</source>
-        <translation type="unfinished"></translation>
+        <translation>два синуса</translation>
     </message>
     <message>
         <source>up</source>
-        <translation type="unfinished">нагоре</translation>
+        <translation>вектор нагоре</translation>
     </message>
     <message>
         <source>up to {0} off</source>
-        <translation type="unfinished"></translation>
+        <translation>одступа до {0}</translation>
     </message>
     <message>
         <source>vertical fov, degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>вертикално видно поље, степени</translation>
     </message>
     <message>
         <source>vertices moved by up to (px)</source>
-        <translation type="unfinished"></translation>
+        <translation>темена померена и до (px)</translation>
     </message>
     <message>
         <source>world coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>координате света</translation>
     </message>
     <message>
         <source>world units</source>
-        <translation type="unfinished"></translation>
+        <translation>јединица света</translation>
     </message>
     <message>
         <source>{0} (cancelled)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (отказано)</translation>
     </message>
     <message>
         <source>{0} (now)</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} (сада)</translation>
     </message>
     <message>
         <source>{0} Newton step</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} Њутнов корак</translation>
     </message>
     <message>
         <source>{0} Newton steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Њутнови кораци: {0}</translation>
     </message>
     <message>
         <source>{0} bits</source>
-        <translation type="unfinished"></translation>
+        <translation>битова: {0}</translation>
     </message>
     <message>
         <source>{0} instead of {1}: the same cost, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} уместо {1}: иста цена, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times faster, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} уместо {1}: брже {2} пута, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times larger, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} уместо {1}: веће {2} пута, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times slower, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} уместо {1}: спорије {2} пута, {3}.</translation>
     </message>
     <message>
         <source>{0} instead of {1}: {2} times smaller, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} уместо {1}: мање {2} пута, {3}.</translation>
     </message>
     <message>
         <source>{0} is only measured: the panes are not drawn with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је само измерено: прикази се њиме не цртају.</translation>
     </message>
     <message>
         <source>{0} pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>делова: {0}</translation>
     </message>
     <message>
         <source>{0}; eye {1}, target {2}, {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; камера {1}, циљ {2}, {3}</translation>
     </message>
 </context>
 <context>
@@ -4843,39 +4843,39 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Options</name>
     <message>
         <source>How a camera turns a 3-D scene into a picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Како камера претвара 3D сцену у слику.</translation>
     </message>
     <message>
         <source>a document, an exported PNG picture, a mesh, a camera, a lesson or a talk (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>документ, извезена PNG слика, мрежа, камера, лекција или презентација (подразумевано: слово F)</translation>
     </message>
     <message>
         <source>a document, picture or mesh to measure (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>документ, слика или мрежа за мерење (подразумевано: слово F)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F)</source>
-        <translation type="unfinished"></translation>
+        <translation>датотека документа, слике, мреже или камере чија се камера користи (подразумевано: слово F)</translation>
     </message>
     <message>
         <source>a document, picture, mesh or camera file whose camera is used (default: the letter F), and the points: CSV with the columns x,y,z, or - for standard input; a fourth column, w, may be 0 for a point at infinity; any other w divides x, y and z</source>
-        <translation type="unfinished"></translation>
+        <translation>датотека документа, слике, мреже или камере чија се камера користи (подразумевано: слово F), и тачке: CSV са колонама x,y,z, или - за стандардни улаз; четврта колона, w, може да буде 0 за бесконачно далеку тачку; свако друго w дели x, y и z</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation type="unfinished"></translation>
+        <translation>презентација или лекција, или име неке која долази са програмом, као 001 или L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation type="unfinished"></translation>
+        <translation>после --convention (подразумевано: оне тог програма)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
-        <translation type="unfinished"></translation>
+        <translation>аритметика (подразумевано: float64, или тачна где је потребна)</translation>
     </message>
     <message>
         <source>camera and lens as another program writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>камера и објектив како их пише други програм</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -4883,19 +4883,19 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
-        <translation type="unfinished"></translation>
+        <translation>провери или наброј лекције и презентације, штампај тестове са задацима, оцени резултате</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation type="unfinished"></translation>
+        <translation>check: испробај свако стање, решење и узорак у лекцијама и презентацијама, и измери њихове слике (подразумевано: оне које долазе са програмом); list: наброј их; names: испиши свако име које њихове датотеке могу да користе; print: штампај тестове, види доле; results: поново оцени датотеке са резултатима из онога што је откуцано, преброј погрешне представе и наброј шта ниједна представа не објашњава. FILE може да буде и име као L5 или 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
-        <translation type="unfinished"></translation>
+        <translation>боје, само за ово покретање</translation>
     </message>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>боје: као на светлом или тамном екрану; за штампу, где се стране и линије разликују и по нијанси сиве; или са највећим контрастом (подразумевано: screen)</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
@@ -4903,95 +4903,95 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
-        <translation type="unfinished"></translation>
+        <translation>избриши подешавања, па отвори прозор</translation>
     </message>
     <message>
         <source>draw a figure as PNG, SVG, PDF, TikZ or HTML, without a window or display</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај цртеж као PNG, SVG, PDF, TikZ или HTML, без прозора и екрана</translation>
     </message>
     <message>
         <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај покретну слику: вредност из --set мења се од FIRST до LAST; може да се понови за вредности које се мењају заједно</translation>
     </message>
     <message>
         <source>draw a moving picture: how --step follows from the step before</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај покретну слику: како --step следи из претходног корака</translation>
     </message>
     <message>
         <source>draw a moving picture: the ndc pane goes from the world through all stages to the image, and back</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај покретну слику: приказ ndc иде од света кроз све фазе до слике, и назад</translation>
     </message>
     <message>
         <source>draw a moving picture: the world is seen from all round, or as far round as DEGREES say, and back; the camera stays where it is</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај покретну слику: свет се види са свих страна, или унаоколо колико каже DEGREES, и назад; камера остаје где јесте</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај све резултате; FILE као за --json, са завршетком .png, или .svg или .pdf за векторе</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај грешке према времену, или према бајтовима, који су исти на свакој машини</translation>
     </message>
     <message>
         <source>draw every step of a talk, or print it with its notes</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај сваки корак презентације, или је штампај са белешкама</translation>
     </message>
     <message>
         <source>draw every step without a display, run lesson check, measure the pictures, and report each mistake with file and line</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај сваки корак без екрана, изврши lesson check, измери слике, и пријави сваку грешку са датотеком и редом</translation>
     </message>
     <message>
         <source>draw many figures: a CSV file with a line for each, whose columns are out, file, the options without their dashes, and names of --set; each document, and each step of the lessons and talks, of a folder; or each step of one lesson</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај много цртежа: датотека CSV са по једним редом за сваки, чије су колоне out, file, опције без својих цртица, и имена из --set; сваки документ, и сваки корак лекција и презентација, из фасцикле; или сваки корак једне лекције</translation>
     </message>
     <message>
         <source>draw the same figure with more pixels (default: 1)</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртај исти цртеж са више пиксела (подразумевано: 1)</translation>
     </message>
     <message>
         <source>every factor from the object to the picture, and the products so far</source>
-        <translation type="unfinished"></translation>
+        <translation>сваки чинилац од објекта до слике, и досадашњи производи</translation>
     </message>
     <message>
         <source>follow points through every stage of the projection</source>
-        <translation type="unfinished"></translation>
+        <translation>прати тачке кроз сваку фазу пројекције</translation>
     </message>
     <message>
         <source>how panes draw (default: opengl with a graphics card, raster without)</source>
-        <translation type="unfinished"></translation>
+        <translation>како прикази цртају (подразумевано: opengl са графичком картицом, raster без ње)</translation>
     </message>
     <message>
         <source>in LaTeX: formulas in the cells instead of numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>у LaTeX-у: формуле у пољима уместо бројева</translation>
     </message>
     <message>
         <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>у LaTeX-у: слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа)</translation>
     </message>
     <message>
         <source>in LaTeX: numbers, also after --symbols</source>
-        <translation type="unfinished"></translation>
+        <translation>у LaTeX-у: бројеви, и после --symbols</translation>
     </message>
     <message>
         <source>in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)</source>
-        <translation type="unfinished"></translation>
+        <translation>у LaTeX-у: значајне цифре бројева, највише 17, што су све (подразумевано: 4)</translation>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
-        <translation type="unfinished"></translation>
+        <translation>у LaTeX-у: ширина текста или стубца, као 84mm, у mm, cm, in или pt (подразумевано: 345pt, текст класе article)</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
-        <translation type="unfinished"></translation>
+        <translation>у свему осим .png, линије иза страна: изостављене, испрекидане као у ISO 128, или танке и сиве (подразумевано: none)</translation>
     </message>
     <message>
         <source>instead of --size: how wide it is after it was cropped without a margin, such as 84mm; its height is free, and letters keep their size</source>
-        <translation type="unfinished"></translation>
+        <translation>уместо --size: ширина после опсецања без маргине, као 84mm; висина је слободна, а слова задржавају величину</translation>
     </message>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
-        <translation type="unfinished"></translation>
+        <translation>уместо тога: кôд и његови пакети, за машине са Python-ом</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
@@ -4999,203 +4999,203 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>изостави оно што је око цртежа празно, осим маргине од 2 mm</translation>
     </message>
     <message>
         <source>leave the background transparent</source>
-        <translation type="unfinished"></translation>
+        <translation>остави позадину провидном</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа, или из лекције)</translation>
     </message>
     <message>
         <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из презентације)</translation>
     </message>
     <message>
         <source>make a folder to carry to machines without a network or an administrator</source>
-        <translation type="unfinished"></translation>
+        <translation>направи фасциклу која се носи на машине без мреже и администратора</translation>
     </message>
     <message>
         <source>measure for half a minute only, less exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>мери само пола минута, мање прецизно</translation>
     </message>
     <message>
         <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
-        <translation type="unfinished"></translation>
+        <translation>измери грешке у опсегу једног параметра; NAME је једно од near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
-        <translation type="unfinished"></translation>
+        <translation>измери овај компромис; може да се понови (подразумевано, без --sweep: све)</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
-        <translation type="unfinished"></translation>
+        <translation>измери, на овој машини, колико тачности кошта брзина</translation>
     </message>
     <message>
         <source>of --batch with a folder or a lesson: what to write (default: png)</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --batch са фасциклом или лекцијом: шта се уписује (подразумевано: png)</translation>
     </message>
     <message>
         <source>of --batch: leave out figures that are newer than the list and their document</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --batch: изостави цртеже новије од списка и свог документа</translation>
     </message>
     <message>
         <source>of --sweep: in equal steps, in equal ratios, or slowly at both ends (default: linear)</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --sweep: у једнаким корацима, у једнаким односима, или споро на оба краја (подразумевано: linear)</translation>
     </message>
     <message>
         <source>of --sweep: write the values below the panes</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --sweep: испиши вредности испод приказа</translation>
     </message>
     <message>
         <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --wheels, као 3.12; може да се понови (подразумевано: верзија овог)</translation>
     </message>
     <message>
         <source>of --wheels; may be repeated (default: all of them)</source>
-        <translation type="unfinished"></translation>
+        <translation>уз --wheels; може да се понови (подразумевано: све)</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation type="unfinished"></translation>
+        <translation>за покретну слику: од последњег кадра на први, без понављања, или тамо и назад укупно у свим кадровима (подразумевано: repeat за --sweep и кружење, once за --transition и нумерисане датотеке, иначе back-and-forth)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
-        <translation type="unfinished"></translation>
+        <translation>за покретну слику: колико кадрова (подразумевано: 48; за --stages 120, за --transition 24; у .html 21)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
-        <translation type="unfinished"></translation>
+        <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
-        <translation type="unfinished"></translation>
+        <translation>уз print: теме, или датотеке лекција, чији задаци чине тест</translation>
     </message>
     <message>
         <source>of print: the variants, one file for each; a variant has the same numbers everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>уз print: варијанте, по једна датотека за сваку; варијанта свуда има исте бројеве</translation>
     </message>
     <message>
         <source>of print: where the PDF files go; existing files are overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>уз print: где иду PDF датотеке; постојеће датотеке се преписују</translation>
     </message>
     <message>
         <source>of print: write one more file, with the answers of all variants and their ways</source>
-        <translation type="unfinished"></translation>
+        <translation>уз print: упиши још једну датотеку, са одговорима свих варијанти и поступцима</translation>
     </message>
     <message>
         <source>of results: write a table, a row for each answer; an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>уз results: упиши табелу, по један ред за сваки одговор; постојећа датотека се преписује</translation>
     </message>
     <message>
         <source>of the chart, as of a figure (default: screen)</source>
-        <translation type="unfinished"></translation>
+        <translation>за дијаграм, као за цртеж (подразумевано: screen)</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation type="unfinished"></translation>
+        <translation>за дијаграм, као за цртеж; ако је дата његова величина или величина слова, испод нема белешки</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
-        <translation type="unfinished"></translation>
+        <translation>за дијаграм, уместо --size; висина је слободна</translation>
     </message>
     <message>
         <source>of the handout: teacher has answers and notes, students room to write instead</source>
-        <translation type="unfinished"></translation>
+        <translation>за материјал за слушаоце: teacher има одговоре и белешке, students место за писање</translation>
     </message>
     <message>
         <source>output format (default: table)</source>
-        <translation type="unfinished"></translation>
+        <translation>излазни формат (подразумевано: table)</translation>
     </message>
     <message>
         <source>output format (default: text)</source>
-        <translation type="unfinished"></translation>
+        <translation>излазни формат (подразумевано: text)</translation>
     </message>
     <message>
         <source>print every stage&apos;s matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>испиши матрицу сваке фазе</translation>
     </message>
     <message>
         <source>report the fraction done, one per line, and take the commands pause, resume and cancel from standard input</source>
-        <translation type="unfinished"></translation>
+        <translation>пријављуј урађени део, по један у реду, и примај наредбе pause, resume и cancel са стандардног улаза</translation>
     </message>
     <message>
         <source>report what this machine has, what is missing and how to get it</source>
-        <translation type="unfinished"></translation>
+        <translation>извести шта ова машина има, шта недостаје и како се то набавља</translation>
     </message>
     <message>
         <source>save a picture of the window as PNG and quit</source>
-        <translation type="unfinished"></translation>
+        <translation>сачувај слику прозора као PNG и изађи</translation>
     </message>
     <message>
         <source>show program&apos;s version number and exit</source>
-        <translation type="unfinished"></translation>
+        <translation>прикажи број верзије програма и изађи</translation>
     </message>
     <message>
         <source>size of all letters of the chart in points (default: 7 if a size or a width is asked)</source>
-        <translation type="unfinished"></translation>
+        <translation>величина свих слова дијаграма у тачкама (подразумевано: 7 ако је тражена величина или ширина)</translation>
     </message>
     <message>
         <source>size of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>величина прозора</translation>
     </message>
     <message>
         <source>size of the words in points; 72 points are 300 pixels at scale 1 (default: 7 in a pane of 640 pixels, in proportion in others)</source>
-        <translation type="unfinished"></translation>
+        <translation>величина речи у тачкама; 72 тачке су 300 пиксела при размери 1 (подразумевано: 7 у приказу од 640 пиксела, у осталима сразмерно)</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation type="unfinished"></translation>
+        <translation>величина на папиру, као 120mmx80mm, у mm, cm или in; или у пикселима при размери 1, 300 по инчу (подразумевано: 640x640 за сваки приказ, или сопствена величина за саму слику); у .html, сваког приказа</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation type="unfinished"></translation>
+        <translation>координатни систем координата (подразумевано: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
-        <translation type="unfinished"></translation>
+        <translation>цртеж који се уписује (.png; .svg, .pdf или TikZ-ов .tex за облике и текст; .html за страницу коју приказују телефони), и документ, слика, мрежа, камера, лекција или презентација која се црта (подразумевано: слово F); уз --batch, фасцикла цртежа; уз --sweep, --orbit, --stages или --transition, филм (.gif, .apng, .webp, или .mp4 са програмом ffmpeg), страница са клизачем (.html), или име са %03d за цртеж сваког кадра</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation type="unfinished"></translation>
+        <translation>прикази који се цртају, један поред другог, или један испод другог са / уместо зареза (подразумевано: сви, један поред другог; за корак, они са његовог слајда); или equation, само: она из view.equation, што је подразумевано кад је --set тражи</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
-        <translation type="unfinished"></translation>
+        <translation>исто што и --set scene=NAME</translation>
     </message>
     <message>
         <source>the six planes of the view volume in world space</source>
-        <translation type="unfinished"></translation>
+        <translation>шест равни запремине погледа у координатном систему света</translation>
     </message>
     <message>
         <source>the step of a lesson or a talk to draw, its number or its name (default: the first)</source>
-        <translation type="unfinished"></translation>
+        <translation>корак лекције или презентације који се црта, његов број или име (подразумевано: први)</translation>
     </message>
     <message>
         <source>what the world pane frames: what is named, with the whole frustum too, or the objects alone (default: named)</source>
-        <translation type="unfinished"></translation>
+        <translation>шта приказ света обухвата: оно што је именовано, и уз целу зарубљену пирамиду, или само објекте (подразумевано: named)</translation>
     </message>
     <message>
         <source>where to put the folder frustum-lab, with the program and all that it needs, for machines like this one without Python; and an archive of it</source>
-        <translation type="unfinished"></translation>
+        <translation>где да се смести фасцикла frustum-lab, са програмом и свиме што му треба, за машине као ова али без Python-а; и њена архива</translation>
     </message>
     <message>
         <source>write all results; FILE is overwritten, - is standard output</source>
-        <translation type="unfinished"></translation>
+        <translation>упиши све резултате; FILE се преписује, - је стандардни излаз</translation>
     </message>
     <message>
         <source>write the figures, text and notes of every step on A4 pages (.pdf) or as a page that phones show (.html); an existing file is overwritten</source>
-        <translation type="unfinished"></translation>
+        <translation>упиши цртеже, текст и белешке сваког корака на страницама A4 (.pdf) или као страницу коју приказују телефони (.html); постојећа датотека се преписује</translation>
     </message>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
-        <translation type="unfinished"></translation>
+        <translation>упиши табеле, једну за другом; FILE као за --json</translation>
     </message>
 </context>
 <context>
@@ -5731,1447 +5731,1447 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Refusal</name>
     <message>
         <source>A film&apos;s frames have one size: leave out crop and width.</source>
-        <translation type="unfinished"></translation>
+        <translation>Кадрови филма имају исту величину: изоставите опсецање и ширину.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сви предзнаци су обрнути.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
-        <translation type="unfinished"></translation>
+        <translation>Близу је, али није довољно тачно.</translation>
     </message>
     <message>
         <source>It is off by the factor 180/π: degrees and radians are mixed up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Одступа за чинилац 180/π: помешани су степени и радијани.</translation>
     </message>
     <message>
         <source>It is too large, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Превелико је, и то приближно {0} пута.</translation>
     </message>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Премало је, и то приближно {0} пута.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ниједан број није тачан.</translation>
     </message>
     <message>
         <source>Only column {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешна је само колона {0}.</translation>
     </message>
     <message>
         <source>Only row {0} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешна је само врста {0}.</translation>
     </message>
     <message>
         <source>Only the number in row {0}, column {1} is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешан је само број у врсти {0}, колони {1}.</translation>
     </message>
     <message>
         <source>The digits are right, but the power of ten is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Цифре су тачне, али је степен броја десет погрешан.</translation>
     </message>
     <message>
         <source>The document</source>
-        <translation type="unfinished"></translation>
+        <translation>Документ</translation>
     </message>
     <message>
         <source>The marked numbers have the wrong sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Обележени бројеви имају погрешан предзнак.</translation>
     </message>
     <message>
         <source>The numbers are right, but columns {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Бројеви су тачни, али су колоне {0} и {1} замењене.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows and columns are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Бројеви су тачни, али су врсте и колоне замењене.</translation>
     </message>
     <message>
         <source>The numbers are right, but rows {0} and {1} are exchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Бројеви су тачни, али су врсте {0} и {1} замењене.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
-        <translation type="unfinished"></translation>
+        <translation>Предзнак је погрешан, а и величина.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Величина је тачна, али је предзнак погрешан.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нема прегледа када је број троуглова и тачака {0}.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; a mesh file needs its ending.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нема сцене „{0}”, само {1} или {2}; датотеци мреже потребан је наставак имена.</translation>
     </message>
     <message>
         <source>There is no scene “{0}”, only {1} or {2}; did you mean “{3}”?</source>
-        <translation type="unfinished"></translation>
+        <translation>Нема сцене „{0}”, само {1} или {2}; да ли сте мислили на „{3}”?</translation>
     </message>
     <message>
         <source>This is 1 divided by the right number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је 1 подељено тачним бројем.</translation>
     </message>
     <message>
         <source>asks for a part that {0} does not have</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи део који {0} нема</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње блок који није затворен: мора да га заврши ред ```</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it, above line {0}, where another begins</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње блок који није затворен: мора да га заврши ред ```, изнад реда {0}, где почиње други</translation>
     </message>
     <message>
         <source>begins a block, but is indented: ``` must begin the line</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње блок, али је увучено: ``` мора да почне ред</translation>
     </message>
     <message>
         <source>begins a formula with $ that no other $ on its line ends</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње формулу знаком $ коју ниједан други $ у том реду не завршава</translation>
     </message>
     <message>
         <source>begins code that is not closed: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње кôд који није затворен: један ред ``` је вишак, или је један без врсте</translation>
     </message>
     <message>
         <source>begins code, not a block, and the block of line {0} is in it: there is one ``` line too many, or one without its kind</source>
-        <translation type="unfinished"></translation>
+        <translation>почиње кôд, а не блок, и у њему је блок из реда {0}: један ред ``` је вишак, или је један без врсте</translation>
     </message>
     <message>
         <source>belongs to another lens: set lens.kind as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>припада другом објективу: поставите и lens.kind ({0})</translation>
     </message>
     <message>
         <source>belongs to another scene: set scene as well ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>припада другој сцени: поставите и scene ({0})</translation>
     </message>
     <message>
         <source>can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points</source>
-        <translation type="unfinished"></translation>
+        <translation>може да се чита као {0} бројева са децималним зарезом или као {1} бројева: пишите децималну тачку</translation>
     </message>
     <message>
         <source>cannot be moved in the scene {0}, whose objects are fixed</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се помера у сцени {0}, чији су објекти непомични</translation>
     </message>
     <message>
         <source>cannot be read: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се прочита: {0}</translation>
     </message>
     <message>
         <source>cannot be set together with {0}, which it replaces</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се постави заједно са {0}, јер то замењује</translation>
     </message>
     <message>
         <source>cannot be set together with {0}: both decide what the lens sees</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се постави заједно са {0}: обоје одређују шта објектив види</translation>
     </message>
     <message>
         <source>cannot be shown in the scene {0}, which needs its own objects</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се прикаже у сцени {0}, којој су потребни сопствени објекти</translation>
     </message>
     <message>
         <source>cannot be shown: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се прикаже: {0}</translation>
     </message>
     <message>
         <source>cannot be told from the wrong value of line {0}, {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се разликује од погрешне вредности у реду {0}, {1}</translation>
     </message>
     <message>
         <source>cannot be written as NAME=VALUE alone</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се напише само као NAME=VALUE</translation>
     </message>
     <message>
         <source>cannot be written: another program may be writing it</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се упише: можда уписује други програм</translation>
     </message>
     <message>
         <source>cannot be written: it is a pipe or a device, not a regular file</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се упише: то је цев или уређај, а не обична датотека</translation>
     </message>
     <message>
         <source>cannot be written: it is write-protected</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се упише: заштићено је од писања</translation>
     </message>
     <message>
         <source>cannot be written: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се упише: {0}</translation>
     </message>
     <message>
         <source>cannot be written: {0} says “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>не може да се упише: {0} каже „{1}”</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>облак: мора да има од 1 до {1} тачака, а дато их је {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
-        <translation type="unfinished"></translation>
+        <translation>долази са програмом и не може да се мења: копирајте, и отворите копију</translation>
     </message>
     <message>
         <source>counts something, but its value is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>нешто броји, али му је вредност {0}</translation>
     </message>
     <message>
         <source>divides by zero</source>
-        <translation type="unfinished"></translation>
+        <translation>дели нулом</translation>
     </message>
     <message>
         <source>does not exist</source>
-        <translation type="unfinished"></translation>
+        <translation>не постоји</translation>
     </message>
     <message>
         <source>does not fulfil the task</source>
-        <translation type="unfinished"></translation>
+        <translation>не испуњава задатак</translation>
     </message>
     <message>
         <source>does not hold</source>
-        <translation type="unfinished"></translation>
+        <translation>не важи</translation>
     </message>
     <message>
         <source>ease = log: {0} has no equal ratios from {1} to {2}; choose linear.</source>
-        <translation type="unfinished"></translation>
+        <translation>ease = log: {0} нема једнаке односе од {1} до {2}; изаберите linear.</translation>
     </message>
     <message>
         <source>finds no numbers that suit, for seed {0}; the last ones were refused: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>не налази бројеве који одговарају, за семе {0}; последњи су одбијени: {1}</translation>
     </message>
     <message>
         <source>fps = {0}: must be from 1 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>fps = {0}: мора да буде од 1 до {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be a whole number from 2 to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: мора да буде цео број од 2 до {1}.</translation>
     </message>
     <message>
         <source>frames = {0}: must be even to go back and forth.</source>
-        <translation type="unfinished"></translation>
+        <translation>frames = {0}: мора да буде паран број за кретање напред-назад.</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”</source>
-        <translation type="unfinished"></translation>
+        <translation>добија „{0}” уместо „{1}”</translation>
     </message>
     <message>
         <source>gets “{0}” instead of “{1}”; this variant has {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>добија „{0}” уместо „{1}”; ова варијанта има {2}</translation>
     </message>
     <message>
         <source>gives the answer in a second way: keep one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>даје одговор на други начин: задржите једно од {0}</translation>
     </message>
     <message>
         <source>has HTML, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи HTML, који лекција приказује онако како је откуцан</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи CAMERA_ID кога нема у cameras.txt</translation>
     </message>
     <message>
         <source>has a formula that cannot be typeset: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи формулу која не може да се сложи: {0}</translation>
     </message>
     <message>
         <source>has a function that is not defined for its argument</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи функцију која није дефинисана за свој аргумент</translation>
     </message>
     <message>
         <source>has a note of {0} words; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има белешку са бројем речи {0}; граница је {1}</translation>
     </message>
     <message>
         <source>has a picture or a link, which a lesson shows as it is typed</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи слику или везу, коју лекција приказује онако како је откуцана</translation>
     </message>
     <message>
         <source>has a power with a degree above {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи степен са изложиоцем изнад {0} (знак {1})</translation>
     </message>
     <message>
         <source>has a value that is too large; the limit is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи превелику вредност; граница је {0}</translation>
     </message>
     <message>
         <source>has an answer that the scene shows as “{0}”: add “hide: numbers”</source>
-        <translation type="unfinished"></translation>
+        <translation>има одговор који сцена приказује као „{0}”: додајте „hide: numbers”</translation>
     </message>
     <message>
         <source>has an unknown kind of block, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има непознату врсту блока, {0}; најближа је {1}</translation>
     </message>
     <message>
         <source>has faces that cross each other in too many places for a figure without pixels: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>има стране које се секу на превише места за цртеж без пиксела: упишите као .png</translation>
     </message>
     <message>
         <source>has more than {0} answers</source>
-        <translation type="unfinished"></translation>
+        <translation>има више одговора од {0}</translation>
     </message>
     <message>
         <source>has more than {0} levels of brackets</source>
-        <translation type="unfinished"></translation>
+        <translation>има више нивоа заграда од {0}</translation>
     </message>
     <message>
         <source>has more than {0} nested brackets (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>има више угнежђених заграда од {0} (знак {1})</translation>
     </message>
     <message>
         <source>has more than {0} steps</source>
-        <translation type="unfinished"></translation>
+        <translation>има више корака од {0}</translation>
     </message>
     <message>
         <source>has more than {0} values</source>
-        <translation type="unfinished"></translation>
+        <translation>има више вредности од {0}</translation>
     </message>
     <message>
         <source>has no camera: no camera_matrix, K or fx, and no frame</source>
-        <translation type="unfinished"></translation>
+        <translation>нема камеру: нема ни camera_matrix, ни K, ни fx, ни кадра</translation>
     </message>
     <message>
         <source>has no steps</source>
-        <translation type="unfinished"></translation>
+        <translation>нема корака</translation>
     </message>
     <message>
         <source>has no strokes as Frustum Lab writes them</source>
-        <translation type="unfinished"></translation>
+        <translation>нема потеза какве пише Frustum Lab</translation>
     </message>
     <message>
         <source>has no value in this state, which has no {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>нема вредност у овом стању, у коме нема: {0}</translation>
     </message>
     <message>
         <source>has no value, because infinity minus infinity or infinity times 0 is no number</source>
-        <translation type="unfinished"></translation>
+        <translation>нема вредност, јер бесконачност минус бесконачност или бесконачност пута 0 није број</translation>
     </message>
     <message>
         <source>has the place ({0}), which is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи место ({0}), које није на слици</translation>
     </message>
     <message>
         <source>has the title of a step, but no line --- above it</source>
-        <translation type="unfinished"></translation>
+        <translation>има наслов корака, али нема реда --- изнад</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има премало варијаната, око {0}; потребно је бар {1}</translation>
     </message>
     <message>
         <source>has unreadable lines ({0}), which are left out</source>
-        <translation type="unfinished"></translation>
+        <translation>има нечитљиве редове ({0}), који су изостављени</translation>
     </message>
     <message>
         <source>has {0} characters, with the indented lines below; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има знакова {0}, рачунајући увучене редове испод; граница је {1}</translation>
     </message>
     <message>
         <source>has {0} characters; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има знакова {0}; граница је {1}</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write it as .png</source>
-        <translation type="unfinished"></translation>
+        <translation>у једном приказу има страна, линија и тачака {0}; граница цртежа без пиксела је {1}: упишите као .png</translation>
     </message>
     <message>
         <source>has {0} faces, lines and points in a pane; the limit of a figure without pixels is {1}: write {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>у једном приказу има страна, линија и тачака {0}; граница цртежа без пиксела је {1}: упишите {2}</translation>
     </message>
     <message>
         <source>has {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи {0} двапут</translation>
     </message>
     <message>
         <source>has {0} values; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има вредности {0}; граница је {1}</translation>
     </message>
     <message>
         <source>has {0} words in its step; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>има речи {0} у свом кораку; граница је {1}</translation>
     </message>
     <message>
         <source>has {0} × {1} cells; the answer has {2} × {3}</source>
-        <translation type="unfinished"></translation>
+        <translation>има {0} × {1} поља; одговор има {2} × {3}</translation>
     </message>
     <message>
         <source>has {0}, which no formula may contain (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи {0}, што ниједна формула не сме да садржи (знак {1})</translation>
     </message>
     <message>
         <source>has {0}, which no picture of the step can name</source>
-        <translation type="unfinished"></translation>
+        <translation>садржи {0}, што ниједна слика корака не може да именује</translation>
     </message>
     <message>
         <source>height = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} пута scale {3}: мора да буде од {1} до {2} пиксела.</translation>
     </message>
     <message>
         <source>height = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0} {3}: мора да буде од {1} до {2} {3}.</translation>
     </message>
     <message>
         <source>height = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>height = {0}: мора да буде цео број пиксела од {1} до {2}.</translation>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте облак тачака друге врсте ({0}): претворите га у .ply; наредба „project --points” чита табелу x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте документ и нема поглед {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте фасцикла, а не датотека</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте објектив са дисторзијом, а овде праве остају праве: уклоните дисторзију са слика и употребите камеру нових слика</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте слика без документа програма Frustum Lab у себи</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте искошење пиксела, које мора бити 0: прозор објектива је правоугаоник</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
-        <translation type="unfinished"></translation>
+        <translation>је у бесконачности, па је то смер, а не тачка</translation>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation type="unfinished"></translation>
+        <translation>јесте бинарна датотека: упишите текст помоћу colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation type="unfinished"></translation>
+        <translation>је оштећено или прекинуто: текст од реда {0}, колоне {1} надаље није JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>је оштећено и не може да се преименује: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
-        <translation type="unfinished"></translation>
+        <translation>је урађено пре него што студент ишта учини</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation type="unfinished"></translation>
+        <translation>је празно</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation type="unfinished"></translation>
+        <translation>је дато двапут</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
-        <translation type="unfinished"></translation>
+        <translation>је у пикселима слике чија величина није позната и није {0} x {1}: поставите image.width и image.height, или у датотеку додајте image_width и image_height</translation>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation type="unfinished"></translation>
+        <translation>је увучено, али не припада ничему изнад</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>је веће од {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>има знакова више од {0}</translation>
     </message>
     <message>
         <source>is missing</source>
-        <translation type="unfinished"></translation>
+        <translation>недостаје</translation>
     </message>
     <message>
         <source>is neither a document (.json), a lesson (.md), an exported picture (.png), a mesh ({0}) nor a camera file (.json, .yml, .xml, cameras.txt, images.txt)</source>
-        <translation type="unfinished"></translation>
+        <translation>није ни документ (.json), ни лекција (.md), ни извезена слика (.png), ни мрежа ({0}), ни датотека камере (.json, .yml, .xml, cameras.txt, images.txt)</translation>
     </message>
     <message>
         <source>is no perspective camera, and is not read</source>
-        <translation type="unfinished"></translation>
+        <translation>није перспективна камера и не чита се</translation>
     </message>
     <message>
         <source>is not UTF-8 text, some letters may be wrong: save the file in that encoding</source>
-        <translation type="unfinished"></translation>
+        <translation>није текст UTF-8, нека слова су можда погрешна: сачувајте датотеку у том кодирању</translation>
     </message>
     <message>
         <source>is not XML as OpenCV writes it: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>није XML какав пише OpenCV: {0}</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document</source>
-        <translation type="unfinished"></translation>
+        <translation>није документ програма Frustum Lab</translation>
     </message>
     <message>
         <source>is not a Frustum Lab document: it is not text</source>
-        <translation type="unfinished"></translation>
+        <translation>није документ програма Frustum Lab: није текст</translation>
     </message>
     <message>
         <source>is not a complete PNG picture: it is damaged or cut short</source>
-        <translation type="unfinished"></translation>
+        <translation>није потпуна PNG слика: оштећена је или прекинута</translation>
     </message>
     <message>
         <source>is not a file of results of Frustum Lab</source>
-        <translation type="unfinished"></translation>
+        <translation>није датотека са резултатима програма Frustum Lab</translation>
     </message>
     <message>
         <source>is not a name that a file can have</source>
-        <translation type="unfinished"></translation>
+        <translation>није име какво датотека може да има</translation>
     </message>
     <message>
         <source>is not in the picture that is printed</source>
-        <translation type="unfinished"></translation>
+        <translation>није на слици која се штампа</translation>
     </message>
     <message>
         <source>is not known; the nearest name is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>није познато; најближе име је {0}</translation>
     </message>
     <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>је корак {0} лекције; граница је {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>је корак {0} са задатком; граница лекције је {1}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
-        <translation type="unfinished"></translation>
+        <translation>већ је слово за {0}; две ствари не могу да деле исто</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation type="unfinished"></translation>
+        <translation>није исход ниједног узорка у блоку „test”</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation type="unfinished"></translation>
+        <translation>је преблизу вредности {0} за раван која је од камере далеко колико и предња</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
-        <translation type="unfinished"></translation>
+        <translation>је преблизу вредности {0} да би float64 разликовао једно од другог</translation>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation type="unfinished"></translation>
+        <translation>је предугачко за једну страну</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
-        <translation type="unfinished"></translation>
+        <translation>не испробава ниједан узорак „{0}: ... -&gt; right”, па се погрешна вредност не би приметила</translation>
     </message>
     <message>
         <source>is wrong, but has no reply: name a wrong idea, or add “says:” below</source>
-        <translation type="unfinished"></translation>
+        <translation>је нетачно, али нема одзив: наведите погрешну представу, или испод додајте „says:”</translation>
     </message>
     <message>
         <source>is wrong, but holds in the right state</source>
-        <translation type="unfinished"></translation>
+        <translation>је нетачно, али важи у тачном стању</translation>
     </message>
     <message>
         <source>is wrong, but its formula gives the right value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>је нетачно, али формула даје тачну вредност, {0}</translation>
     </message>
     <message>
         <source>lacks a line --- above it, which ends the lines like “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>нема изнад себе реда ---, који завршава редове као „title: ...”</translation>
     </message>
     <message>
         <source>lacks a line “title: ...”</source>
-        <translation type="unfinished"></translation>
+        <translation>нема реда „title: ...”</translation>
     </message>
     <message>
         <source>mesh = {0}: the file has only lines or points, but the scene “{1}” needs a surface; open the file as a scene of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {0}: датотека има само линије или тачке, а сцени „{1}” је потребна површ; отворите датотеку као посебну сцену.</translation>
     </message>
     <message>
         <source>mesh = {1}: the scene “{0}” has a subject of its own, which no mesh can replace.</source>
-        <translation type="unfinished"></translation>
+        <translation>mesh = {1}: сцена „{0}” има сопствени предмет, који ниједна мрежа не може да замени.</translation>
     </message>
     <message>
         <source>must be #rrggbb, or red, green and blue, for all points or for each of {0}: whole numbers up to 255, or parts of 1</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде #rrggbb, или црвено, зелено и плаво, за све тачке или за сваку од {0}: цели бројеви до 255, или делови од 1</translation>
     </message>
     <message>
         <source>must be 0 or at least {0} in size</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде 0 или по величини бар {0}</translation>
     </message>
     <message>
         <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде 16 бројева, или матрица K калибрисане камере: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
         <source>must be 9, 12 or 16 numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде 9, 12 или 16 бројева, а има их {0}</translation>
     </message>
     <message>
         <source>must be NAME=VALUE, or document: FILE.json</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде NAME=VALUE, или document: FILE.json</translation>
     </message>
     <message>
         <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде [SECTION], или NAME = &quot;LETTER&quot;, или да почиње са # као коментар</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде латиничко слово или реч, или нешто од {0}, са индексом после _ ако га има, као x_min, и највећа дужина у знаковима је {1}</translation>
     </message>
     <message>
         <source>must be a condition: two formulas with =, !=, &lt;, &gt;, &lt;= or &gt;= between them, or NAME = WORD</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде услов: две формуле са =, !=, &lt;, &gt;, &lt;= или &gt;= између, или NAME = WORD</translation>
     </message>
     <message>
         <source>must be a document or a projection, such as load({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде документ или пројекција, као load({0})</translation>
     </message>
     <message>
         <source>must be a file beside the lesson, or in a folder there</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде датотека поред лекције, или у тамошњој фасцикли</translation>
     </message>
     <message>
         <source>must be a finite number</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде коначан број</translation>
     </message>
     <message>
         <source>must be a finite number or inf</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде коначан број или inf</translation>
     </message>
     <message>
         <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак од 2 до {0} слика, од којих је тачно једна из самог документа</translation>
     </message>
     <message>
         <source>must be a list of at most {0} different names, or only *</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак различитих имена, највише {0}, или само *</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names from {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак имена, највише {0}, из {1}</translation>
     </message>
     <message>
         <source>must be a list of at most {0} names of values</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак имена вредности, највише {0}</translation>
     </message>
     <message>
         <source>must be a list of at most {0} probes</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак сонди, највише {0}</translation>
     </message>
     <message>
         <source>must be a list of names from {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак имена из {0}</translation>
     </message>
     <message>
         <source>must be a list of texts NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак текстова NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a list of the numbers of probes</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак бројева сонди</translation>
     </message>
     <message>
         <source>must be a matrix of finite numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде матрица коначних бројева, а садржи {0}</translation>
     </message>
     <message>
         <source>must be a matrix of numbers, but has {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде матрица бројева, а садржи {0}</translation>
     </message>
     <message>
         <source>must be a name</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде име</translation>
     </message>
     <message>
         <source>must be a name of letters, digits and -</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде име од слова, цифара и -</translation>
     </message>
     <message>
         <source>must be a number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број од {0} до {1}</translation>
     </message>
     <message>
         <source>must be a number like 0.5, 1/2, √3/2 or 2e-3; {0} cannot be read as part of one</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број као 0.5, 1/2, √3/2 или 2e-3; {0} не може да се чита као његов део</translation>
     </message>
     <message>
         <source>must be a number of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; највећи број знакова је {0}</translation>
     </message>
     <message>
         <source>must be a number of points, such as 8 or 8pt</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број тачака, као 8 или 8pt</translation>
     </message>
     <message>
         <source>must be a number of the model that can be set, and the answer; it is {0} here</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број модела који може да се постави, и одговор; овде је {0}</translation>
     </message>
     <message>
         <source>must be a number whose power of ten is between -{0} and {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број чији је степен броја десет између -{0} и {0}</translation>
     </message>
     <message>
         <source>must be a number without {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број без {0}</translation>
     </message>
     <message>
         <source>must be a number, or inf for ∞</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број, или inf за ∞</translation>
     </message>
     <message>
         <source>must be a number, such as 0.5 or 2e-3</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број, као 0.5 или 2e-3</translation>
     </message>
     <message>
         <source>must be a number, such as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број, као {0}</translation>
     </message>
     <message>
         <source>must be a number: a function has no value there</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број: функција ту нема вредност</translation>
     </message>
     <message>
         <source>must be a number: nothing can be divided by 0</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број: ништа не може да се дели са 0</translation>
     </message>
     <message>
         <source>must be a number; nothing is typed yet</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; још ништа није откуцано</translation>
     </message>
     <message>
         <source>must be a number; something is missing after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; нешто недостаје после {0}</translation>
     </message>
     <message>
         <source>must be a number; {0} is neither a number nor a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; {0} није ни број ни јединица</translation>
     </message>
     <message>
         <source>must be a number; {0} may be {1} or {2}: write one of them</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; {0} може да буде {1} или {2}: напишите једно од тога</translation>
     </message>
     <message>
         <source>must be a number; {0} mixes degrees and radians</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број; {0} меша степене и радијане</translation>
     </message>
     <message>
         <source>must be a range like 20..100 step 5, or numbers separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде опсег као 20..100 step 5, или бројеви раздвојени зарезима</translation>
     </message>
     <message>
         <source>must be a rotation: equally long axes at right angles, not mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде ротација: једнако дугачке осе под правим угловима, без рефлексије</translation>
     </message>
     <message>
         <source>must be a row and a column, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде врста и колона, раздвојене знаком „,”</translation>
     </message>
     <message>
         <source>must be a sample like “NAME: SAMPLE -&gt; VERDICT”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде узорак као „NAME: SAMPLE -&gt; VERDICT”</translation>
     </message>
     <message>
         <source>must be a text</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде текст</translation>
     </message>
     <message>
         <source>must be a text or a list of some of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде текст или списак нечега од {0}</translation>
     </message>
     <message>
         <source>must be a type such as float64, to which numpy.asarray(points, float) converts</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде тип као float64, у који претвара numpy.asarray(points, float)</translation>
     </message>
     <message>
         <source>must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде вредност за settings, camera, lens, image, object или depth, као NAME=VALUE</translation>
     </message>
     <message>
         <source>must be a whole number</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде цео број</translation>
     </message>
     <message>
         <source>must be a whole number from {0} to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде цео број од {0} до {1}</translation>
     </message>
     <message>
         <source>must be a whole number of pixels from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде цео број пиксела од 1 до {0}</translation>
     </message>
     <message>
         <source>must be a whole number, 1 or more</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде цео број, 1 или више</translation>
     </message>
     <message>
         <source>must be a whole number: the question asks for a count</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде цео број: питање тражи да се преброји</translation>
     </message>
     <message>
         <source>must be an answer with its lesson, exercise and time</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде одговор са својом лекцијом, задатком и временом</translation>
     </message>
     <message>
         <source>must be an object with named values in braces</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде објекат са именованим вредностима у витичастим заградама</translation>
     </message>
     <message>
         <source>must be at least {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде бар {0}</translation>
     </message>
     <message>
         <source>must be at least {0} away from the target</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде од циља удаљено бар {0}</translation>
     </message>
     <message>
         <source>must be at least {0} long</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде дугачко бар {0}</translation>
     </message>
     <message>
         <source>must be at most {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде највише {0}</translation>
     </message>
     <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>после њега мора да стоји # и број, највише {0}, или име погледа: {1}</translation>
     </message>
     <message>
         <source>must be four rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде четири врсте од по четири коначна броја</translation>
     </message>
     <message>
         <source>must be from {0} to {1} points</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде од {0} до {1} тачака</translation>
     </message>
     <message>
         <source>must be fx, fy, cx, cy, or K: three rows fx, 0, cx and 0, fy, cy and 0, 0, 1</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде fx, fy, cx, cy, или K: три врсте fx, 0, cx и 0, fy, cy и 0, 0, 1</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од 0; испод 0 је x слике окренуто улево: узмите fx = {0} и cx = W - 1 - cx</translation>
     </message>
     <message>
         <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од 0; испод 0 је y слике окренуто нагоре: узмите fy = {0} и cy = H - 1 - cy</translation>
     </message>
     <message>
         <source>must be greater than bottom, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од доње границе, која је {0}</translation>
     </message>
     <message>
         <source>must be greater than left, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од леве границе, која је {0}</translation>
     </message>
     <message>
         <source>must be greater than near, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од предње равни, која је {0}</translation>
     </message>
     <message>
         <source>must be greater than {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде веће од {0}</translation>
     </message>
     <message>
         <source>must be in pixels, but the four numbers are in widths and heights of the image: multiply fx and cx by {0}, fy and cy by {1}, then subtract 0.5 from cx and cy</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде у пикселима, а четири броја су у ширинама и висинама слике: помножите fx и cx са {0}, fy и cy са {1}, па одузмите 0.5 од cx и cy</translation>
     </message>
     <message>
         <source>must be in {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде у {0}</translation>
     </message>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде растући низ бројева од 0 до 1, за један мањи од броја слика које се пореде, или ниједан за једну поред друге</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде мање од задње равни, која је {0}</translation>
     </message>
     <message>
         <source>must be less than right, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде мање од десне границе, која је {0}</translation>
     </message>
     <message>
         <source>must be less than top, which is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде мање од горње границе, која је {0}</translation>
     </message>
     <message>
         <source>must be one line of at most {0} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде један ред; највећи број знакова је {0}</translation>
     </message>
     <message>
         <source>must be one line of text</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде један ред текста</translation>
     </message>
     <message>
         <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од сопствених поређења сцене ({0}), или PATH=VALUE, са ; између вредности једне слике, | између слика, и NAME: испред слике која има име</translation>
     </message>
     <message>
         <source>must be one of {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}</translation>
     </message>
     <message>
         <source>must be one of {0}, a colon, and its value</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}, двотачка, и вредност</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters beside the lesson, such as letters.toml</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}, или датотека са словима поред лекције, као letters.toml</translation>
     </message>
     <message>
         <source>must be one of {0}, or a file of letters of at most {1} characters</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}, или датотека са словима; највећи број знакова је {1}</translation>
     </message>
     <message>
         <source>must be one of {0}, or a number from {1} to {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}, или број од {1} до {2}</translation>
     </message>
     <message>
         <source>must be one of {0}, or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}, или празно за ниједно</translation>
     </message>
     <message>
         <source>must be one of {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде једно од {0}; најближе је {1}</translation>
     </message>
     <message>
         <source>must be the document&apos;s own, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде оно из самог документа, {0}</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде име сцене или датотеке мреже</translation>
     </message>
     <message>
         <source>must be the number of a choice, from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде број понуђеног одговора, од 1 до {0}</translation>
     </message>
     <message>
         <source>must be the numbers x, y, z of each point in turn</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде x, y, z сваке тачке редом</translation>
     </message>
     <message>
         <source>must be the path of a mesh file ({0}), or empty for none</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде путања датотеке мреже ({0}), или празно за ниједну</translation>
     </message>
     <message>
         <source>must be the text of one matrix, up to {0} characters long</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде текст једне матрице; највећи број знакова је {0}</translation>
     </message>
     <message>
         <source>must be three finite numbers x, y, z</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде три коначна броја x, y, z</translation>
     </message>
     <message>
         <source>must be three numbers for a point, four with w, two for the ray of a pixel, or null for no probe</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде три броја за тачку, четири са w, два за зрак пиксела, или null за ниједну сонду</translation>
     </message>
     <message>
         <source>must be three rows of four finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде три врсте од по четири коначна броја</translation>
     </message>
     <message>
         <source>must be three rows of three finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде три врсте од по три коначна броја</translation>
     </message>
     <message>
         <source>must be tiles such as translate 3,0,0 or rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде низ плочица као translate 3,0,0 или rotate z 90</translation>
     </message>
     <message>
         <source>must be topics from L1 to L27, separated by commas</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде списак тема од L1 до L27, раздвојених зарезима</translation>
     </message>
     <message>
         <source>must be true or false</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде true или false</translation>
     </message>
     <message>
         <source>must be two numbers of pixels, width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде два броја пиксела, ширина и висина</translation>
     </message>
     <message>
         <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде world или ndc са позицијом камере приказа, или са њом и циљем, као у world: 6,4,8 или ndc: 1.3,0.2,0.3,0,0,0; знак | раздваја два приказа (оно што виде слушаоци је view.slide)</translation>
     </message>
     <message>
         <source>must be written as NAME=VALUE</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да се пише као NAME=VALUE</translation>
     </message>
     <message>
         <source>must be {0} coordinates, separated by spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде {0} координата, раздвојених размацима</translation>
     </message>
     <message>
         <source>must be {0} finite numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде {0} коначних бројева</translation>
     </message>
     <message>
         <source>must be {0} numbers, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде {0} бројева, а има их {1}</translation>
     </message>
     <message>
         <source>must begin a step with its title, like “# Title”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да почиње корак својим насловом, као „# Title”</translation>
     </message>
     <message>
         <source>must begin the lesson: ---, then lines like “title: ...”, then --- again</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да почиње лекцију: ---, затим редови као „title: ...”, па опет ---</translation>
     </message>
     <message>
         <source>must begin with a seed, a whole number from 1 to {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да почиње семеном, целим бројем од 1 до {0}</translation>
     </message>
     <message>
         <source>must begin with “- [x]” if it is right, else “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да почиње са „- [x]” ако је тачно, иначе са „- [ ]”</translation>
     </message>
     <message>
         <source>must differ from the eye, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да се разликује од позиције камере, иначе камера не гледа никуда</translation>
     </message>
     <message>
         <source>must differ from the target, or the camera looks nowhere</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да се разликује од циља, иначе камера не гледа никуда</translation>
     </message>
     <message>
         <source>must end in {0}, the numbers of a point</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да се завршава са {0}, бројевима једне тачке</translation>
     </message>
     <message>
         <source>must have 0, 0, 0, 1 in its last row: no move of an object changes w</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има 0, 0, 0, 1 у последњој врсти: ниједан покрет објекта не мења w</translation>
     </message>
     <message>
         <source>must have 1 to {0} rows, separated by “;”, each with the same number of cells, 1 to {0}, separated by “,”; and at least two cells</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има од 1 до {0} врста, раздвојених знаком „;”, свака са једнаким бројем поља, од 1 до {0}, раздвојених знаком „,”; и бар два поља</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има леви блок 3 x 3 са инверзом: камера је у бесконачности, као код паралелне пројекције</translation>
     </message>
     <message>
         <source>must have a product with numbers up to {0} only</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има производ само са бројевима до {0}</translation>
     </message>
     <message>
         <source>must have a result whose formulas have at most {0} characters, or end in {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има резултат чије формуле имају знакова највише {0}, или да се завршава на {1}</translation>
     </message>
     <message>
         <source>must have an inverse whose numbers and products float64 can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има инверз чије бројеве и производе float64 може да прими</translation>
     </message>
     <message>
         <source>must have an inverse, but its rank is {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има инверз, али му је ранг {0}</translation>
     </message>
     <message>
         <source>must have at most {0} tiles, but has {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>може да има плочица највише {0}, а има их {1}</translation>
     </message>
     <message>
         <source>must have equally many numbers in every row</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има једнако много бројева у свакој врсти</translation>
     </message>
     <message>
         <source>must have finite real numbers only</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има само коначне реалне бројеве</translation>
     </message>
     <message>
         <source>must have no masked number</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да има маскиране бројеве</translation>
     </message>
     <message>
         <source>must have no number after {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да има број после {0}</translation>
     </message>
     <message>
         <source>must have numbers up to {0} in size only</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има само бројеве по величини до {0}</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има три броја за сваку ротацију, која има три или девет</translation>
     </message>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има {0} координата, раздвојених знаком „,”</translation>
     </message>
     <message>
         <source>must have {0} finite numbers after {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има {0} коначних бројева после {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има {0} значајних цифара испред „...”</translation>
     </message>
     <message>
         <source>must have {0} × {1} cells: “;” separates rows, “|” the cells of a row</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има {0} × {1} поља: „;” раздваја врсте, „|” поља једне врсте</translation>
     </message>
     <message>
         <source>must lie above the plane y = {0}: a light on the plane or under it casts no shadow there</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да лежи изнад равни y = {0}: светло на равни или испод ње на њој не баца сенку</translation>
     </message>
     <message>
         <source>must lie between {0} and {1}, both excluded</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да лежи између {0} и {1}, без њих самих</translation>
     </message>
     <message>
         <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да именује од 1 до {0} матрица, као {1}; овај објектив нема матрицу {2}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да именује матрице које једно предавање има заједно</translation>
     </message>
     <message>
         <source>must not be 0 if x, y and z are 0: (0, 0, 0, 0) is neither a point nor a direction</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да буде 0 ако су x, y и z једнаки 0: (0, 0, 0, 0) није ни тачка ни смер</translation>
     </message>
     <message>
         <source>must not be 0: the plane would go through the eye, where nothing is cut</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да буде 0: раван би пролазила кроз позицију камере, где се ништа не сече</translation>
     </message>
     <message>
         <source>must not be before the near plane ({0})</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да буде испред предње равни ({0})</translation>
     </message>
     <message>
         <source>must not be parallel to the view direction</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да буде паралелно смеру погледа</translation>
     </message>
     <message>
         <source>must not be the zero vector</source>
-        <translation type="unfinished"></translation>
+        <translation>не сме да буде нула-вектор</translation>
     </message>
     <message>
         <source>must point upward, to the sun: otherwise its rays never meet the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да буде усмерено нагоре, ка сунцу: иначе његови зраци никада не секу раван</translation>
     </message>
     <message>
         <source>names an unknown wrong idea (the nearest is {0}), and has no “says:” of its own</source>
-        <translation type="unfinished"></translation>
+        <translation>именује непознату погрешну представу (најближа је {0}) и нема сопствено „says:”</translation>
     </message>
     <message>
         <source>needs a closing bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи затворену заграду уместо {0} (знак {1})</translation>
     </message>
     <message>
         <source>needs a number, a letter or a bracket instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи број, слово или заграду уместо {0} (знак {1})</translation>
     </message>
     <message>
         <source>needs a sign such as + or * in front of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи знак као + или * испред {0} (знак {1})</translation>
     </message>
     <message>
         <source>needs a whole number as its power instead of {0} (character {1})</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи цео број као изложилац уместо {0} (знак {1})</translation>
     </message>
     <message>
         <source>needs at least two choices, just one of them right: “- [x]”, the others “- [ ]”</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи бар два понуђена одговора, само један тачан: „- [x]”, остали „- [ ]”</translation>
     </message>
     <message>
         <source>needs lens.sensor_width_mm or lens.sensor_height_mm; the one that compares with 36 x 24 mm is lens.focal_length_mm</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи lens.sensor_width_mm или lens.sensor_height_mm; онај који пореди са 36 x 24 mm је lens.focal_length_mm</translation>
     </message>
     <message>
         <source>needs the program {0}, which is not on the PATH: write .webp instead</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи програм {0}, кога нема у променљивој PATH: упишите уместо тога .webp</translation>
     </message>
     <message>
         <source>needs {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>тражи {0}</translation>
     </message>
     <message>
         <source>pane = {0}: must be one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>pane = {0}: мора да буде једно од {1}.</translation>
     </message>
     <message>
         <source>panes = {0}: must name at least one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>panes = {0}: мора да именује бар једно од {1}.</translation>
     </message>
     <message>
         <source>plotter() needs the package pyvista: pip install pyvista.</source>
-        <translation type="unfinished"></translation>
+        <translation>plotter() тражи пакет pyvista: pip install pyvista.</translation>
     </message>
     <message>
         <source>points: at most {0} can be marked, and {1} were given.</source>
-        <translation type="unfinished"></translation>
+        <translation>points: може да се обележи највише {0}, а дато их је {1}.</translation>
     </message>
     <message>
         <source>repeats the name of line {0}; each needs its own</source>
-        <translation type="unfinished"></translation>
+        <translation>понавља име из реда {0}; свако мора да има своје</translation>
     </message>
     <message>
         <source>says another number than its formula&apos;s value, {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>каже други број, а не вредност своје формуле, {0}</translation>
     </message>
     <message>
         <source>scale = {0}: must be greater than 0 and at most {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>scale = {0}: мора да буде веће од 0 и највише {1}.</translation>
     </message>
     <message>
         <source>size = {0}: must be WIDTHxHEIGHT in {1}, such as 120mmx80mm, or two numbers of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>size = {0}: мора да буде WIDTHxHEIGHT у {1}, као 120mmx80mm, или два броја пиксела.</translation>
     </message>
     <message>
         <source>sweep = {0}: must be NAME=FIRST:LAST with finite numbers, such as lens.near=0.5:8 or camera.eye=3,2,4:0,2,5.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: мора да буде NAME=FIRST:LAST са коначним бројевима, као lens.near=0.5:8 или camera.eye=3,2,4:0,2,5.</translation>
     </message>
     <message>
         <source>sweep = {0}: {1} is swept already.</source>
-        <translation type="unfinished"></translation>
+        <translation>sweep = {0}: {1} се већ мења.</translation>
     </message>
     <message>
         <source>text size = {0}: must be from {1} to {2} points in panes of this size.</source>
-        <translation type="unfinished"></translation>
+        <translation>величина текста = {0}: мора да буде од {1} до {2} тачака у приказима ове величине.</translation>
     </message>
     <message>
         <source>uses an unknown function or matrix, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>користи непознату функцију или матрицу, {0}; најближа је {1}</translation>
     </message>
     <message>
         <source>uses an unknown name, {0}; the nearest is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>користи непознато име, {0}; најближе је {1}</translation>
     </message>
     <message>
         <source>varies more than {0} numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>мења више бројева од {0}</translation>
     </message>
     <message>
         <source>varies {0} twice</source>
-        <translation type="unfinished"></translation>
+        <translation>мења {0} двапут</translation>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>је било оштећено, и чува се као {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>је из новијег програма Frustum Lab: верзија је {0}, граница је {1}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>је из новијег програма Frustum Lab: верзија је {0}, овај програм чита до {1}</translation>
     </message>
     <message>
         <source>was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>је за новији програм Frustum Lab, који чита верзију {0}; овај чита до {1}</translation>
     </message>
     <message>
         <source>width = {0} mm: a line of this equation needs {1} mm in letters of {2} points.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} mm: једном реду ове једначине треба {1} mm са словима од {2} тачака.</translation>
     </message>
     <message>
         <source>width = {0} times scale {3}: must be from {1} to {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} пута scale {3}: мора да буде од {1} до {2} пиксела.</translation>
     </message>
     <message>
         <source>width = {0} {3}: must be from {1} to {2} {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0} {3}: мора да буде од {1} до {2} {3}.</translation>
     </message>
     <message>
         <source>width = {0}: must be a length in {1}, such as 84mm, or a number of pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: мора да буде дужина у {1}, као 84mm, или број пиксела.</translation>
     </message>
     <message>
         <source>width = {0}: must be a whole number of pixels from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>width = {0}: мора да буде цео број пиксела од {1} до {2}.</translation>
     </message>
     <message>
         <source>{0} of {1} numbers are right; the others are marked.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачних бројева: {0} од {1}; остали су обележени.</translation>
     </message>
     <message>
         <source>{0}, with {1}; “where: CONDITION” excludes numbers</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, са {1}; „where: CONDITION” искључује бројеве</translation>
     </message>
     <message>
         <source>{0}: TeX reads a picture beside it, whose name may have only letters from a to z, digits and . _ + = -.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: TeX чита слику поред ње, чије име може да има само слова од a до z, цифре и . _ + = -.</translation>
     </message>
     <message>
         <source>{0}: a face, line or point names a vertex that does not exist (there are {1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: страна, линија или тачка наводи теме које не постоји (има их {1}); поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: a mesh file must end in {1} or {2}; convert it to one of these.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека мреже мора да се завршава на {1} или {2}; претворите је у једну од ових.</translation>
     </message>
     <message>
         <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: теме има координату {1}, али она мора да буде унутар ±{2}, 1e12 пута величина мреже; померите мрежу у координатни почетак.</translation>
     </message>
     <message>
         <source>{0}: all vertices are at one point, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: сва темена су у једној тачки, па нема шта да се види; проверите извоз.</translation>
     </message>
     <message>
         <source>{0}: all vertices are on one line, so there is nothing to see; check the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: сва темена су на једној правој, па нема шта да се види; проверите извоз.</translation>
     </message>
     <message>
         <source>{0}: cannot be opened ({1}); check its name and its permissions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: не може да се отвори ({1}); проверите име и дозволе.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: изостављене стране: {1} од {2}, јер имају мање од три различита темена; прва је број {3}.</translation>
     </message>
     <message>
         <source>{0}: faces left out: {1} of {2}, because they have fewer than three different corners; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: изостављене стране: {1} од {2}, јер имају мање од три различита темена; прва је у реду {3}.</translation>
     </message>
     <message>
         <source>{0}: from line {1} on, it has more rows than its header counts; correct the header, or export the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: од реда {1} надаље има више редова него што заглавље броји; исправите заглавље, или поново извезите датотеку.</translation>
     </message>
     <message>
         <source>{0}: is a link, where a picture of the figure would be.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: на том месту је веза, а ту би дошла слика цртежа.</translation>
     </message>
     <message>
         <source>{0}: is damaged: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: оштећено: {1}.</translation>
     </message>
     <message>
         <source>{0}: is not a file of measurements.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: није датотека мерења.</translation>
     </message>
     <message>
         <source>{0}: it cannot be read ({1}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: не може да се прочита ({1}); поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: it uses “{1}”, which this program does not read; export it without that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: користи „{1}”, што овај програм не чита; извезите без тога.</translation>
     </message>
     <message>
         <source>{0}: it would grow to {1} triangles, lines and points and {2} MiB, but may have at most {3} and {4} MiB; make it smaller.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: нарасло би на {1} троуглова, линија и тачака и {2} MiB, а може највише {3} и {4} MiB; смањите.</translation>
     </message>
     <message>
         <source>{0}: its faces are not divided into triangles within {1} s; give them fewer corners, or divide them before the export.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: стране нису подељене на троуглове за {1} s; дајте им мање темена, или их поделите пре извоза.</translation>
     </message>
     <message>
         <source>{0}: its part {1} is not a readable file in the folder of the mesh; keep the files of a glTF mesh together.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: део {1} није читљива датотека у фасцикли мреже; држите датотеке glTF мреже заједно.</translation>
     </message>
     <message>
         <source>{0}: line {1} cannot be read as {2}; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ред {1} не може да се чита као {2}; поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: line {1} has a vertex that is not finite (nan or inf), and line {2} uses it; repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ред {1} има теме које није коначно (nan или inf), а ред {2} га користи; поправите мрежу и извезите је поново.</translation>
     </message>
     <message>
         <source>{0}: line {1} names a vertex that does not exist (there are {2}); export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: ред {1} наводи теме које не постоји (има их {2}); поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: must end in .svg, .pdf, .tex or .png.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: мора да се завршава на .svg, .pdf, .tex или .png.</translation>
     </message>
     <message>
         <source>{0}: must end in one of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: мора да се завршава једним од {1}.</translation>
     </message>
     <message>
         <source>{0}: some vertices are not finite (nan or inf: {1} of {2}); repair the mesh and export it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: нека темена нису коначна (nan или inf: {1} од {2}); поправите мрежу и извезите је поново.</translation>
     </message>
     <message>
         <source>{0}: the content of the file is not {1}; check what kind of file it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: садржај датотеке није {1}; проверите које је врсте датотека.</translation>
     </message>
     <message>
         <source>{0}: the file has no faces (vertices: {1}), so there is no surface to draw; export the mesh with faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека нема страна (број темена: {1}), па нема површи за цртање; извезите мрежу са странама.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} rows of “{3}”; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека је прекинута: има {1} од {2} редова „{3}”; поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off: it has {1} of {2} triangles; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека је прекинута: има {1} од {2} троуглова; поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: the file is cut off; export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека је прекинута; поново извезите или преузмите датотеку.</translation>
     </message>
     <message>
         <source>{0}: the file is empty; save or download it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: датотека је празна; поново је сачувајте или преузмите.</translation>
     </message>
     <message>
         <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: број темена једне стране је {1}, а мора да буде од 3 до {2}; поделите је или поправите.</translation>
     </message>
     <message>
         <source>{0}: the process that reads it ended too early; make it smaller, or export or download the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: процес који чита завршио се прерано; смањите датотеку, или је поново извезите или преузмите.</translation>
     </message>
     <message>
         <source>{0}: the size of the mesh is {1} units, but must be between 1e-30 and 1e30; scale it.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: величина мреже је {1} јединица, а мора да буде између 1e-30 и 1e30; скалирајте је.</translation>
     </message>
     <message>
         <source>{0}: the window could not be shown whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: прозор није могао да се прикаже цео.</translation>
     </message>
     <message>
         <source>{0}: the window did not appear on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: прозор се није појавио на екрану.</translation>
     </message>
     <message>
         <source>{0}: there is no such file; check its name and folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: нема такве датотеке; проверите име и фасциклу.</translation>
     </message>
     <message>
         <source>{0}: there is not enough memory to read it; make it smaller, or close other programs.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: нема довољно меморије за читање; смањите датотеку, или затворите друге програме.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is number {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: изостављена темена: {1} од {2}, јер нису коначна (nan или inf) и не користи их ниједна страна ни линија; прво је број {3}.</translation>
     </message>
     <message>
         <source>{0}: vertices left out: {1} of {2}, because they are not finite (nan or inf) and no face or line uses them; the first is on line {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: изостављена темена: {1} од {2}, јер нису коначна (nan или inf) и не користи их ниједна страна ни линија; прво је у реду {3}.</translation>
     </message>
     <message>
         <source>{0}: was measured by another Frustum Lab: its version is {1}, this one reads {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: измерио је други програм Frustum Lab: верзија је {1}, овај чита {2}.</translation>
     </message>
     <message>
         <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: имало би {1} MB; меморија TeX-а прима цртеже од {2} MB: упишите {3}.</translation>
     </message>
     <message>
         <source>{0}: {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: {1}</translation>
     </message>
 </context>
 <context>
@@ -8425,7 +8425,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Choose half floats, products alone.</source>
-        <translation>Изаберите float16, само производи.</translation>
+        <translation>Изаберите половичну прецизност, само производи.</translation>
     </message>
     <message>
         <source>Choose the box: which come, which go?</source>
@@ -9329,1475 +9329,1475 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Two meshes share a seam. Each stores its vertices in few bits over its own box, and so rounds the same place in its own way: light comes through. The gap is at most half of both steps together along each axis. In a common grid both round alike, and nothing gapes, though the smaller mesh loses its finer steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Две мреже деле шав. Свака чува своја темена са мало битова у сопственом оквиру, па исто место заокружује на свој начин: светлост пролази. Процеп је по свакој оси највише половина збира оба корака. У заједничкој решетки обе заокружују једнако и ништа не зјапи, мада мања мрежа губи своје финије кораке.</translation>
     </message>
     <message>
         <source>Unit cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Јединична коцка</translation>
     </message>
     <message>
         <source>Up to which frame the path is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>До ког кадра се црта путања</translation>
     </message>
     <message>
         <source>V_x of edges along x</source>
-        <translation type="unfinished"></translation>
+        <translation>V_x ивица дуж x</translation>
     </message>
     <message>
         <source>V_y of edges along y</source>
-        <translation type="unfinished"></translation>
+        <translation>V_y ивица дуж y</translation>
     </message>
     <message>
         <source>V_z of edges along z</source>
-        <translation type="unfinished"></translation>
+        <translation>V_z ивица дуж z</translation>
     </message>
     <message>
         <source>V_{0} is at infinity: edges along {0} stay parallel, at {1}° from the right</source>
-        <translation type="unfinished"></translation>
+        <translation>V_{0} је у бесконачности: ивице дуж {0} остају паралелне, под {1}° од десне стране</translation>
     </message>
     <message>
         <source>Vanishing points</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачке недогледа</translation>
     </message>
     <message>
         <source>Vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>Темена</translation>
     </message>
     <message>
         <source>View volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Запремина погледа</translation>
     </message>
     <message>
         <source>View volumes</source>
-        <translation type="unfinished"></translation>
+        <translation>Запремине погледа</translation>
     </message>
     <message>
         <source>Walk past the window: drag the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прођите поред прозора: превуците камеру.</translation>
     </message>
     <message>
         <source>Walk round it: drag the azimuth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Обиђите је: превуците азимут.</translation>
     </message>
     <message>
         <source>Way back</source>
-        <translation type="unfinished"></translation>
+        <translation>Пут назад</translation>
     </message>
     <message>
         <source>What does cutting before the divide do?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта чини сечење пре дељења?</translation>
     </message>
     <message>
         <source>What happens in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта се дешава у коцки?</translation>
     </message>
     <message>
         <source>What happens to its shape in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта бива са његовим обликом у коцки?</translation>
     </message>
     <message>
         <source>What happens to the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта бива са сликом?</translation>
     </message>
     <message>
         <source>What stays in its place in the image?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта на слици остаје на свом месту?</translation>
     </message>
     <message>
         <source>When is everything far away sharp?</source>
-        <translation type="unfinished"></translation>
+        <translation>Када је све далеко оштро?</translation>
     </message>
     <message>
         <source>Where do both pictures agree?</source>
-        <translation type="unfinished"></translation>
+        <translation>Где се обе слике слажу?</translation>
     </message>
     <message>
         <source>Where does the texture bend?</source>
-        <translation type="unfinished"></translation>
+        <translation>Где се текстура прелама?</translation>
     </message>
     <message>
         <source>Where in the cube do the posts crowd?</source>
-        <translation type="unfinished"></translation>
+        <translation>Где се у коцки стубови згусну?</translation>
     </message>
     <message>
         <source>Where it ends; behind the eye its image is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>Где се завршава; иза камере његова слика је као у огледалу</translation>
     </message>
     <message>
         <source>Where the logarithm of the distance is computed</source>
-        <translation type="unfinished"></translation>
+        <translation>Где се рачуна логаритам растојања</translation>
     </message>
     <message>
         <source>Where the segment starts, in world coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Где дуж почиње, у координатама света</translation>
     </message>
     <message>
         <source>Which edges are parallel in the picture?</source>
-        <translation type="unfinished"></translation>
+        <translation>Које ивице су на слици паралелне?</translation>
     </message>
     <message>
         <source>Which edges meet, and where?</source>
-        <translation type="unfinished"></translation>
+        <translation>Које ивице се секу, и где?</translation>
     </message>
     <message>
         <source>Which faces keep their shape?</source>
-        <translation type="unfinished"></translation>
+        <translation>Које стране задржавају облик?</translation>
     </message>
     <message>
         <source>Which of A to E are inside now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Које су од A до E сада унутра?</translation>
     </message>
     <message>
         <source>Which parts grow when you come near?</source>
-        <translation type="unfinished"></translation>
+        <translation>Који делови расту када приђете ближе?</translation>
     </message>
     <message>
         <source>Which way does the frustum lean?</source>
-        <translation type="unfinished"></translation>
+        <translation>На коју страну се пирамида нагиње?</translation>
     </message>
     <message>
         <source>Width of the left mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Ширина леве мреже</translation>
     </message>
     <message>
         <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ширина оквира леве мреже, са којом расту његови кораци</translation>
     </message>
     <message>
         <source>Width of the right mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Ширина десне мреже</translation>
     </message>
     <message>
         <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
-        <translation type="unfinished"></translation>
+        <translation>Ширина оквира десне мреже, са којом расту његови кораци</translation>
     </message>
     <message>
         <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (долизум). Једна јединица је 10 cm.</translation>
     </message>
     <message>
         <source>World y of the plane; at most 0, where the object stands</source>
-        <translation type="unfinished"></translation>
+        <translation>y равни у свету; највише 0, где стоји објекат</translation>
     </message>
     <message>
         <source>Your mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>Ваша мрежа</translation>
     </message>
     <message>
         <source>a corner is behind the eye: until near has cut, there is nothing to draw in NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>једно теме је иза камере: док предња раван не одсече, у NDC нема шта да се црта</translation>
     </message>
     <message>
         <source>a logarithmic depth buffer needs a perspective lens and a far plane that is not at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>логаритамском баферу дубине потребан је перспективни објектив и задња раван која није у бесконачности</translation>
     </message>
     <message>
         <source>a logarithmic depth needs a far plane that is not at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>логаритамској дубини потребна је задња раван која није у бесконачности</translation>
     </message>
     <message>
         <source>a parallel lens cannot have its far plane at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив не може да има задњу раван у бесконачности</translation>
     </message>
     <message>
         <source>a parallel lens divides by 1 and has no eye plane: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив дели са 1 и нема раван камере: изаберите перспективни објектив</translation>
     </message>
     <message>
         <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив дели са 1: његово z&apos; је и само афино, и ништа се не савија</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив нема позицију камере у којој би купа почела: приказује се његова сопствена запремина</translation>
     </message>
     <message>
         <source>a parallel lens has no field of view, only a width</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив нема видно поље, само ширину</translation>
     </message>
     <message>
         <source>a parallel lens has no focal length: choose a perspective lens to focus it</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив нема жижну даљину: изаберите перспективни објектив да бисте га фокусирали</translation>
     </message>
     <message>
         <source>a parallel lens has no hole through which all light passes: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелни објектив нема рупу кроз коју пролази сва светлост: изаберите перспективни објектив</translation>
     </message>
     <message>
         <source>a perspective lens draws equal edges with unequal lengths: choose the oblique lens</source>
-        <translation type="unfinished"></translation>
+        <translation>перспективни објектив једнаке ивице црта у различитим дужинама: изаберите коси објектив</translation>
     </message>
     <message>
         <source>a step is so long that it may lead past the eye: there is no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>корак је толико дугачак да можда води поред камере: границе нема</translation>
     </message>
     <message>
         <source>a vertex of the picture has come behind the drifted camera</source>
-        <translation type="unfinished"></translation>
+        <translation>једно теме слике доспело је иза занете камере</translation>
     </message>
     <message>
         <source>affine</source>
-        <translation type="unfinished"></translation>
+        <translation>афина</translation>
     </message>
     <message>
         <source>affine: s linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>афино: s линеарно на екрану</translation>
     </message>
     <message>
         <source>all</source>
-        <translation type="unfinished"></translation>
+        <translation>све</translation>
     </message>
     <message>
         <source>an axis is too long or too short by up to</source>
-        <translation type="unfinished"></translation>
+        <translation>оса је предугачка или прекратка и до</translation>
     </message>
     <message>
         <source>an axis leans by up to</source>
-        <translation type="unfinished"></translation>
+        <translation>оса се нагиње и до</translation>
     </message>
     <message>
         <source>arrows in the image, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>стрелице на слици, увећане</translation>
     </message>
     <message>
         <source>as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>како је нацртано</translation>
     </message>
     <message>
         <source>at each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>у сваком пикселу</translation>
     </message>
     <message>
         <source>at each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>у сваком темену</translation>
     </message>
     <message>
         <source>axis</source>
-        <translation type="unfinished">оса</translation>
+        <translation>оса</translation>
     </message>
     <message>
         <source>before the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>испред екрана</translation>
     </message>
     <message>
         <source>behind the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>иза екрана</translation>
     </message>
     <message>
         <source>bfloat16</source>
-        <translation type="unfinished"></translation>
+        <translation>bfloat16</translation>
     </message>
     <message>
         <source>blur disc</source>
-        <translation type="unfinished"></translation>
+        <translation>диск неоштрине</translation>
     </message>
     <message>
         <source>blur disc on the film</source>
-        <translation type="unfinished"></translation>
+        <translation>диск неоштрине на филму</translation>
     </message>
     <message>
         <source>blur of the target</source>
-        <translation type="unfinished"></translation>
+        <translation>неоштрина циља</translation>
     </message>
     <message>
         <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
-        <translation type="unfinished"></translation>
+        <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двоструко већи</translation>
     </message>
     <message>
         <source>bottom</source>
-        <translation type="unfinished">доња</translation>
+        <translation>доња</translation>
     </message>
     <message>
         <source>bound of the error</source>
-        <translation type="unfinished"></translation>
+        <translation>граница грешке</translation>
     </message>
     <message>
         <source>bytes a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>бајтова по темену</translation>
     </message>
     <message>
         <source>cards crossing: to be cut</source>
-        <translation type="unfinished"></translation>
+        <translation>картице које секу границу: за одсецање</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation type="unfinished"></translation>
+        <translation>картице изван</translation>
     </message>
     <message>
         <source>cards whole inside</source>
-        <translation type="unfinished"></translation>
+        <translation>картице целе унутра</translation>
     </message>
     <message>
         <source>case, by the cut at z = −0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>случај, по сечењу на z = −0.01</translation>
     </message>
     <message>
         <source>cheap</source>
-        <translation type="unfinished"></translation>
+        <translation>јефтино</translation>
     </message>
     <message>
         <source>checks</source>
-        <translation type="unfinished"></translation>
+        <translation>шаховница</translation>
     </message>
     <message>
         <source>circle of confusion</source>
-        <translation type="unfinished"></translation>
+        <translation>кружић неоштрине</translation>
     </message>
     <message>
         <source>clip coordinates are too large for float64 numbers, or lie on one ray of the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>координате одсецања су превелике за бројеве float64, или леже на једном зраку из камере</translation>
     </message>
     <message>
         <source>clipped</source>
-        <translation type="unfinished"></translation>
+        <translation>одсечено</translation>
     </message>
     <message>
         <source>clipped, then divided</source>
-        <translation type="unfinished"></translation>
+        <translation>одсечено, па подељено</translation>
     </message>
     <message>
         <source>codes of the buffer</source>
-        <translation type="unfinished"></translation>
+        <translation>кодови бафера</translation>
     </message>
     <message>
         <source>common grid</source>
-        <translation type="unfinished"></translation>
+        <translation>заједничка решетка</translation>
     </message>
     <message>
         <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
-        <translation type="unfinished"></translation>
+        <translation>израчунато: размак и кодови су ситнији од float32 графичке картице, па слика уместо тога показује њен шум</translation>
     </message>
     <message>
         <source>contrast left where they pop</source>
-        <translation type="unfinished"></translation>
+        <translation>преостали контраст тамо где искачу</translation>
     </message>
     <message>
         <source>corners after it</source>
-        <translation type="unfinished"></translation>
+        <translation>темена после ње</translation>
     </message>
     <message>
         <source>corners before it</source>
-        <translation type="unfinished"></translation>
+        <translation>темена пре ње</translation>
     </message>
     <message>
         <source>correct</source>
-        <translation type="unfinished"></translation>
+        <translation>исправно</translation>
     </message>
     <message>
         <source>correct: s/w and 1/w, divided</source>
-        <translation type="unfinished"></translation>
+        <translation>исправно: s/w и 1/w, подељени</translation>
     </message>
     <message>
         <source>cut</source>
-        <translation type="unfinished"></translation>
+        <translation>сечење</translation>
     </message>
     <message>
         <source>cut at z = −0.01</source>
-        <translation type="unfinished"></translation>
+        <translation>исечено на z = −0.01</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation type="unfinished"></translation>
+        <translation>d према w, 32 кода</translation>
     </message>
     <message>
         <source>depth of field</source>
-        <translation type="unfinished"></translation>
+        <translation>дубина видног поља</translation>
     </message>
     <message>
         <source>depth z&apos; = A + B/z along the marked edge is, too</source>
-        <translation type="unfinished"></translation>
+        <translation>и дубина z&apos; = A + B/z је дуж обележене ивице права</translation>
     </message>
     <message>
         <source>diameter, mm</source>
-        <translation type="unfinished"></translation>
+        <translation>пречник, mm</translation>
     </message>
     <message>
         <source>distance d to the target</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање d до циља</translation>
     </message>
     <message>
         <source>distance of the target, w</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање циља, w</translation>
     </message>
     <message>
         <source>distance, m</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање, m</translation>
     </message>
     <message>
         <source>divided, not cut</source>
-        <translation type="unfinished"></translation>
+        <translation>подељено, неисечено</translation>
     </message>
     <message>
         <source>drawn at</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртано на</translation>
     </message>
     <message>
         <source>drawn by P V, off by</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртано са P V, одступа за</translation>
     </message>
     <message>
         <source>drawn by V, then P, off by</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртано са V, па P, одступа за</translation>
     </message>
     <message>
         <source>drawn floor</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртани под</translation>
     </message>
     <message>
         <source>drift drawn, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртано заношење, увећано</translation>
     </message>
     <message>
         <source>each camera turns in by</source>
-        <translation type="unfinished"></translation>
+        <translation>свака камера је закренута за</translation>
     </message>
     <message>
         <source>each mesh its own</source>
-        <translation type="unfinished"></translation>
+        <translation>свака мрежа своја</translation>
     </message>
     <message>
         <source>each pixel</source>
-        <translation type="unfinished"></translation>
+        <translation>сваки пиксел</translation>
     </message>
     <message>
         <source>each vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>свако теме</translation>
     </message>
     <message>
         <source>edges along {0} are seen end on, as points</source>
-        <translation type="unfinished"></translation>
+        <translation>ивице дуж {0} виде се с краја, као тачке</translation>
     </message>
     <message>
         <source>edges of the mesh that are counted, and all</source>
-        <translation type="unfinished"></translation>
+        <translation>ивице мреже које се броје, и све</translation>
     </message>
     <message>
         <source>error of P</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка тачке P</translation>
     </message>
     <message>
         <source>error of a jump, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка скока, измерена</translation>
     </message>
     <message>
         <source>error of a jump, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка скока, предвиђена</translation>
     </message>
     <message>
         <source>error of the join</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка споја</translation>
     </message>
     <message>
         <source>error, of the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, од растојања</translation>
     </message>
     <message>
         <source>error, px</source>
-        <translation type="unfinished"></translation>
+        <translation>грешка, px</translation>
     </message>
     <message>
         <source>every vertex is as high as the light or higher: none has a shadow on the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>свако теме је високо колико и светло, или више: ниједно нема сенку на равни</translation>
     </message>
     <message>
         <source>everything from the target to the far plane may share its code</source>
-        <translation type="unfinished"></translation>
+        <translation>све од циља до задње равни може да дели исти код</translation>
     </message>
     <message>
         <source>exact</source>
-        <translation type="unfinished"></translation>
+        <translation>тачно</translation>
     </message>
     <message>
         <source>exponential, by its density</source>
-        <translation type="unfinished"></translation>
+        <translation>експоненцијална, по густини</translation>
     </message>
     <message>
         <source>faces, with both images of AB</source>
-        <translation type="unfinished"></translation>
+        <translation>стране, са обе слике AB</translation>
     </message>
     <message>
         <source>far</source>
-        <translation type="unfinished">задња</translation>
+        <translation>задња</translation>
     </message>
     <message>
         <source>far is infinite, and so is the volume</source>
-        <translation type="unfinished"></translation>
+        <translation>задња раван је у бесконачности, па је и запремина бесконачна</translation>
     </message>
     <message>
         <source>farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>најдаља</translation>
     </message>
     <message>
         <source>farthest that a vertex of the right seam moves</source>
-        <translation type="unfinished"></translation>
+        <translation>највећи помак темена на десном шаву</translation>
     </message>
     <message>
         <source>fast root</source>
-        <translation type="unfinished"></translation>
+        <translation>брзи корен</translation>
     </message>
     <message>
         <source>film</source>
-        <translation type="unfinished"></translation>
+        <translation>филм</translation>
     </message>
     <message>
         <source>film in front: +d·h / z</source>
-        <translation type="unfinished"></translation>
+        <translation>филм испред: +d·h / z</translation>
     </message>
     <message>
         <source>fixed point 16.16</source>
-        <translation type="unfinished"></translation>
+        <translation>непокретни зарез 16.16</translation>
     </message>
     <message>
         <source>float of 16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>покретни зарез од 16 бита</translation>
     </message>
     <message>
         <source>float of 32 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>покретни зарез од 32 бита</translation>
     </message>
     <message>
         <source>float16</source>
-        <translation type="unfinished"></translation>
+        <translation>float16</translation>
     </message>
     <message>
         <source>float32</source>
-        <translation type="unfinished"></translation>
+        <translation>float32</translation>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, далеко од координатног почетка</translation>
     </message>
     <message>
         <source>float32, from the object</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, од објекта</translation>
     </message>
     <message>
         <source>float32, from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>float32, од координатног почетка</translation>
     </message>
     <message>
         <source>float64</source>
-        <translation type="unfinished"></translation>
+        <translation>float64</translation>
     </message>
     <message>
         <source>floor</source>
-        <translation type="unfinished"></translation>
+        <translation>под</translation>
     </message>
     <message>
         <source>focal length f</source>
-        <translation type="unfinished"></translation>
+        <translation>жижна даљина f</translation>
     </message>
     <message>
         <source>focal length, 35-mm camera</source>
-        <translation type="unfinished"></translation>
+        <translation>жижна даљина, фотоапарат за филм од 35 mm</translation>
     </message>
     <message>
         <source>foreshortening, nearest : farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>скраћење, најближе : најдаље</translation>
     </message>
     <message>
         <source>found point</source>
-        <translation type="unfinished"></translation>
+        <translation>нађена тачка</translation>
     </message>
     <message>
         <source>foundation</source>
-        <translation type="unfinished"></translation>
+        <translation>темељ</translation>
     </message>
     <message>
         <source>frame size minus right end</source>
-        <translation type="unfinished"></translation>
+        <translation>величина кадра минус десни крај</translation>
     </message>
     <message>
         <source>frames in which P stands still</source>
-        <translation type="unfinished"></translation>
+        <translation>кадрови у којима P мирује</translation>
     </message>
     <message>
         <source>from P to V</source>
-        <translation type="unfinished"></translation>
+        <translation>од P до V</translation>
     </message>
     <message>
         <source>from there to the ray&apos;s end</source>
-        <translation type="unfinished"></translation>
+        <translation>одатле до краја зрака</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation type="unfinished"></translation>
+        <translation>половична прецизност</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
-        <translation type="unfinished"></translation>
+        <translation>пола пута дуж обележене ивице на екрану, у свету, од ближег краја</translation>
     </message>
     <message>
         <source>hole</source>
-        <translation type="unfinished"></translation>
+        <translation>рупа</translation>
     </message>
     <message>
         <source>horizon</source>
-        <translation type="unfinished"></translation>
+        <translation>хоризонт</translation>
     </message>
     <message>
         <source>horizontal field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>хоризонтално видно поље</translation>
     </message>
     <message>
         <source>horizontal parallax of P</source>
-        <translation type="unfinished"></translation>
+        <translation>хоризонтална паралакса тачке P</translation>
     </message>
     <message>
         <source>hyperfocal distance H</source>
-        <translation type="unfinished"></translation>
+        <translation>хиперфокално растојање H</translation>
     </message>
     <message>
         <source>if w were linear</source>
-        <translation type="unfinished"></translation>
+        <translation>када би w било линеарно</translation>
     </message>
     <message>
         <source>image of AB</source>
-        <translation type="unfinished"></translation>
+        <translation>слика дужи AB</translation>
     </message>
     <message>
         <source>image of P</source>
-        <translation type="unfinished"></translation>
+        <translation>слика тачке P</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation type="unfinished"></translation>
+        <translation>у фокусу</translation>
     </message>
     <message>
         <source>in its own plane</source>
-        <translation type="unfinished"></translation>
+        <translation>у сопственој равни</translation>
     </message>
     <message>
         <source>in the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>у екрану</translation>
     </message>
     <message>
         <source>inverse of P V</source>
-        <translation type="unfinished"></translation>
+        <translation>инверз од P V</translation>
     </message>
     <message>
         <source>it keeps</source>
-        <translation type="unfinished"></translation>
+        <translation>задржава</translation>
     </message>
     <message>
         <source>its distance z from the hole</source>
-        <translation type="unfinished"></translation>
+        <translation>њено растојање z од рупе</translation>
     </message>
     <message>
         <source>its height in the plane through the target is not in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>његова висина у равни кроз циљ није на слици</translation>
     </message>
     <message>
         <source>its image is straight, so no place is the farthest</source>
-        <translation type="unfinished"></translation>
+        <translation>његова слика је права, па ниједно место није најдаље</translation>
     </message>
     <message>
         <source>its shadow S·P / w</source>
-        <translation type="unfinished"></translation>
+        <translation>његова сенка S·P / w</translation>
     </message>
     <message>
         <source>its volume, cubic units</source>
-        <translation type="unfinished"></translation>
+        <translation>њена запремина, кубних јединица</translation>
     </message>
     <message>
         <source>join</source>
-        <translation type="unfinished"></translation>
+        <translation>спој</translation>
     </message>
     <message>
         <source>keep x</source>
-        <translation type="unfinished"></translation>
+        <translation>задржи x</translation>
     </message>
     <message>
         <source>keep y</source>
-        <translation type="unfinished"></translation>
+        <translation>задржи y</translation>
     </message>
     <message>
         <source>kind of projection</source>
-        <translation type="unfinished"></translation>
+        <translation>врста пројекције</translation>
     </message>
     <message>
         <source>largest deviation, of the length</source>
-        <translation type="unfinished"></translation>
+        <translation>највеће одступање, од дужине</translation>
     </message>
     <message>
         <source>largest error of affine, in texels of 256</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка афине, у текселима од 256</translation>
     </message>
     <message>
         <source>largest error of affine, on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка афине, на екрану</translation>
     </message>
     <message>
         <source>largest error, by the format of the vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка, по формату темена</translation>
     </message>
     <message>
         <source>largest error, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка, измерена</translation>
     </message>
     <message>
         <source>largest error, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа грешка, предвиђена</translation>
     </message>
     <message>
         <source>largest gap, measured</source>
-        <translation type="unfinished"></translation>
+        <translation>највећи процеп, измерен</translation>
     </message>
     <message>
         <source>largest gap, predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>највећи процеп, предвиђен</translation>
     </message>
     <message>
         <source>largest jump of P between two frames</source>
-        <translation type="unfinished"></translation>
+        <translation>највећи скок тачке P између два кадра</translation>
     </message>
     <message>
         <source>largest vertical parallax in the screen plane</source>
-        <translation type="unfinished"></translation>
+        <translation>највећа вертикална паралакса у равни екрана</translation>
     </message>
     <message>
         <source>left</source>
-        <translation type="unfinished">лева</translation>
+        <translation>лева</translation>
     </message>
     <message>
         <source>left eye</source>
-        <translation type="unfinished"></translation>
+        <translation>лево око</translation>
     </message>
     <message>
         <source>left mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>лева мрежа</translation>
     </message>
     <message>
         <source>left screen</source>
-        <translation type="unfinished"></translation>
+        <translation>леви екран</translation>
     </message>
     <message>
         <source>light</source>
-        <translation type="unfinished"></translation>
+        <translation>светло</translation>
     </message>
     <message>
         <source>linear, from start to end</source>
-        <translation type="unfinished"></translation>
+        <translation>линеарна, од почетка до краја</translation>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation type="unfinished"></translation>
+        <translation>логаритамска</translation>
     </message>
     <message>
         <source>measured</source>
-        <translation type="unfinished"></translation>
+        <translation>измерено</translation>
     </message>
     <message>
         <source>mesh drawn wrongly</source>
-        <translation type="unfinished"></translation>
+        <translation>погрешно нацртани делови мреже</translation>
     </message>
     <message>
         <source>mesh missed</source>
-        <translation type="unfinished"></translation>
+        <translation>делови мреже који недостају</translation>
     </message>
     <message>
         <source>mirrored end</source>
-        <translation type="unfinished"></translation>
+        <translation>крај као у огледалу</translation>
     </message>
     <message>
         <source>naive</source>
-        <translation type="unfinished"></translation>
+        <translation>наивно</translation>
     </message>
     <message>
         <source>naive divide</source>
-        <translation type="unfinished"></translation>
+        <translation>наивно дељење</translation>
     </message>
     <message>
         <source>near</source>
-        <translation type="unfinished">предња</translation>
+        <translation>предња</translation>
     </message>
     <message>
         <source>nearest</source>
-        <translation type="unfinished"></translation>
+        <translation>најближа</translation>
     </message>
     <message>
         <source>no edge of the letter lies in the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједна ивица слова не лежи у запремини погледа</translation>
     </message>
     <message>
         <source>no end is behind the eye, so none is mirrored</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједан крај није иза камере, па ниједан није као у огледалу</translation>
     </message>
     <message>
         <source>no lens makes a cone: everything in the pyramid around it is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједан објектив не прави купу: црта се све у пирамиди око ње</translation>
     </message>
     <message>
         <source>no pixel of the picture shows both surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједан пиксел слике не показује обе површи</translation>
     </message>
     <message>
         <source>no tree passes the far plane in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједно дрво на слици не пролази задњу раван</translation>
     </message>
     <message>
         <source>no vertex of the scene is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједно теме сцене није на слици</translation>
     </message>
     <message>
         <source>none</source>
-        <translation type="unfinished"></translation>
+        <translation>ништа</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједна од испитаних ивица мреже не лежи у запремини погледа</translation>
     </message>
     <message>
         <source>none of the subject&apos;s compared points is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ниједна од поређених тачака предмета није на слици</translation>
     </message>
     <message>
         <source>none yet</source>
-        <translation type="unfinished"></translation>
+        <translation>још ниједна</translation>
     </message>
     <message>
         <source>nothing of the subject is in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>ништа од предмета није на слици</translation>
     </message>
     <message>
         <source>of P: (x, y, z, −z/d)</source>
-        <translation type="unfinished"></translation>
+        <translation>тачке P: (x, y, z, −z/d)</translation>
     </message>
     <message>
         <source>of {0} vertices</source>
-        <translation type="unfinished"></translation>
+        <translation>од {0} темена</translation>
     </message>
     <message>
         <source>off the axis, ({r} + {l})/({r} − {l})</source>
-        <translation type="unfinished"></translation>
+        <translation>ван осе, ({r} + {l})/({r} − {l})</translation>
     </message>
     <message>
         <source>off-axis</source>
-        <translation type="unfinished"></translation>
+        <translation>ван осе</translation>
     </message>
     <message>
         <source>on the film: h&apos; = −d·h / z</source>
-        <translation type="unfinished"></translation>
+        <translation>на филму: h&apos; = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
-        <translation type="unfinished"></translation>
+        <translation>једна за обе</translation>
     </message>
     <message>
         <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
-        <translation type="unfinished"></translation>
+        <translation>цртају се и броје само најдуже ивице мреже: {0} од {1}</translation>
     </message>
     <message>
         <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
-        <translation type="unfinished"></translation>
+        <translation>цртају се и броје само неке ивице мреже, {0} од {1}: прво оне које секу раван камере, затим најдуже</translation>
     </message>
     <message>
         <source>opening f / N</source>
-        <translation type="unfinished"></translation>
+        <translation>отвор f / N</translation>
     </message>
     <message>
         <source>own boxes</source>
-        <translation type="unfinished"></translation>
+        <translation>сопствени оквири</translation>
     </message>
     <message>
         <source>parallel projection</source>
-        <translation type="unfinished"></translation>
+        <translation>паралелна пројекција</translation>
     </message>
     <message>
         <source>part of the subject is beside the eye or behind it</source>
-        <translation type="unfinished"></translation>
+        <translation>део предмета је поред камере или иза ње</translation>
     </message>
     <message>
         <source>path in the image, enlarged</source>
-        <translation type="unfinished"></translation>
+        <translation>путања на слици, увећана</translation>
     </message>
     <message>
         <source>pixels that show surface 2, which is behind</source>
-        <translation type="unfinished"></translation>
+        <translation>пиксели који показују површ 2, која је иза</translation>
     </message>
     <message>
         <source>plane of this step</source>
-        <translation type="unfinished"></translation>
+        <translation>раван овог корака</translation>
     </message>
     <message>
         <source>predicted</source>
-        <translation type="unfinished"></translation>
+        <translation>предвиђено</translation>
     </message>
     <message>
         <source>products</source>
-        <translation type="unfinished"></translation>
+        <translation>производи</translation>
     </message>
     <message>
         <source>products alone</source>
-        <translation type="unfinished"></translation>
+        <translation>само производи</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation type="unfinished"></translation>
+        <translation>производи, брзи инверзни корен</translation>
     </message>
     <message>
         <source>products, renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>производи, поново нормирано</translation>
     </message>
     <message>
         <source>projection, with −1/d</source>
-        <translation type="unfinished"></translation>
+        <translation>пројекција, са −1/d</translation>
     </message>
     <message>
         <source>px</source>
-        <translation type="unfinished">px</translation>
+        <translation>px</translation>
     </message>
     <message>
         <source>ray times depth</source>
-        <translation type="unfinished"></translation>
+        <translation>зрак пута дубина</translation>
     </message>
     <message>
         <source>receding angle as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртани угао дубине</translation>
     </message>
     <message>
         <source>receding edges are seen end on, as points</source>
-        <translation type="unfinished"></translation>
+        <translation>ивице по дубини виде се с краја, као тачке</translation>
     </message>
     <message>
         <source>receding scale as drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртана размера дубине</translation>
     </message>
     <message>
         <source>renormalised</source>
-        <translation type="unfinished"></translation>
+        <translation>поново нормирано</translation>
     </message>
     <message>
         <source>reversed, 1 at near</source>
-        <translation type="unfinished"></translation>
+        <translation>обрнуто, 1 на предњој равни</translation>
     </message>
     <message>
         <source>right</source>
-        <translation type="unfinished">десна</translation>
+        <translation>десна</translation>
     </message>
     <message>
         <source>right eye</source>
-        <translation type="unfinished"></translation>
+        <translation>десно око</translation>
     </message>
     <message>
         <source>right mesh</source>
-        <translation type="unfinished"></translation>
+        <translation>десна мрежа</translation>
     </message>
     <message>
         <source>right screen</source>
-        <translation type="unfinished"></translation>
+        <translation>десни екран</translation>
     </message>
     <message>
         <source>s red, t green</source>
-        <translation type="unfinished"></translation>
+        <translation>s црвено, t зелено</translation>
     </message>
     <message>
         <source>scale d / −z</source>
-        <translation type="unfinished"></translation>
+        <translation>размера d / −z</translation>
     </message>
     <message>
         <source>screen plane</source>
-        <translation type="unfinished"></translation>
+        <translation>раван екрана</translation>
     </message>
     <message>
         <source>seam</source>
-        <translation type="unfinished"></translation>
+        <translation>шав</translation>
     </message>
     <message>
         <source>sharp</source>
-        <translation type="unfinished"></translation>
+        <translation>оштро</translation>
     </message>
     <message>
         <source>sharp from</source>
-        <translation type="unfinished"></translation>
+        <translation>оштро од</translation>
     </message>
     <message>
         <source>sharp to</source>
-        <translation type="unfinished"></translation>
+        <translation>оштро до</translation>
     </message>
     <message>
         <source>sine and cosine of the angle</source>
-        <translation type="unfinished"></translation>
+        <translation>синус и косинус угла</translation>
     </message>
     <message>
         <source>smallest gap that is sure at the target</source>
-        <translation type="unfinished"></translation>
+        <translation>најмањи размак који је код циља сигуран</translation>
     </message>
     <message>
         <source>smooth jump</source>
-        <translation type="unfinished"></translation>
+        <translation>гладак скок</translation>
     </message>
     <message>
         <source>smooth path</source>
-        <translation type="unfinished"></translation>
+        <translation>глатка путања</translation>
     </message>
     <message>
         <source>standard, 0 at near</source>
-        <translation type="unfinished"></translation>
+        <translation>стандардно, 0 на предњој равни</translation>
     </message>
     <message>
         <source>standard, far at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>стандардно, задња раван у бесконачности</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
-        <translation type="unfinished"></translation>
+        <translation>кораци двеју решетки</translation>
     </message>
     <message>
         <source>stretch</source>
-        <translation type="unfinished">растегни</translation>
+        <translation>растегни</translation>
     </message>
     <message>
         <source>subject&apos;s height, at the target&apos;s distance</source>
-        <translation type="unfinished"></translation>
+        <translation>висина предмета, на растојању циља</translation>
     </message>
     <message>
         <source>sun</source>
-        <translation type="unfinished"></translation>
+        <translation>сунце</translation>
     </message>
     <message>
         <source>surface 1</source>
-        <translation type="unfinished"></translation>
+        <translation>површ 1</translation>
     </message>
     <message>
         <source>surface 2</source>
-        <translation type="unfinished"></translation>
+        <translation>површ 2</translation>
     </message>
     <message>
         <source>synthetic film</source>
-        <translation type="unfinished"></translation>
+        <translation>синтетички филм</translation>
     </message>
     <message>
         <source>t, part of the edge on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>t, део ивице на екрану</translation>
     </message>
     <message>
         <source>t, to infinity at 1</source>
-        <translation type="unfinished"></translation>
+        <translation>t, до бесконачности на 1</translation>
     </message>
     <message>
         <source>table alone</source>
-        <translation type="unfinished"></translation>
+        <translation>само табела</translation>
     </message>
     <message>
         <source>table, 1 Newton step</source>
-        <translation type="unfinished"></translation>
+        <translation>табела, 1 Њутнов корак</translation>
     </message>
     <message>
         <source>table, 2 Newton steps</source>
-        <translation type="unfinished"></translation>
+        <translation>табела, 2 Њутнова корака</translation>
     </message>
     <message>
         <source>test points inside</source>
-        <translation type="unfinished"></translation>
+        <translation>тест тачке унутра</translation>
     </message>
     <message>
         <source>the angles α and β give scale and angle before the picture is stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>углови α и β дају размеру и угао пре него што се слика растегне</translation>
     </message>
     <message>
         <source>the arrow is behind the hole or beside it: no light comes from it into the box</source>
-        <translation type="unfinished"></translation>
+        <translation>стрелица је иза рупе или поред ње: од ње у кутију не долази светлост</translation>
     </message>
     <message>
         <source>the arrow&apos;s height h</source>
-        <translation type="unfinished"></translation>
+        <translation>висина стрелице h</translation>
     </message>
     <message>
         <source>the board reaches behind the near plane: the edges that are cut there have no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>табла залази иза предње равни: ивице које су тамо одсечене немају слику</translation>
     </message>
     <message>
         <source>the bound is so large that a vertex may be behind the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>граница је толико велика да је неко теме можда иза камере</translation>
     </message>
     <message>
         <source>the camera looks straight down or up: there is no floor from near to far</source>
-        <translation type="unfinished"></translation>
+        <translation>камера гледа право надоле или нагоре: нема пода од предње до задње равни</translation>
     </message>
     <message>
         <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
-        <translation type="unfinished"></translation>
+        <translation>пиксела ивице има превише или премало да би их float64 измерио</translation>
     </message>
     <message>
         <source>the end lies in the eye plane: its image is at ∞</source>
-        <translation type="unfinished"></translation>
+        <translation>крај лежи у равни камере: његова слика је у ∞</translation>
     </message>
     <message>
         <source>the eye lies in the seam, or the seam behind it: its picture has no width</source>
-        <translation type="unfinished"></translation>
+        <translation>камера лежи у шаву, или је шав иза ње: његова слика нема ширину</translation>
     </message>
     <message>
         <source>the far plane is at infinity: nothing pops in</source>
-        <translation type="unfinished"></translation>
+        <translation>задња раван је у бесконачности: ништа не искаче</translation>
     </message>
     <message>
         <source>the floor is drawn too far by a factor of up to</source>
-        <translation type="unfinished"></translation>
+        <translation>под се црта предалеко, чинилац до</translation>
     </message>
     <message>
         <source>the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image</source>
-        <translation type="unfinished"></translation>
+        <translation>растојање фокуса {0} m није веће од жижне даљине {1} m: ништа тако близу нема слику</translation>
     </message>
     <message>
         <source>the image on the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>слика на равни</translation>
     </message>
     <message>
         <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>светло је унутар граница објекта: изнесите га напоље да видите целу сенку</translation>
     </message>
     <message>
         <source>the line as a circle</source>
-        <translation type="unfinished"></translation>
+        <translation>права као кружница</translation>
     </message>
     <message>
         <source>the mesh reaches behind the near plane: the edges that are cut there have no picture</source>
-        <translation type="unfinished"></translation>
+        <translation>мрежа залази иза предње равни: ивице које су тамо одсечене немају слику</translation>
     </message>
     <message>
         <source>the middle of a 105-mm photograph, enlarged {0} times</source>
-        <translation type="unfinished"></translation>
+        <translation>средина фотографије од 105 mm, увећана {0} пута</translation>
     </message>
     <message>
         <source>the next tree</source>
-        <translation type="unfinished"></translation>
+        <translation>следеће дрво</translation>
     </message>
     <message>
         <source>the object</source>
-        <translation type="unfinished"></translation>
+        <translation>објекат</translation>
     </message>
     <message>
         <source>the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>координатни почетак</translation>
     </message>
     <message>
         <source>the picture is stretched {0} times as much upwards as across: faces do not keep their shape</source>
-        <translation type="unfinished"></translation>
+        <translation>слика је растегнута {0} пута више увис него у ширину: стране не задржавају облик</translation>
     </message>
     <message>
         <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
-        <translation type="unfinished"></translation>
+        <translation>слика је растегнута: диск циља је елипса ове ширине и висине</translation>
     </message>
     <message>
         <source>the point is behind the eye or beside it: its projector meets no plane in front</source>
-        <translation type="unfinished"></translation>
+        <translation>тачка је иза камере или поред ње: њен зрак пројекције не сече ниједну раван испред</translation>
     </message>
     <message>
         <source>the point is not in front of both eyes</source>
-        <translation type="unfinished"></translation>
+        <translation>тачка није испред оба ока</translation>
     </message>
     <message>
         <source>the projectors of a parallel lens do not meet in an eye: choose a perspective lens</source>
-        <translation type="unfinished"></translation>
+        <translation>зраци пројекције паралелног објектива не секу се у позицији камере: изаберите перспективни објектив</translation>
     </message>
     <message>
         <source>the same, counted in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>исто, пребројано на слици</translation>
     </message>
     <message>
         <source>the screen plane is before the near plane: nothing that is drawn can lie in it</source>
-        <translation type="unfinished"></translation>
+        <translation>раван екрана је испред предње равни: ништа од нацртаног не може да лежи у њој</translation>
     </message>
     <message>
         <source>the segment is a single point of the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>дуж је једна једина тачка коцке</translation>
     </message>
     <message>
         <source>the segment lies in the eye plane: its whole image is at infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>дуж лежи у равни камере: цела њена слика је у бесконачности</translation>
     </message>
     <message>
         <source>the segment lies outside the view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>дуж лежи изван запремине погледа</translation>
     </message>
     <message>
         <source>the segment points at the eye: the image of its whole line is one point</source>
-        <translation type="unfinished"></translation>
+        <translation>дуж је усмерена ка камери: слика целе њене праве је једна тачка</translation>
     </message>
     <message>
         <source>the shadow is farther than 1e30 away</source>
-        <translation type="unfinished"></translation>
+        <translation>сенка је даље од 1e30</translation>
     </message>
     <message>
         <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
-        <translation type="unfinished"></translation>
+        <translation>пиксела предмета има више него што float64 може да прими на једном од екрана</translation>
     </message>
     <message>
         <source>the target is not between near and far</source>
-        <translation type="unfinished"></translation>
+        <translation>циљ није између предње и задње равни</translation>
     </message>
     <message>
         <source>the target is so close to the lens that its disc has no finite size</source>
-        <translation type="unfinished"></translation>
+        <translation>циљ је толико близу објектива да његов диск нема коначну величину</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
-        <translation type="unfinished"></translation>
+        <translation>текстура је положена преко две највеће димензије мреже; испитују се само троуглови са најдужим страницама: {0}</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
-        <translation type="unfinished"></translation>
+        <translation>текстура је положена преко две највеће димензије мреже; координате текстуре из датотеке се не користе</translation>
     </message>
     <message>
         <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
-        <translation type="unfinished"></translation>
+        <translation>запремина погледа сече PQ: мери се део унутар ње, од P&apos; до Q&apos;</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>зид досеже иза камере: теме тамо нема логаритам</translation>
     </message>
     <message>
         <source>there is no error that an arrow could show</source>
-        <translation type="unfinished"></translation>
+        <translation>нема грешке коју би стрелица могла да покаже</translation>
     </message>
     <message>
         <source>there is no number: a vertex may be behind the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>нема броја: неко теме је можда иза камере</translation>
     </message>
     <message>
         <source>there is only one screen, and so no join</source>
-        <translation type="unfinished"></translation>
+        <translation>постоји само један екран, па нема споја</translation>
     </message>
     <message>
         <source>there, it is drawn at</source>
-        <translation type="unfinished"></translation>
+        <translation>тамо се црта на</translation>
     </message>
     <message>
         <source>there, its distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>тамо је његово растојање w</translation>
     </message>
     <message>
         <source>these are</source>
-        <translation type="unfinished"></translation>
+        <translation>то су</translation>
     </message>
     <message>
         <source>these formats may overflow or divide by 0 here, so there is no bound</source>
-        <translation type="unfinished"></translation>
+        <translation>у овим форматима овде може доћи до прекорачења или дељења са 0, па границе нема</translation>
     </message>
     <message>
         <source>this lens has no inverse whose numbers float64 can hold</source>
-        <translation type="unfinished"></translation>
+        <translation>овај објектив нема инверз чије би бројеве float64 могао да прими</translation>
     </message>
     <message>
         <source>this window is too narrow for two screens</source>
-        <translation type="unfinished"></translation>
+        <translation>овај прозор је преузак за два екрана</translation>
     </message>
     <message>
         <source>toed in</source>
-        <translation type="unfinished"></translation>
+        <translation>закренуте ка средини</translation>
     </message>
     <message>
         <source>too few pixels of the picture show both surfaces to count them</source>
-        <translation type="unfinished"></translation>
+        <translation>премало пиксела слике показује обе површи да би се бројали</translation>
     </message>
     <message>
         <source>too large or too small for a float64 number</source>
-        <translation type="unfinished"></translation>
+        <translation>превелико или премало за број float64</translation>
     </message>
     <message>
         <source>too large or too small for a number in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>превелико или премало за број у пикселима</translation>
     </message>
     <message>
         <source>top</source>
-        <translation type="unfinished"></translation>
+        <translation>горња</translation>
     </message>
     <message>
         <source>trees that pop in each second, driving on at 12 units a second</source>
-        <translation type="unfinished"></translation>
+        <translation>дрвећа које искочи сваке секунде, при вожњи са 12 јединица у секунди</translation>
     </message>
     <message>
         <source>trees that pop out each second, driving on</source>
-        <translation type="unfinished"></translation>
+        <translation>дрвећа које нестане сваке секунде, при даљој вожњи</translation>
     </message>
     <message>
         <source>true distance w</source>
-        <translation type="unfinished"></translation>
+        <translation>право растојање w</translation>
     </message>
     <message>
         <source>truncated cone</source>
-        <translation type="unfinished"></translation>
+        <translation>зарубљена купа</translation>
     </message>
     <message>
         <source>two eyes so far apart have no pictures with this lens</source>
-        <translation type="unfinished"></translation>
+        <translation>два ока на толиком размаку са овим објективом немају слике</translation>
     </message>
     <message>
         <source>two floats</source>
-        <translation type="unfinished"></translation>
+        <translation>два броја у покретном зарезу</translation>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>два броја у покретном зарезу, од координатног почетка</translation>
     </message>
     <message>
         <source>upright</source>
-        <translation type="unfinished"></translation>
+        <translation>усправна</translation>
     </message>
     <message>
         <source>upside down and left for right</source>
-        <translation type="unfinished"></translation>
+        <translation>наопачке и са замењеним лево и десно</translation>
     </message>
     <message>
         <source>vertex P</source>
-        <translation type="unfinished"></translation>
+        <translation>теме P</translation>
     </message>
     <message>
         <source>vertical field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>вертикално видно поље</translation>
     </message>
     <message>
         <source>vertical parallax of P</source>
-        <translation type="unfinished"></translation>
+        <translation>вертикална паралакса тачке P</translation>
     </message>
     <message>
         <source>vertices drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртана темена</translation>
     </message>
     <message>
         <source>vertices drawn without level of detail</source>
-        <translation type="unfinished"></translation>
+        <translation>нацртана темена без нивоа детаљности</translation>
     </message>
     <message>
         <source>vertices not below the light</source>
-        <translation type="unfinished"></translation>
+        <translation>темена која нису испод светла</translation>
     </message>
     <message>
         <source>view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>запремина погледа</translation>
     </message>
     <message>
         <source>w may be 0 in these numbers, so nothing is known</source>
-        <translation type="unfinished"></translation>
+        <translation>w у овим бројевима може бити 0, па се ништа не зна</translation>
     </message>
     <message>
         <source>w of P = (1 − t)·C + t·(D : 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>w тачке P = (1 − t)·C + t·(D : 0)</translation>
     </message>
     <message>
         <source>wall against one picture, float64</source>
-        <translation type="unfinished"></translation>
+        <translation>зид према једној слици, float64</translation>
     </message>
     <message>
         <source>where the floor is drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>где се под црта</translation>
     </message>
     <message>
         <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
-        <translation type="unfinished"></translation>
+        <translation>где: w = √(w_P&apos;·w_Q&apos;)</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
-        <translation type="unfinished"></translation>
+        <translation>где: w = √(w_P·w_Q)</translation>
     </message>
     <message>
         <source>whole pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>цели пиксели</translation>
     </message>
     <message>
         <source>width of the gap along the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>ширина процепа дуж шава</translation>
     </message>
     <message>
         <source>window</source>
-        <translation type="unfinished"></translation>
+        <translation>прозор</translation>
     </message>
     <message>
         <source>with a parallel lens a box goes through the window, not a frustum from the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>са паралелним објективом кроз прозор пролази квадар, а не зарубљена пирамида из камере</translation>
     </message>
     <message>
         <source>with a parallel lens half-way on the screen is half-way in the world: affine is correct</source>
-        <translation type="unfinished"></translation>
+        <translation>са паралелним објективом пола пута на екрану је пола пута у свету: афино је исправно</translation>
     </message>
     <message>
         <source>with a parallel lens parallel edges stay parallel in the image</source>
-        <translation type="unfinished"></translation>
+        <translation>са паралелним објективом паралелне ивице и на слици остају паралелне</translation>
     </message>
     <message>
         <source>with a parallel lens the distance itself is linear on the screen: nobody needs its logarithm</source>
-        <translation type="unfinished"></translation>
+        <translation>са паралелним објективом само растојање је линеарно на екрану: његов логаритам ником није потребан</translation>
     </message>
     <message>
         <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
-        <translation type="unfinished"></translation>
+        <translation>са задњом равни у бесконачности ниједно афино z&apos; = A z + B не покрива све дубине: изаберите коначну задњу раван</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
-        <translation type="unfinished"></translation>
+        <translation>најгора ивица слова F, унутра</translation>
     </message>
     <message>
         <source>worst edge of the mesh, inside</source>
-        <translation type="unfinished"></translation>
+        <translation>најгора ивица мреже, унутра</translation>
     </message>
     <message>
         <source>wrong</source>
-        <translation type="unfinished"></translation>
+        <translation>погрешно</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>x и y се деле растојањем w. Када би се z само скалирало и померило, z&apos; = A z + B, права дуж PQ била би у коцки лук. Ништа између њених крајева тада не би могло да се интерполира или одсеца као на правој. Са z&apos; = {divided_z} она остаје права.</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>your own</source>
-        <translation type="unfinished"></translation>
+        <translation>ваша сопствена</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>{0} = {1}: is at infinity, so it is a direction and not a point; it must be another than {2}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} = {1}: у бесконачности је, па је то смер, а не тачка; мора да буде неки други, а не {2}</translation>
     </message>
     <message>
         <source>{0} = {1}: must be from 0 to {2}, or P has no pixel and no depth in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} = {1}: мора да буде од 0 до {2}, иначе P на слици нема ни пиксел ни дубину</translation>
     </message>
     <message>
         <source>{0} is beyond what float64 can hold in pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је више него што float64 може да прими у пикселима</translation>
     </message>
     <message>
         <source>{0} vertices of the picture have no number in these formats: they are drawn where they belong</source>
-        <translation type="unfinished"></translation>
+        <translation>Темена слике без броја у овим форматима: {0}; цртају се тамо где им је место</translation>
     </message>
     <message>
         <source>{b}, {t}</source>
-        <translation type="unfinished"></translation>
+        <translation>{b}, {t}</translation>
     </message>
     <message>
         <source>{l}, {r} of the left screen</source>
-        <translation type="unfinished"></translation>
+        <translation>{l}, {r} левог екрана</translation>
     </message>
     <message>
         <source>{l}, {r} of the right screen</source>
-        <translation type="unfinished"></translation>
+        <translation>{l}, {r} десног екрана</translation>
     </message>
     <message>
         <source>{l}, {r} of the window</source>
-        <translation type="unfinished"></translation>
+        <translation>{l}, {r} прозора</translation>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation type="unfinished"></translation>
+        <translation>½ у свету</translation>
     </message>
     <message>
         <source>½ on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>½ на екрану</translation>
     </message>
     <message>
         <source>∞: focused at the hyperfocal distance or beyond, everything far away is sharp</source>
-        <translation type="unfinished"></translation>
+        <translation>∞: са фокусом на хиперфокалном растојању или даље, све далеко је оштро</translation>
     </message>
 </context>
 </TS>
