@@ -221,12 +221,20 @@ class Figure:
 
             size, shapes = self.shapes()
             return rastered(shapes, size, self.scale)[..., : 4 if self.transparent else 3]
-        watch = _Watch(progress, len(self.panes))
-        whole = self._as_wide(
+        _, whole = self._wide_pixels(_Watch(progress, len(self.panes)), seen)
+        return self._cropped(whole) if self._is_cropped else whole
+
+    def boxed(self) -> Figure:
+        """Return it in a box in which what is seen is as wide as asked for."""
+        return self._wide_pixels(_Watch(None, len(self.panes)))[0]
+
+    def _wide_pixels(
+        self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
+    ) -> tuple[Figure, Pixels]:
+        return self._as_wide(
             lambda figure: figure._whole(watch, seen),
             lambda pixels: float(np.ptp(self._seen(pixels)[0])) / self.scale,
         )
-        return self._cropped(whole) if self._is_cropped else whole
 
     @property
     def _is_cropped(self) -> bool:
@@ -252,8 +260,10 @@ class Figure:
         line = np.full((line_px(style), *whole.shape[1:]), ground, dtype=np.uint8)
         return np.concatenate([whole, titled(line, self.note, style, centred=False)])
 
-    def _as_wide(self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]) -> Drawn:
-        """Draw it in a box so large that what is seen in it is as wide as asked for."""
+    def _as_wide(
+        self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]
+    ) -> tuple[Figure, Drawn]:
+        """Draw it in a box so large that what is seen in it is as wide as asked for; return both."""
         figure, drawn = self, draw(self)
         for _ in range(_TRIES):
             if self.width is None or self._has_own_size:
@@ -264,7 +274,7 @@ class Figure:
             across, up = figure.full_size.px
             figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
             drawn = draw(figure)
-        return drawn
+        return figure, drawn
 
     def _seen(self, whole: Pixels) -> list[tuple[int, int]]:
         """Where a picture is not empty: from which column to which, and from which row."""
@@ -297,23 +307,14 @@ class Figure:
         The size is exactly the one asked for; what lies beyond is for the writer to cut off. A
         `Refusal` for too many shapes, else as for `pixels`.
         """
-        from app.drawings.compared_figures import line_of_text
         from app.drawings.vectors import Area, box_of, moved
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
-        shapes = self._as_wide(
-            lambda figure: [
-                moved(shape, *place)
-                for part, place in figure._parts(1.0, watch)
-                for shape in part.shapes(self.hidden, watch)
-            ],
+        _, shapes = self._as_wide(
+            lambda figure: [*figure._whole_shapes(watch)],
             lambda shapes: float(np.ptp((box_of(shapes, background) or (0.0,) * 4)[::2])),
         )
         width, height = self.full_size.px
-        if self.note:
-            style = self._style(1.0)
-            low = height - line_px(style) / 2.0
-            shapes.append(line_of_text(self.note, style.font_size / 2.0, low, style, -1))
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:
             width, height = self.width, box[3] - box[1]
@@ -327,6 +328,18 @@ class Figure:
             page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
             shapes.insert(0, Area([page], rgb(background), 1.0))
         return (width, height), shapes
+
+    def _whole_shapes(self, watch: _Watch) -> Iterator[Shape]:
+        """Its shapes before it is cropped."""
+        from app.drawings.compared_figures import line_of_text
+        from app.drawings.vectors import moved
+
+        for part, place in self._parts(1.0, watch):
+            yield from (moved(shape, *place) for shape in part.shapes(self.hidden, watch))
+        if self.note:
+            style = self._style(1.0)
+            low = self.full_size.px[1] - line_px(style) / 2.0
+            yield line_of_text(self.note, style.font_size / 2.0, low, style, -1)
 
     def _parts(self, scale: float, watch: _Watch) -> Iterator[tuple[Any, tuple[int, int]]]:
         """Yield what each pane shows, with its left and top."""

@@ -62,15 +62,15 @@ def steady(
     """Return figures whose labels are placed on all of them together; see `film_labels`."""
     from app.drawings.film_labels import placed_in_film
 
-    sizes = {each.size_px for each in figures}
-    if (
-        len(figures) < 2
-        or len(sizes) > 1
-        or figures[0].width is not None
-        or figures[0].panes == ("equation",)
-    ):
+    if len(figures) < 2 or figures[0].panes == ("equation",):
+        return list(figures)
+    if figures[0].width is not None:
+        figures = [each.boxed() for each in figures]
+    elif len({each.size_px for each in figures}) > 1:
         return list(figures)
     frames = [[part.wanted() for part in each.pictures()] for each in figures]
+    if len({part.ground.em for frame in frames for part in frame}) > 1:
+        return list(figures)  # some are drawn finer than others
     panes = [
         placed_in_film(frame, is_round=is_round, fades=fades) for frame in zip(*frames, strict=True)
     ]

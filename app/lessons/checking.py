@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.document.view import PANES
+from app.lecture.letters import Letters
 from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial, path_of
 from app.lessons.course import Course, unnameable
@@ -51,14 +52,15 @@ class CheckReport:
             f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong{warnings}"
         )
 
-    def read(self, path: Path, progress: Progress | None = None) -> None:
-        """Read a lesson from its file, check it, and add its faults."""
+    def read(
+        self, path: Path, progress: Progress | None = None, letters: Letters | None = None
+    ) -> Course | None:
+        """Read a lesson from its file, check it, and add its faults; return its steps, if any."""
         try:
-            lesson = read(path, self.wrong.append)
+            return self.take(read(path, self.wrong.append, letters), progress)
         except Refusal as error:
             self.wrong.append(error)
-        else:
-            self.take(lesson, progress)
+            return None
 
     def take(self, lesson: Lesson, progress: Progress | None = None) -> Course:
         self.lessons += not lesson.is_talk
