@@ -20,7 +20,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from app.document.codec import MISSING, TOO_DEEP, Path, tree_of
+from app.document.codec import Path, tree_of
 from app.document.document import Tree
 from app.model.camera import (
     rotation_from_quaternion,
@@ -45,7 +45,6 @@ MOST_VALUES = 1_000_000
 DEEPEST = 20
 LONGEST_NAME = 200
 
-NO_PERSPECTIVE = REFUSALS["no-perspective"]
 
 _PAGE = read_sections(pathlib.Path(__file__).with_name("content") / "camera-files.md")
 _OTHERS, _OTHER_KEYS = _PAGE["endings"].named, _PAGE["keys"].named
@@ -135,7 +134,7 @@ def _seen(
         value = " ".join(map(str, _tokens(node)))
         is_model = name in ("cameramodel", "distortionmodel") and value.upper() not in _MODELS
         if is_model or (name in _CALLED["no perspective"] and value.upper() != "FALSE"):
-            raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
+            raise Refusal.in_document(REFUSALS["no-perspective"], field=key, value=value)
         is_distortion = name.startswith("dist") and not name.endswith("model")
         if (is_distortion or name in _CALLED["distortion"]) and any(_numbers(group, [name])):
             raise Refusal.in_document(REFUSALS["distorted"], field=key, value=value)
@@ -149,7 +148,7 @@ def _seen(
     centre = [_numbers(group, [name], 1) for name in _FOUR[2:]]
     if not k:
         if not any(focal):
-            raise Refusal.in_document(MISSING, field="fl_x")
+            raise Refusal.in_document(REFUSALS["missing"], field="fl_x")
         fx, fy = (focal[0] or focal[1])[0], (focal[1] or focal[0])[0]
         middle = zip(centre, image, strict=True)
         k = [fx, fy, *(at[0] - half if at else (side - 1) / 2.0 for at, side in middle)]
@@ -237,7 +236,7 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
     group = _group({**tree, **frame})
     if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
-        raise Refusal.in_document(MISSING, field="transform_matrix")
+        raise Refusal.in_document(REFUSALS["missing"], field="transform_matrix")
     return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
 
 
@@ -302,7 +301,7 @@ def _yaml(text: str) -> Tree:
             levels.pop()
             indent, outer, name = levels[-1]
         if len(levels) > DEEPEST:
-            raise Refusal.in_document(TOO_DEEP, DEEPEST)
+            raise Refusal.in_document(REFUSALS["too-deep"], DEEPEST)
         if not isinstance(outer[name], dict):
             outer[name] = {}
         outer[name][match[2]] = [(match[3] or "").partition(" #")[0]]
@@ -376,7 +375,7 @@ def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projec
     where, parts = line[0], line[1].split()
     model = "".join(parts[1:2])
     if model not in _PARAMETERS:
-        raise Refusal.in_document(NO_PERSPECTIVE, field=where, value=model)
+        raise Refusal.in_document(REFUSALS["no-perspective"], field=where, value=model)
     values = _numbers({"": (where, parts[2:])}, [""], _PARAMETERS[model] + 2)
     if model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL"):  # with one focal length
         values.insert(2, values[2])

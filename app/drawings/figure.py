@@ -27,7 +27,7 @@ from app.drawings.describing import Description, Translate, describe, in_english
 from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
-from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
+from app.model.projection import LARGEST_IMAGE_PX
 from app.model.refusal import REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
@@ -58,10 +58,8 @@ _TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 
-SCALED_WIDTH = REFUSALS["scaled-width"]
-TEXT = REFUSALS["text"]
 _SIDES = (
-    (REFUSALS["width"], SCALED_WIDTH, REFUSALS["length-wide"]),
+    (REFUSALS["width"], REFUSALS["scaled-width"], REFUSALS["length-wide"]),
     (REFUSALS["height"], REFUSALS["scaled-height"], REFUSALS["length-high"]),
 )
 
@@ -114,7 +112,7 @@ class Figure:
         for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
             value = getattr(self, name)
             if not isinstance(value, str) or value not in known:
-                raise Refusal(name, value, ONE_OF, ", ".join(known))
+                raise Refusal(name, value, REFUSALS["one-of"], ", ".join(known))
         if isinstance(self.panes, str) or not self.panes:
             raise Refusal.saying(REFUSALS["no-panes"], repr(self.panes), ", ".join(PANES))
         for pane in self.panes:
@@ -125,7 +123,9 @@ class Figure:
         side = LARGEST_PX if self.panes == ("equation",) else self._side
         least, most = (side * 72.0 / DPI for side in (_LEAST_TEXT_PX, _LARGEST_TEXT * side))
         if self.text_pt is not None and not least <= self.text_pt <= most:  # NaN fails too
-            raise Refusal.saying(TEXT, format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}")
+            raise Refusal.saying(
+                REFUSALS["text"], format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}"
+            )
 
     def _check_size(self) -> None:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
@@ -263,7 +263,7 @@ class Figure:
     def _as_wide(
         self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]
     ) -> tuple[Figure, Drawn]:
-        """Draw it in a box so large that what is seen in it is as wide as asked for; return both."""
+        """Draw it in a box in which what is seen is as wide as asked for; return both."""
         figure, drawn = self, draw(self)
         for _ in range(_TRIES):
             if self.width is None or self._has_own_size:
@@ -446,7 +446,6 @@ class Figure:
         """
         from app.drawings.figure_files import write_shapes
         from app.drawings.off_screen import check_off_screen
-        from app.drawings.vectors import TOO_MANY
 
         name = os.fspath(path)
         if not name.lower().endswith(ENDINGS):
@@ -459,7 +458,7 @@ class Figure:
         try:
             size, shapes = self.shapes(lambda part: tell(part / 2.0))
         except Refusal as error:
-            if error.bound != TOO_MANY:
+            if error.bound != REFUSALS["too-many"]:
                 raise
             png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
             limits = (*error.limits, png)

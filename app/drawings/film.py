@@ -10,13 +10,7 @@ from typing import Any
 
 from app.document.compare import DifferenceWriter, names_in, values_in
 from app.document.document import Document
-from app.document.files import (
-    LARGEST_PICTURE,
-    UNWRITABLE,
-    blamed_on,
-    content_of,
-    write_bytes_atomically,
-)
+from app.document.files import LARGEST_PICTURE, blamed_on, content_of, write_bytes_atomically
 from app.document.naming import seen_from
 from app.document.settings import set_values
 from app.document.sweeping import checked_speed, order, parse_sweeps, swept
@@ -122,7 +116,7 @@ def sweep_film(
     if show_value:
         notes = shown_values(states, shown.scene, [sweep.path for sweep in parsed])
         figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
-    with blamed_on(path, UNWRITABLE):
+    with blamed_on(path, REFUSALS["unwritable"]):
         write_film(path, steady(figures), sequence, speed, loop == "once")
 
 

@@ -22,7 +22,6 @@ from app.lecture.highlight import OBJECT_AXES
 from app.model import formula_text
 from app.model.chain import MOST_TILES
 from app.model.formula import ARROW, parse
-from app.model.limits import ONE_OF
 from app.model.parameter import read_sections
 from app.model.refusal import REFUSALS, Refusal, nearest
 
@@ -32,7 +31,6 @@ Letters: TypeAlias = str
 LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 """The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
 LONGEST_FILE = 10_000  # most characters of a file of letters
-NOT_KNOWN = REFUSALS["not-known"]
 
 SHEARED, FROM_SHEARED = "sheared_from_view", "clip_from_sheared"
 """Lecture 002's steps of an oblique or off-axis lens: H first."""
@@ -102,14 +100,14 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
             raise Refusal(place, line.strip(), REFUSALS["a-line"])
         section, name = match["section"] or section, match["name"]
         if section not in _KNOWN:
-            raise Refusal(place, section, NOT_KNOWN, nearest(section, _KNOWN))
+            raise Refusal(place, section, REFUSALS["not-known"], nearest(section, _KNOWN))
         if name is None:
             continue
         if name not in _KNOWN[section]:
-            raise Refusal(place, name, NOT_KNOWN, nearest(name, _KNOWN[section]))
+            raise Refusal(place, name, REFUSALS["not-known"], nearest(name, _KNOWN[section]))
         letter, places[section, name] = match["letter"], f"{place}: {name}"
         if not section and letter not in LETTERS:
-            raise Refusal(f"{place}: {name}", letter, ONE_OF, ", ".join(LETTERS))
+            raise Refusal(f"{place}: {name}", letter, REFUSALS["one-of"], ", ".join(LETTERS))
         if section and (len(letter) > _LONGEST or not _A_LETTER.fullmatch(letter)):
             raise Refusal(f"{place}: {name}", letter, REFUSALS["a-letter"], GREEK, _LONGEST)
         given[section][name] = letter
@@ -121,7 +119,7 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
         "matrices": matrices,
     }  # fmt: skip
     for (section, name), place in places.items():
-        held = of_lecture.get(section, {}) | given[section]
+        held = {**of_lecture.get(section, {}), **given[section]}
         for other in held:
             if other != name and held[other] == held[name]:
                 raise Refusal(place, held[name], REFUSALS["once"], other)

@@ -23,8 +23,8 @@ from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
 from app.model.limits import DEPTH_RANGES, Cells, DepthRange, finite_matrix
 from app.model.parameters import ALPHA, BETA, BOTTOM, FAR, FOV_Y, LEFT, NEAR, RIGHT, TOP
-from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.projection import LENSES, Camera, FreeMatrix, Lens, Projection, Vector
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 from app.model.tables import evaluated
 
 Write: TypeAlias = Callable[[float], str]  # writes a number in a sentence
@@ -49,7 +49,7 @@ def shown(projection: Projection, name: str) -> Cells:
         "clip_from_view": projection.direct_stages[0],
     }
     if name not in stages:
-        raise Refusal("matrix", name, ONE_OF, ", ".join(EDITABLE))
+        raise Refusal("matrix", name, REFUSALS["one-of"], ", ".join(EDITABLE))
     return finite_matrix(name, (stages[name].matrix + 0.0).tolist())
 
 
