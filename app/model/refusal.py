@@ -42,7 +42,9 @@ def _sentences() -> dict[str, dict[str, str]]:
 SENTENCES = _sentences()
 """The texts of the page, by section and name."""
 REFUSALS = cast(Mapping[str, Bound], SENTENCES["Refusal"])
-DESCRIPTION, MEASURE, HEALTH = (SENTENCES[name] for name in ("Description", "Measure", "Health"))
+DESCRIPTION, MEASURE, HEALTH, MATRIX = (
+    SENTENCES[name] for name in ("Description", "Measure", "Health", "Matrix")
+)
 SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
