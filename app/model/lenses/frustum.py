@@ -1,5 +1,7 @@
 """The perspective lens with an arbitrary window: glFrustum, lecture 002's H before the scale."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -65,10 +67,10 @@ class Frustum(Central, Windowed):
         for name, side in {"left": left, "right": right, "bottom": bottom, "top": top}.items():
             within(name, side, -limit, limit)
 
-    def cut(self, window: Window, near: float, far: float) -> "Frustum":
+    def cut(self, window: Window, near: float, far: float) -> Frustum:
         near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
     @classmethod
-    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> "Frustum":
+    def with_window(cls, window: Window, near: float, far: float, keep: Keep) -> Frustum:
         return cls(*window, near, far, keep)

@@ -1,5 +1,7 @@
 """The oblique parallel lens: lecture 002's ``P_obl = P_ort H``."""
 
+from __future__ import annotations
+
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -96,7 +98,7 @@ class Oblique(Parallel, Windowed):
     def shear(self) -> tuple[float, float]:
         return _cot_deg(self.alpha_deg), _cot_deg(self.beta_deg)
 
-    def cut(self, window: Window, near: float, far: float) -> "Oblique":
+    def cut(self, window: Window, near: float, far: float) -> Oblique:
         near, far = self.checked_planes(near, far)
         return replace(self, near=near, far=far, **self.sides(self.window_at(window, near)))
 
