@@ -1,12 +1,9 @@
 """``lesson print``: tests on paper, one file for each variant, and their key."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.terminal import CliError, interrupt, write_out
@@ -15,9 +12,6 @@ from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of
 from app.lessons.lesson import read
 from app.lessons.practice import PlacedExercise, exercises_of
-
-if TYPE_CHECKING:
-    from widgets.program.exam import Numbered
 
 MOST_TESTS = 500  # more would fill a disk by mistake
 

@@ -1,7 +1,5 @@
 """The command ``export``: a figure, the figures of a list, or a moving picture."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import re
@@ -199,8 +197,8 @@ def _ending(out: str) -> str:
 
 
 def _figure(
-    options: argparse.Namespace, scene: Scene, document: Document, pane: str = ""
-) -> Figure:
+    options: argparse.Namespace, scene: "Scene", document: Document, pane: str = ""
+) -> "Figure":
     """Return the figure of all panes, or of one; a refusal names the option that it is about."""
     from app.drawings.figure import Figure
 
@@ -233,7 +231,7 @@ def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
             print(file=terminal)
 
 
-def _warning(document: Document, scene: Scene) -> str:
+def _warning(document: Document, scene: "Scene") -> str:
     """Return what a picture lacks that was written all the same."""
     illustration = scene.illustration(document.projection, document.settings)
     warning = None if illustration is None else illustration.warning

@@ -6,8 +6,6 @@ are read is said here. This module needs only the standard library: help and the
 options work before the set-up.
 """
 
-from __future__ import annotations
-
 import argparse
 import difflib
 import os

@@ -8,8 +8,6 @@ principal point from the centre of the first pixel, as `Intrinsics`; the others 
 Of YAML only names with numbers, and groups of them, are read: no object is made, no alias followed.
 """
 
-from __future__ import annotations
-
 import math
 import os
 import pathlib

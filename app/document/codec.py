@@ -5,8 +5,6 @@ Text from outside is checked here, and every fault is refused in one sentence. T
 bounds.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import math

@@ -4,8 +4,6 @@ A held picture keeps the camera, lens, image and settings of one moment. Every o
 the document except for a few values of its own (another interpolation, for example).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, fields

@@ -6,8 +6,6 @@ of fields: the section of each, how a person types it, and whether a file must h
 that hold the values check their bounds, once for the whole program.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping
@@ -65,7 +63,7 @@ class Document:
 
     scene: str = "letter-f"
     projection: Projection = LETTER_F
-    extra: Tree = field(default_factory=dict)
+    extra: "Tree" = field(default_factory=dict)
     view: View = field(default_factory=View, compare=False)
     settings: Settings = field(default_factory=dict)
     mesh: str = ""
@@ -96,7 +94,7 @@ class Document:
             (self.scene, self.projection, tuple(self.settings.items()), self.mesh, self.quality)
         )
 
-    def with_settings(self, settings: Mapping[str, Any]) -> Document:
+    def with_settings(self, settings: Mapping[str, Any]) -> "Document":
         """Return the document with other settings, and the projection that they require.
 
         Raises a `Refusal` if the scene cannot have them, or no projection fits them.

@@ -3,8 +3,6 @@
 A document is a JSON file, or it travels in a PNG picture as an iTXt chunk.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re
@@ -153,7 +151,7 @@ def _has_mark(content: bytes) -> bool:
     return FORMAT.encode() in content or FORMAT.encode("utf-16-le") in content
 
 
-def _views(path: str, content: bytes) -> Views:
+def _views(path: str, content: bytes) -> "Views":
     """Return the views of a camera file by name; none if it is no such file."""
     from app.document import camera_files
 
@@ -174,7 +172,7 @@ def _decode(content: bytes) -> tuple[str, str]:
     return text, note
 
 
-def _chosen(views: Views, view: str, choose: Callable[[list[str]], str] | None) -> str:
+def _chosen(views: "Views", view: str, choose: Callable[[list[str]], str] | None) -> str:
     """Return the name of the view that a name, a number or a person chooses, or the only one."""
     names = list(views)
     if not view and len(names) > 1 and choose is not None:

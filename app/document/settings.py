@@ -1,7 +1,5 @@
 """Set values by their paths, as ``--set`` and lessons do; resolve compared pictures."""
 
-from __future__ import annotations
-
 import contextlib
 import difflib
 import re

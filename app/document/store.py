@@ -1,7 +1,5 @@
 """The current document, its undo history, and one signal when it changes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path

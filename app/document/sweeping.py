@@ -1,7 +1,5 @@
 """Values that change from frame to frame of a moving picture, and the order of its frames."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

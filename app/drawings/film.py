@@ -1,7 +1,5 @@
 """A film of figures: where its world stands, its labels and values, and its file."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace

@@ -4,8 +4,6 @@ The documents are made from the file alone, in its order: a step is the same to 
 whatever the user did in the window meanwhile.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -79,7 +77,7 @@ class Course:
     def file(self) -> Path | None:
         return self.lesson.path
 
-    def at(self, place: int) -> AtStep:
+    def at(self, place: int) -> "AtStep":
         return AtStep(self, place)
 
     @property
@@ -234,7 +232,7 @@ class AtStep:
             scene_of(document)
         return document
 
-    def varied(self, state: State | None, given: Mapping[str, float]) -> AtStep:
+    def varied(self, state: State | None, given: Mapping[str, float]) -> "AtStep":
         own = self.document if state is None else self.shown_by(state)
         return AtStep(self.course, self.place, own, given)
 

@@ -4,8 +4,6 @@ A body is a text, then lines ``key: value``, or choices ``- [x] text``. An inden
 the value above it; such lines below a choice or a wrong value may have their own keys.
 """
 
-from __future__ import annotations
-
 import contextlib
 import difflib
 import re
@@ -88,7 +86,7 @@ class LineItem(NamedTuple):
     about: str
     text: str
     line: int
-    below: Sequence[LineItem] = ()
+    below: "Sequence[LineItem]" = ()
 
     def formula(self) -> Formula:
         with on_line(self.line, self.key):

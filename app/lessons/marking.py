@@ -7,8 +7,6 @@ number in it counts as three digits; one of whole numbers, such as 8/2^12, is no
 to be exact. The comparison is in rationals.
 """
 
-from __future__ import annotations
-
 import math
 import re
 import unicodedata
@@ -130,7 +128,7 @@ class TypedNumber(NamedTuple):
     digits: int
     unit: Fraction
 
-    def times(self, factor: Fraction) -> TypedNumber:
+    def times(self, factor: Fraction) -> "TypedNumber":
         """Return the number and its last digit, both multiplied."""
         return TypedNumber(self.value * factor, self.digits, self.unit * abs(factor))
 

@@ -5,8 +5,6 @@ camera, the lens, the picture, the object, the scene's settings and readout, the
 stage, and every matrix' cells. Angles are in degrees, and so are the functions of angles.
 """
 
-from __future__ import annotations
-
 import contextlib
 import difflib
 import math
@@ -198,9 +196,9 @@ class Quantities:
     def __init__(
         self,
         document: Document,
-        scene: Callable[[], Scene],
+        scene: "Callable[[], Scene]",
         view: View | None = None,
-        before: Quantities | None = None,
+        before: "Quantities | None" = None,
         given: Mapping[str, float] = MappingProxyType({}),
     ) -> None:
         self.document = document
@@ -483,7 +481,7 @@ class Condition:
     word: str = ""
 
     @classmethod
-    def read(cls, text: str) -> Condition:
+    def read(cls, text: str) -> "Condition":
         signs = list(_SIGN.finditer(text))
         if len(signs) != 1:
             raise Refusal("condition", text, REFUSALS["no-condition"])

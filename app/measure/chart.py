@@ -7,8 +7,6 @@ where it has no answer. Both axes are logarithmic, except for a few bytes. A poi
 infinity is at the edge, and its name says so.
 """
 
-from __future__ import annotations
-
 import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence

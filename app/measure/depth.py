@@ -3,8 +3,6 @@
 Nothing is rasterised: this module encodes surfaces at known distances as the formats define it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

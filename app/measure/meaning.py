@@ -1,7 +1,5 @@
 """One sentence that states the result of a trade."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain

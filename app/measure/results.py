@@ -26,8 +26,6 @@ An error is ``null`` if the choice answered NaN or nothing; the note gives the r
 error is ``"inf"``. In version 1 a cost was the median and not the least time.
 """
 
-from __future__ import annotations
-
 import csv
 import io
 import json
@@ -144,7 +142,7 @@ class Trade:
         """The fields of `ChartPoint` that are costs here."""
         return ("cost",) if self.cost_unit == "B" else ("cost", "cost_p95", "bytes")
 
-    def by_cost(self, cost: str) -> Trade:
+    def by_cost(self, cost: str) -> "Trade":
         """Return the trade with its bytes as its costs, if it has both and ``"bytes"`` is asked."""
         if cost != "bytes" or all(choice.bytes is None for choice in self.choices):
             return self
@@ -258,7 +256,7 @@ class Measurements:
     sweeps: tuple[Sweep, ...] = ()
     complete: bool = True  # false if the run was cancelled
 
-    def by_cost(self, cost: str) -> Measurements:
+    def by_cost(self, cost: str) -> "Measurements":
         """Return the results with every trade `by` this cost."""
         return replace(self, trades=tuple(trade.by_cost(cost) for trade in self.trades))
 

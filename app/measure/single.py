@@ -1,7 +1,5 @@
 """Results with a single trade or sweep, by its name, and their tables below each other."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from functools import cache

@@ -5,8 +5,6 @@ bit for bit. Sums of products are added term by term, without the cells that are
 world's origin is `AWAY` from the eye, where the ways differ most; columns have nearer ones.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 

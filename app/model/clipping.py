@@ -17,8 +17,6 @@ For comparison, this module also has lecture 004's method, which cuts in view sp
 the eye plane, and the divide without any cut.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from fractions import Fraction

@@ -19,8 +19,6 @@ A format rounds the depth once, to the nearest code. That is the best a buffer c
 to float32 on the way there.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple, TypeAlias

@@ -4,8 +4,6 @@ The eye is subtracted first. The formulas start from view coordinates; the divis
 from the eye plane comes last. `app.model.typed_cells` has the same methods for a typed matrix.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, cast

@@ -1,7 +1,5 @@
 """Types, limits and checks of the model's numbers, and the sentences that refuse them."""
 
-from __future__ import annotations
-
 import math
 import numbers
 from typing import Any, Literal, TypeAlias

@@ -5,8 +5,6 @@ brackets, separators, labels and names. A text is read only if every part of it 
 function such as ``cos(0.3)`` is refused, not taken for 0.3. The time is linear in the text.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Sequence

@@ -12,8 +12,6 @@ setting or kind of projection::
 lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 """
 
-from __future__ import annotations
-
 import math
 import numbers
 from collections.abc import Callable, Mapping
@@ -133,7 +131,7 @@ class Parameter:
         whole: Any = getattr(projection, self.part)
         return replace(projection, **{self.part: replace(whole, **{self.name: value})})
 
-    def component(self, axis: int) -> Parameter:
+    def component(self, axis: int) -> "Parameter":
         """Return one component of a vector as a number: ``eye_x``."""
 
         def write(projection: Any, value: Any) -> Any:

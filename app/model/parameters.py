@@ -4,8 +4,6 @@ Rows of the dock, ``--set``, the finder, formulas, highlights and handles read i
 the parameters that only it has; a phenomenon declares the settings of its scene.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace

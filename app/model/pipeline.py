@@ -1,7 +1,5 @@
 """A camera, a lens, an image and an object, and all displayed matrices between them."""
 
-from __future__ import annotations
-
 import numbers
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -5,8 +5,6 @@ marked with `QT_TRANSLATE_NOOP`, which lupdate finds. The widgets translate a te
 it in.
 """
 
-from __future__ import annotations
-
 import difflib
 import json
 import math
@@ -72,12 +70,12 @@ class Refusal(ValueError):
     @classmethod
     def in_document(
         cls, bound: Bound, *limits: object, field: str = "", value: object = ..., file: str = ""
-    ) -> Refusal:
+    ) -> "Refusal":
         """Refuse a document or a file; the value is written as in the document."""
         return cls(field, value, bound, *limits, file=file)
 
     @classmethod
-    def saying(cls, template: Bound, *parts: object) -> Refusal:
+    def saying(cls, template: Bound, *parts: object) -> "Refusal":
         """Refuse with a template that is the whole sentence."""
         return cls("", ..., template, *parts)
 

@@ -4,8 +4,6 @@ A step's matrix is stated once, as the lectures write it, and evaluated in ratio
 shown), in letters (the formulas shown) and in float64.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 

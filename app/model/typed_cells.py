@@ -1,7 +1,5 @@
 """Project points through a typed matrix: apply its cells after subtracting the eye."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

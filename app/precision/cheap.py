@@ -7,8 +7,6 @@ Algorithms, 3.3). The bound knows the points and how the formats round, but not 
 With w known within e_w, a quotient x/w is known within ``(e_x + |x/w| e_w) / (w - e_w)``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction

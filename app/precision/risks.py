@@ -1,7 +1,5 @@
 """The sentences of the health line: risks of the present numbers."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from itertools import product

@@ -11,8 +11,6 @@ rounded, and carries a bound of its error along, as in `app.precision.cheap`. Pi
 the same float32 numbers for every way, so what a depth buffer has rounded before is no part of it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import lru_cache

@@ -4,8 +4,6 @@
 shows cameras like every other control.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import partial
@@ -77,7 +75,7 @@ class Motion:
         clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
         return clock_s if rising else PERIOD_S - clock_s
 
-    def at(self, height: float, *, rising: bool = True) -> Motion:
+    def at(self, height: float, *, rising: bool = True) -> "Motion":
         """Return the walk that begins where it is closest to a height."""
         return replace(self, clock_s=self.clock_at(height, rising=rising))
 

@@ -8,8 +8,6 @@
     a click on a point or a row --> used({"rung": "float32"})
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path

@@ -9,8 +9,6 @@ A drag is a gesture, and so is a burst of wheel steps. A line lies beside the th
 window's message bar would move the panes away from the mouse.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -248,7 +246,7 @@ class Manipulation(Gestures, QObject):
         if drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
 
-    def _start(self, drag: _Drag) -> None:
+    def _start(self, drag: "_Drag") -> None:
         self._finish()
         self._drag = drag
         drag.pane.hand.keep_view()
@@ -277,7 +275,7 @@ class Manipulation(Gestures, QObject):
                 drag.reached += step
         self._show_line(drag.pane, sentence(six_digits(error)))
 
-    def _refusal_of(self, drag: _Drag, away: QPointF, shift: bool) -> Refusal | None:
+    def _refusal_of(self, drag: "_Drag", away: QPointF, shift: bool) -> Refusal | None:
         """Drag by so many pixels, or return why the model cannot."""
         right_px, down_px = away.x(), away.y()
         if drag.taken is not None:
@@ -293,7 +291,7 @@ class Manipulation(Gestures, QObject):
         shift_px = drag.pane.drawing.image_shift(right_px, down_px)
         return self._attempt(partial(panned, drag.start, shift_px))
 
-    def _drag_point(self, drag: _Drag, held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
+    def _drag_point(self, drag: "_Drag", held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
         assert drag.taken is not None
         before, sight = vector(held.point), drag.taken.sight
         value: Vector | float | None

@@ -1,7 +1,5 @@
 """The user's settings, and the folders of the program's files."""
 
-from __future__ import annotations
-
 import base64
 import binascii
 import json
@@ -153,12 +151,12 @@ class _KeptSetting(Generic[_T]):
     text_of: Callable[[_T], str] = str
     shared: bool = False  # read from the file each time, because other windows change it too
 
-    def __get__(self, settings: Settings, _owner: object = None) -> _T:
+    def __get__(self, settings: "Settings", _owner: object = None) -> _T:
         if self.shared:
             settings.refresh(self.key)
         return settings.read(self.key, self.convert, self.default)
 
-    def __set__(self, settings: Settings, value: _T) -> None:
+    def __set__(self, settings: "Settings", value: _T) -> None:
         settings.write(self.key, self.text_of(value))
 
 

@@ -1,7 +1,5 @@
 """Choices, exactly one right; ``predict`` must be answered before the step goes on."""
 
-from __future__ import annotations
-
 import contextlib
 import re
 from collections.abc import Callable, Iterator
@@ -28,7 +26,7 @@ class Choice(Reply):
     text: str
 
     @classmethod
-    def read(cls, item: LineItem) -> Choice:
+    def read(cls, item: LineItem) -> "Choice":
         """Read a choice: its text, then its formula and its idea in either order."""
         idea = _IDEA.search(item.text)
         text, _, behind = _IDEA.sub("", item.text).partition(" := ")
@@ -59,7 +57,7 @@ class Choices(Question):
     replies: tuple[Choice, ...]
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
+    def of(cls, body: Body, text: str, items: Items, **more: Any) -> "Choices":
         choices = tuple(map(Choice.read, items.every("choice")))
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
             raise refused(body.line, REFUSALS["one-right"])

@@ -1,7 +1,5 @@
 """``click:`` in an ``answer``: a place that the student points at in a picture."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
@@ -41,7 +39,7 @@ class Click(MarkedQuestion):
     within_px: float  # how far from a place a click may be, on a screen with scale 1
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items) -> Click:
+    def of(cls, body: Body, text: str, items: Items) -> "Click":
         click, at, within = (items.single(key) for key in ("click", "at", "within"))
         assert click is not None
         if click.text not in PANES:

@@ -5,8 +5,6 @@ text, and so becomes an ordinary ``answer`` or ``task`` in a state of its own. T
 the same numbers on every machine.
 """
 
-from __future__ import annotations
-
 import math
 import random
 import re
@@ -59,7 +57,7 @@ class Exercise(Asked):
     recipe: Lines
 
     @classmethod
-    def read(cls, body: Body) -> Exercise:
+    def read(cls, body: Body) -> "Exercise":
         varied: list[Varied] = []
         where: list[tuple[int, Condition]] = []
         states: list[tuple[int, str]] = []

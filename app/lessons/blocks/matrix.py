@@ -1,7 +1,5 @@
 """``matrix:`` in an ``answer``: a matrix or a vector, each of whose numbers is marked by itself."""
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -39,7 +37,7 @@ class MatrixQuestion(MarkedQuestion):
     """Row and column of the first cell in the matrix that these are a part of, from 1."""
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items) -> MatrixQuestion:
+    def of(cls, body: Body, text: str, items: Items) -> "MatrixQuestion":
         right = items.single("matrix")
         assert right is not None
         rows, columns, formulas = _cells(right)

@@ -4,8 +4,6 @@
 minutes; ``test``: sample answers of a step, and their expected verdicts.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -36,7 +34,7 @@ class ShownState(Block):
         content.state = self.state
 
     @classmethod
-    def read(cls, body: Body) -> ShownState:
+    def read(cls, body: Body) -> "ShownState":
         return cls(line=body.line, state=read_state(body.lines, body.line))
 
 
@@ -54,7 +52,7 @@ class Note(Block):
         content.note = SpeakerNote(self.line, self.text, self.minutes)
 
     @classmethod
-    def read(cls, body: Body) -> Note:
+    def read(cls, body: Body) -> "Note":
         minutes, lines, first = None, [], 0
         for number, text in body.lines:
             if text.strip().startswith("minutes:"):
@@ -84,7 +82,7 @@ class Samples(Block):
         content.samples += self.samples
 
     @classmethod
-    def read(cls, body: Body) -> Samples:
+    def read(cls, body: Body) -> "Samples":
         samples = (_sample(text, number) for number, text in body.lines if text.strip())
         return cls(line=body.line, samples=tuple(samples))
 

@@ -1,7 +1,5 @@
 """``task``: something to do in the window, in any way."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -43,7 +41,7 @@ class Task(Asked):
     right: State | None = None  # a state that fulfils the task, for the check; `why` tells the way
 
     @classmethod
-    def read(cls, body: Body) -> Task:
+    def read(cls, body: Body) -> "Task":
         text, items = body.items("until", "done", "hint", "why", "wrong", "right")
         until = items.conditions("until")
         if not until:

@@ -9,8 +9,6 @@ The origin moves away from the eye along (1, 1, 1), and nothing else: coordinate
 there. The world shows each point where the arithmetic puts it, its error enlarged by a factor.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction
