@@ -85,7 +85,7 @@ def command_texts() -> set[str]:
     """What ``--help`` says of the commands, their words and their options."""
     return {
         options.COMMANDS, options.LANGUAGE, options.SET,
-        *(text for page in options.pages().values() for text in page.texts),
+        *(text for name, page in options.pages().items() if name != "--set" for text in page.texts),
     } - {argparse.SUPPRESS}  # fmt: skip
 
 

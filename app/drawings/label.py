@@ -4,8 +4,6 @@ A label is written as formulas are elsewhere (`app.lecture.typesetting`), and Ag
 texture.
 """
 
-from __future__ import annotations
-
 import math
 import weakref
 from functools import lru_cache
@@ -161,7 +159,7 @@ _ON_IMAGE: Any = numpy_to_vtk(  # type: ignore[no-untyped-call]
 class LabelActor(vtkTexturedActor2D):
     """The actor of a label, by which a window's labels are found."""
 
-    label: weakref.ref[SceneLabel]
+    label: "weakref.ref[SceneLabel]"
 
 
 class SceneLabel:

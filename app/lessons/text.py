@@ -1,7 +1,5 @@
 """Prepare a lesson's text: Markdown as HTML without links or scripts, TeX as outlines."""
 
-from __future__ import annotations
-
 import html
 import re
 from collections.abc import Callable
@@ -26,7 +24,7 @@ MATH = re.compile(r"(\$\$?)(?=\S)([^$\n]{1,400}?)(?<=\S)\1")
 
 
 @cache
-def markdown() -> MarkdownIt:
+def markdown() -> "MarkdownIt":
     """Return the Markdown parser, which treats links and HTML as plain text.
 
     A line ``---`` is always a rule, never the line under a title. Formulas between dollars are
@@ -41,7 +39,7 @@ def markdown() -> MarkdownIt:
     return reader
 
 
-def _math(state: StateInline, silent: bool) -> bool:
+def _math(state: "StateInline", silent: bool) -> bool:
     match = MATH.match(state.src, state.pos)
     if match is None:
         return False

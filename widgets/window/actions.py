@@ -1,7 +1,5 @@
 """The window's actions, in its menus and its tool bar, with their shortcuts."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import cache, partial
 from pathlib import Path

@@ -7,8 +7,6 @@
                       panes, controls, the open panel, status line: take(shown, changed)
 """
 
-from __future__ import annotations
-
 import logging
 import os
 from collections.abc import Callable

@@ -3,8 +3,6 @@
 `MainWindow` notifies the components of changes to the document, in the order of its list.
 """
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 
