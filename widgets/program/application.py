@@ -10,6 +10,8 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 `ErrorReport`.
 """
 
+from __future__ import annotations
+
 import contextlib
 import gc
 import locale
