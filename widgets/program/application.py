@@ -173,7 +173,7 @@ def run_window(
     saved: Document,
     path: Path | None,
     options: Options,
-    scene: "Scene | None" = None,
+    scene: Scene | None = None,
     lesson: Path | None = None,
 ) -> int:
     """Open the window on a document; return 0 when it is closed, 1 if a part of it stayed empty.
