@@ -21,6 +21,7 @@ from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS
 from app.lecture.kinds import KINDS
 from app.lessons.course import CONTENT
+from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
@@ -126,6 +127,7 @@ def source() -> str:
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
             ("Options", command_texts()),
+            ("Spoken", SPOKEN),
             *sentence_texts(),
         )
         for text in sorted(texts)
