@@ -5073,6 +5073,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
     </message>
     <message>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
         <translation>käsul print: teemad või õppetundide failid, mille ülesannetest test koosneb</translation>
     </message>
@@ -7535,6 +7539,85 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>{0} min late</source>
         <translation>{0} min hiljaks jäänud</translation>
+    </message>
+</context>
+<context>
+    <name>Spoken</name>
+    <message>
+        <source>at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished">kraadi</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation type="unfinished">korda</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vector</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

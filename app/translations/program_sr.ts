@@ -77,11 +77,11 @@
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation>&amp;Цео екран</translation>
+        <translation>Ц&amp;ео екран</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Решетка</translation>
+        <translation>Реше&amp;тка</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>&amp;Hint</source>
-        <translation>&amp;Наговештај</translation>
+        <translation>Наго&amp;вештај</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>&amp;Layers</source>
-        <translation>&amp;Слојеви</translation>
+        <translation>Сл&amp;ојеви</translation>
     </message>
     <message>
         <source>&amp;Lessons</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>Врати &amp;сопствене погледе приказа</translation>
+        <translation>Врати сопствене по&amp;гледе приказа</translation>
     </message>
     <message>
         <source>&amp;Review</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>&amp;Show the step again</source>
-        <translation>Прикажи корак п&amp;оново</translation>
+        <translation>Прикажи кора&amp;к поново</translation>
     </message>
     <message>
         <source>&amp;Start card</source>
@@ -181,11 +181,11 @@
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>При&amp;каз</translation>
+        <translation>&amp;Поглед</translation>
     </message>
     <message>
         <source>All &amp;digits</source>
-        <translation>Све &amp;цифре</translation>
+        <translation>Све ци&amp;фре</translation>
     </message>
     <message>
         <source>Along the a&amp;xis</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Као с&amp;истем</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
-        <translation>Почни лекцију испоче&amp;тка</translation>
+        <translation>Почни лекцију испо&amp;четка</translation>
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
-        <translation>Упореди са &amp;овом сликом</translation>
+        <translation>&amp;Упореди са овом сликом</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>From &amp;above</source>
-        <translation>Од&amp;озго</translation>
+        <translation>Одо&amp;зго</translation>
     </message>
     <message>
         <source>From the &amp;eye</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>From the &amp;side</source>
-        <translation>Са &amp;стране</translation>
+        <translation>Са с&amp;тране</translation>
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Језик</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>Поглед на &amp;свет</translation>
+        <translation>Поглед &amp;на свет</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -337,11 +337,11 @@
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
-        <translation>По&amp;казивач у свим приказима</translation>
+        <translation>Показива&amp;ч у свим приказима</translation>
     </message>
     <message>
         <source>Panes in col&amp;umns</source>
-        <translation>Прикази у кол&amp;онама</translation>
+        <translation>Прикази у колон&amp;ама</translation>
     </message>
     <message>
         <source>Play or pause the camera&apos;s orbit</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>Present from the beginnin&amp;g</source>
-        <translation>Излажи од почет&amp;ка</translation>
+        <translation>Излажи од &amp;почетка</translation>
     </message>
     <message>
         <source>Present the open talk from its first step</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Reduce &amp;motion</source>
-        <translation>Умањи кре&amp;тање</translation>
+        <translation>Умањи к&amp;ретање</translation>
     </message>
     <message>
         <source>Remove the &amp;probe</source>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation>Сачувај &amp;као…</translation>
+        <translation>Сачувај к&amp;ао…</translation>
     </message>
     <message>
         <source>Show all digits of every number, not only four</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>Пре&amp;дај</translation>
+        <translation>Пр&amp;едај</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -686,7 +686,7 @@
     </message>
     <message>
         <source>Your idea beside the &amp;model</source>
-        <translation>Ваша представа поред &amp;модела</translation>
+        <translation>Ва&amp;ша представа поред модела</translation>
     </message>
 </context>
 <context>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>It adds {1} times {0} to w, the divisor.</source>
-        <translation>Додаје {1} пута {0} на w, делилац.</translation>
+        <translation>Делиоцу w додаје {1} пута {0}.</translation>
     </message>
     <message>
         <source>w does not depend on {0}.</source>
@@ -777,7 +777,7 @@
     </message>
     <message>
         <source>the incoming w</source>
-        <translation>улазно w</translation>
+        <translation>w на улазу</translation>
     </message>
 </context>
 <context>
@@ -807,7 +807,7 @@
     <name>ChoiceView</name>
     <message>
         <source>&amp;Commit</source>
-        <translation>&amp;Потврди</translation>
+        <translation>По&amp;тврди</translation>
     </message>
     <message>
         <source>This is my prediction (Enter)</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Прикажи п&amp;оново</translation>
+        <translation>Прика&amp;жи поново</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -3430,11 +3430,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>H&amp;int</source>
-        <translation>На&amp;говештај</translation>
+        <translation>Наго&amp;вештај</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation>&amp;Даље</translation>
+        <translation>Д&amp;аље</translation>
     </message>
     <message>
         <source>Do&amp;ne</source>
@@ -4879,7 +4879,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>промени вредност у документу, као lens.far=inf; може да се понови; имена су {0} и settings.NAME за подешавање сцене</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4899,7 +4899,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>наредбе, свака са сопственим --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4995,7 +4995,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5072,6 +5072,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
         <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
+    </message>
+    <message>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -5408,7 +5412,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Practice</name>
     <message>
         <source>&amp;Review</source>
-        <translation>&amp;Понављање</translation>
+        <translation>По&amp;нављање</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
@@ -5424,7 +5428,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>&amp;Review: {0}, {1}</source>
-        <translation>&amp;Понављање: {0}, {1}</translation>
+        <translation>По&amp;нављање: {0}, {1}</translation>
     </message>
     <message>
         <source>The next review is tomorrow.</source>
@@ -7520,7 +7524,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation>Пау&amp;зирај</translation>
+        <translation>Паузира&amp;ј</translation>
     </message>
     <message>
         <source>&amp;Start</source>
@@ -7537,6 +7541,85 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>{0} min late</source>
         <translation>касни {0} min</translation>
+    </message>
+</context>
+<context>
+    <name>Spoken</name>
+    <message>
+        <source>at least</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation type="unfinished">степени</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>phi</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>root of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sum of</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation type="unfinished">пута</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>to the power</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>vector</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -7925,15 +8008,15 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>Отвори га при &amp;излагању презентације</translation>
+        <translation>Отвори га при изл&amp;агању презентације</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
-        <translation>Додај ово ст&amp;ање као корак…</translation>
+        <translation>Дода&amp;ј ово стање као корак…</translation>
     </message>
     <message>
         <source>A new talk fro&amp;m here…</source>
-        <translation>Нова презентација &amp;одавде…</translation>
+        <translation>Нова презента&amp;ција одавде…</translation>
     </message>
 </context>
 <context>
@@ -8006,7 +8089,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>Пре&amp;дај</translation>
+        <translation>Пр&amp;едај</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -9537,7 +9620,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>affine</source>
-        <translation>афина</translation>
+        <translation>афино</translation>
     </message>
     <message>
         <source>affine: s linear on the screen</source>
@@ -9825,7 +9908,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>farthest</source>
-        <translation>најдаља</translation>
+        <translation>најдаље</translation>
     </message>
     <message>
         <source>farthest that a vertex of the right seam moves</source>
@@ -10081,7 +10164,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation>логаритамска</translation>
+        <translation>логаритамски</translation>
     </message>
     <message>
         <source>measured</source>
@@ -10113,7 +10196,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>nearest</source>
-        <translation>најближа</translation>
+        <translation>најближе</translation>
     </message>
     <message>
         <source>no edge of the letter lies in the view volume</source>
@@ -10141,7 +10224,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>none</source>
-        <translation>ништа</translation>
+        <translation>нема</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>
