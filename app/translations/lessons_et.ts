@@ -5,933 +5,933 @@
     <name>ideas</name>
     <message>
         <source>Wrong ideas, and what refutes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Väärarusaamad ja mis need ümber lükkab</translation>
     </message>
     <message>
         <source>n is where I look</source>
-        <translation type="unfinished"></translation>
+        <translation>n on see, kuhu ma vaatan</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. The camera looks along {1}: {2} runs from the target back to the eye, so that with {3} to the right and {4} up the three axes are right-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Kaamera vaatab suunas {1}: {2} on suunatud sihtpunktist tagasi silma, nii et koos vektoriga {3} paremale ja vektoriga {4} üles on kolm telge paremakäelised.</translation>
     </message>
     <message>
         <source>My up vector is v</source>
-        <translation type="unfinished"></translation>
+        <translation>Minu ülesvektor on v</translation>
     </message>
     <message>
         <source>This takes the normalised up vector for {0}. Up only has to point roughly upwards; {1} is at a right angle to the view direction, so the more the camera looks down, the farther {2} tilts away from up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} normeeritud ülesvektor. Ülesvektor peab ainult ligikaudu üles näitama; {1} on vaate suunaga risti, nii et mida rohkem kaamera alla vaatab, seda kaugemale kaldub {2} ülesvektorist.</translation>
     </message>
     <message>
         <source>Unit times unit is a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühik korda ühik on ühik</translation>
     </message>
     <message>
         <source>This does not normalise the cross product of up and {0}, because both are unit vectors. But its length is the sine of the angle between them, so {1} is the product divided by that length; otherwise everything measured along {2} is too short.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse ülesvektori ja vektori {0} vektorkorrutis normeerimata, sest mõlemad on ühikvektorid. Aga selle pikkus on nendevahelise nurga siinus, seega on {1} korrutis jagatud selle pikkusega; muidu on kõik, mida piki telge {2} mõõdetakse, liiga lühike.</translation>
     </message>
     <message>
         <source>The view matrix puts the camera in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks paneb kaamera oma kohale</translation>
     </message>
     <message>
         <source>This writes down the inverse of the view matrix, which moves a camera from the origin to its place. The view matrix does the opposite: it moves the world until the eye is at the origin, so its last column is minus the eye along {0}, {1} and {2}, not the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kirjutatakse vaatemaatriksi pöördmaatriks, mis viib kaamera alguspunktist oma kohale. Vaatemaatriks teeb vastupidist: see liigutab maailma, kuni silm on alguspunktis, nii et selle viimane veerg on miinus silm piki telgi {0}, {1} ja {2}, mitte silm.</translation>
     </message>
     <message>
         <source>Rows and columns may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Read ja veerud võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This reads the matrix with rows and columns exchanged. Points are columns here, {0}, so a cell {1} says how much of coordinate {2} goes into coordinate {3}, and the axes are the columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse maatriksit, mille read ja veerud on vahetuses. Punktid on siin veerud, {0}, nii et lahter {1} ütleb, kui palju koordinaadist {2} läheb koordinaati {3}, ja teljed on veerud.</translation>
     </message>
     <message>
         <source>The order does not matter</source>
-        <translation type="unfinished"></translation>
+        <translation>Järjekord ei loe</translation>
     </message>
     <message>
         <source>This multiplies the factors in the opposite order. The factor on the right acts first. First rotating and then moving differs from first moving and then rotating, because the later rotation rotates the move as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse tegureid vastupidises järjekorras. Esimesena mõjub parempoolne tegur. Enne pöörata ja siis nihutada ei ole sama mis enne nihutada ja siis pöörata, sest hilisem pööre pöörab ka nihet.</translation>
     </message>
     <message>
         <source>The function takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Funktsioonile kõlbavad minu kraadid</translation>
     </message>
     <message>
         <source>This passes degrees to a function that expects radians. 60 degrees are {0} radians; 60 radians are nine and a half turns, so the result can be anything, even of the opposite sign, and the picture upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii antakse kraadid funktsioonile, mis ootab radiaane. 60 kraadi on {0} radiaani; 60 radiaani on üheksa ja pool pööret, nii et tulemus võib olla mis tahes, isegi vastupidise märgiga, ja pilt tagurpidi.</translation>
     </message>
     <message>
         <source>The lens takes the whole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiiv võtab kogu nurga</translation>
     </message>
     <message>
         <source>This takes the tangent or cotangent of the whole field of view. The right-angled triangle lies between the axis and the edge of the picture and contains half of the angle: at 90° the lens has {0}, whereas {1} is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kogu frustumi nurga tangens või kootangens. Täisnurkne kolmnurk on telje ja pildi serva vahel ning selles on pool nurka: 90° korral on objektiivil {0}, aga {1} on 0.</translation>
     </message>
     <message>
         <source>Twice the angle is twice the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahekordne nurk on kahekordne laius</translation>
     </message>
     <message>
         <source>This assumes that widths are proportional to angles. They are proportional to the tangent of half the angle: with 120° high and 16:9 that tangent is 1.73 upwards and 3.08 sideways, so the picture is 144.0° wide: 72.0° on each side, not 213°, which no picture can be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et laiused on võrdelised nurkadega. Need on võrdelised poole nurga tangensiga: kui kõrgus on 120° ja pilt 16:9, on see tangens üles 1.73 ja kõrvale 3.08, nii et pildi laius on 144.0°: kummalgi pool 72.0°, mitte 213°, mida ühelgi pildil olla ei saa.</translation>
     </message>
     <message>
         <source>An angle is an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurk on nurk</translation>
     </message>
     <message>
         <source>This uses the vertical angle in place of the horizontal one. A picture that is wider than high reaches farther sideways than upwards, as width to height, and so does the tangent of half the angle; only then do circles stay round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kasutatakse horisontaalse nurga asemel vertikaalset. Pilt, mis on laiem kui kõrge, ulatub kõrvale kaugemale kui üles, nagu laius kõrguse suhtes, ja niisamuti poole nurga tangens; ainult siis jäävad ringid ümaraks.</translation>
     </message>
     <message>
         <source>I measure from the picture plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõõdan pilditasandist</translation>
     </message>
     <message>
         <source>This divides by the distance from the plane, {0}. The two similar triangles share the corner at the eye, so measure both depths from the eye: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse kaugusega tasandist, {0}. Kahel sarnasel kolmnurgal on ühine nurk silma juures, seega mõõtke mõlemat sügavust silmast: {1}.</translation>
     </message>
     <message>
         <source>Dividing by z is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>z-iga jagamisest piisab</translation>
     </message>
     <message>
         <source>This has the sign for the wrong side of the eye: in front of it {0} is negative, and {1} is the result for a film *behind* the hole. A plane in front of the eye has {2} and an upright image; only a film behind it, at {3}, has it upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on silma vale poole märk: silma ees on {0} negatiivne ja {1} on tulemus filmi jaoks, mis on ava *taga*. Silma ees oleval tasandil on {2} ja püstine kujutis; tagurpidi on see ainult taga oleval filmil, kohal {3}.</translation>
     </message>
     <message>
         <source>Near enlarges</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand suurendab</translation>
     </message>
     <message>
         <source>This multiplies the picture by {0}. The image on the near plane does grow with {1}, but so does the window round it. {2} does not contain {3}: near only decides what is cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse pilti suurusega {0}. Kujutis lähitasandil tõesti kasvab koos suurusega {1}, aga kasvab ka aken selle ümber. Avaldises {2} ei ole suurust {3}: lähitasand otsustab ainult, mis ära lõigatakse.</translation>
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished">lähitasand 1</translation>
+        <translation>lähitasand 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished">lähitasand 2</translation>
+        <translation>lähitasand 2</translation>
     </message>
     <message>
         <source>Near is a z, so it is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on z, seega negatiivne</translation>
     </message>
     <message>
         <source>This uses a negative number where a length belongs. Near, far and the distance of a picture plane are lengths from the eye, and positive; the planes are at negative {0}, and the formulas already contain that minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kasutatakse negatiivset arvu seal, kus on vaja pikkust. Lähitasandi, kaugtasandi ja pilditasandi kaugused on pikkused silmast ja positiivsed; tasandid on seal, kus {0} on negatiivne, ja valemites on see miinus juba olemas.</translation>
     </message>
     <message>
         <source>n and f may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>n ja f võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}, which changes the sign of {2} and of everything divided by it. The near plane would then be at {3}, where the far plane belongs, and all depths would run backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}, mis muudab suuruse {2} ja kõige sellega jagatu märki. Lähitasand oleks siis kohal {3}, kuhu kuulub kaugtasand, ja kõik sügavused jookseksid tagurpidi.</translation>
     </message>
     <message>
         <source>A window to the right moves the picture right</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken paremale viib pildi paremale</translation>
     </message>
     <message>
         <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse pilti samale poole kui akent. Aken raamib seda, mida te näete: kui selle keskkoht on teljest paremal, paistab telg pildi keskkohast vasakul, kohal {0}. Maatriksis on seal pluss, sest see lahter korrutatakse suurusega {1}, mis on negatiivne.</translation>
     </message>
     <message>
         <source>Cameras turn as eyes do</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerad pöörduvad nagu silmad</translation>
     </message>
     <message>
         <source>This toes the two cameras in, because eyes turn to what they look at. But each turned camera divides by the depth along its own axis, so points at the sides are not equally high in both pictures, and no pair of eyes can look up with one eye and down with the other: both cameras look straight ahead, and their windows move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse kaks kaamerat kokku, sest silmad pöörduvad selle poole, mida vaatavad. Aga kumbki pööratud kaamera jagab sügavusega piki omaenda telge, nii et äärtes olevad punktid ei ole mõlemal pildil ühel kõrgusel, ja ükski silmapaar ei saa ühe silmaga üles ja teisega alla vaadata: mõlemad kaamerad vaatavad otse ette ja liiguvad nende aknad.</translation>
     </message>
     <message>
         <source>Far is always small</source>
-        <translation type="unfinished"></translation>
+        <translation>Kauge on alati väike</translation>
     </message>
     <message>
         <source>This divides by the depth, although the projectors are parallel. A parallel lens divides every point by 1, so equal heights stay equal at every depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega, kuigi projektsioonikiired on paralleelsed. Paralleelne objektiiv jagab iga punkti 1-ga, nii et võrdsed kõrgused jäävad igal sügavusel võrdseks.</translation>
     </message>
     <message>
         <source>Clip is NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Kärperuum on NDC</translation>
     </message>
     <message>
         <source>This stops at the clip coordinates. The division by {0} is still to come, {1} and {2}; it makes far things small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli kärperuumi koordinaatide juures. Jagamine {0} on veel ees, {1} ja {2}; see teeb kauged asjad väikeseks.</translation>
     </message>
     <message>
         <source>z needs no divide</source>
-        <translation type="unfinished"></translation>
+        <translation>z ei vaja jagamist</translation>
     </message>
     <message>
         <source>This stops before the division. The depth is divided by {0} like {1} and {2}: only then does far come to 1, and only then do straight lines stay straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli enne jagamist. Sügavus jagatakse suurusega {0} nagu {1} ja {2}: alles siis satub kaugtasand kohale 1 ja alles siis jäävad sirged sirgeks.</translation>
     </message>
     <message>
         <source>Depth is the distance to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus on kaugus silmani</translation>
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse silmast otse punktini. Sügavust mõõdetakse ainult piki telge, sest lähi- ja kaugtasand on tasandid, mitte kerad: kõrval oleva punkti kaugus on suurem kui selle sügavus.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus kasvab ühtlaselt</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. But {0} changes with one over the depth, so the cube is filled fast at first: its middle is less than twice as deep as near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus lähi- ja kaugtasandi vahel ühtlaselt. Aga {0} muutub koos sügavuse pöördarvuga, nii et alguses täitub kuup kiiresti: selle keskkoha sügavus on vähem kui kaks korda lähitasandi oma.</translation>
     </message>
     <message>
         <source>Near stays where it is in the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand jääb püramiidis oma kohale</translation>
     </message>
     <message>
         <source>This leaves the near plane at {0}. On the way into the canonical pyramid everything is divided by {1}, so far comes to {2} and near to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse lähitasand kohale {0}. Teel kanoonilisse püramiidi jagatakse kõik suurusega {1}, nii et kaugtasand satub kohale {2} ja lähitasand kohale {3}.</translation>
     </message>
     <message>
         <source>NDC starts at 0</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC algab 0-st</translation>
     </message>
     <message>
         <source>This takes an NDC coordinate for a share from 0 to 1. It runs from {0} to {1} with 0 in the middle, so first add 1 and then halve: {2} and depth {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse NDC koordinaat osaks 0-st 1-ni. See on kohast {0} kohani {1} ja keskel 0, seega liitke enne 1 ja võtke siis pool: {2} ja sügavus {3}.</translation>
     </message>
     <message>
         <source>Pixel rows count up</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslite ridu loetakse alt üles</translation>
     </message>
     <message>
         <source>This counts the rows of pixels upwards, like {0}. The image begins at its upper left corner and its rows count downwards: the higher a point is, the smaller is its row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse pikslite ridu alt üles, nagu kasvab {0}. Pilt algab ülemisest vasakust nurgast ja selle ridu loetakse ülalt alla: mida kõrgemal punkt on, seda väiksem on selle rida.</translation>
     </message>
     <message>
         <source>Pixel 100 is at 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel 100 on kohal 100</translation>
     </message>
     <message>
         <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse piksli keskpunkti kohaks piksli number. Piksel {0} ulatub kohast {1} kohani {2}, seega on selle keskpunkt kohal {3}, seega {4}: nelja piksli äärmised keskpunktid on kohtadel {5}, mitte kohtadel {6}.</translation>
     </message>
     <message>
         <source>k makes up the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>k on kogu vahe</translation>
     </message>
     <message>
         <source>This adds the whole missing length at one end and again at the other. Both ends get the same share, so each gets half of what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liidetakse kogu puuduv pikkus ühes otsas ja siis veel kord teises. Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub.</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished">venitatud</translation>
+        <translation>venitatud</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished">variant X</translation>
+        <translation>variant X</translation>
     </message>
     <message>
         <source>X adjusts x</source>
-        <translation type="unfinished"></translation>
+        <translation>X kohandab x-i</translation>
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse tähte selleks koordinaadiks, mis muutub. Variant X *säilitab* {0} ja {1} ning kohandab koordinaati {2}, kuni aknal on pildi proportsioonid; variant Y säilitab {3} ja kohandab {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished">variant Y</translation>
+        <translation>variant Y</translation>
     </message>
     <message>
         <source>The slant grows with alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalle kasvab koos alfaga</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. {1} is the angle between the projectors and the picture, so at 90° they meet it head-on and nothing is shifted. The formula is {2}; at 80° the shift is only 0.18 for each unit of depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kaldeks {0}. {1} on projektsioonikiirte ja pildi vaheline nurk, nii et 90° korral kohtavad need pilti otse ja midagi ei nihku. Valem on {2}; 80° korral on nihe ainult 0.18 sügavuse ühiku kohta.</translation>
     </message>
     <message>
         <source>Half the scale, half the slant</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool mastaapi, pool kallet</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. The scale is the cotangent of the angle, {0}, so a cabinet drawing with {1} has {2}, not 67.5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et nurk on mastaabiga võrdeline. Mastaap on nurga kootangens, {0}, nii et cabinet-joonisel, mille {1}, on {2}, mitte 67.5°.</translation>
     </message>
     <message>
         <source>Infinity is very far</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõpmatus on väga kaugel</translation>
     </message>
     <message>
         <source>This takes a point that is very far away for the point at infinity. A direction has {0} and no starting point, so its image depends on the direction alone, {1}; every point on the way there falls short of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse lõpmatuspunktiks väga kaugel olev punkt. Suunal on {0} ja alguspunkti ei ole, nii et selle kujutis sõltub ainult suunast, {1}; ükski punkt teel sinna ei küüni selleni.</translation>
     </message>
     <message>
         <source>A box has three</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukal on neid kolm</translation>
     </message>
     <message>
         <source>This counts the directions of the box. Only a direction that is not parallel to the picture has a vanishing point, {0}; edges that are parallel to the picture stay parallel in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse risttahuka suundi. Koondumispunkt on ainult suunal, mis ei ole pildiga paralleelne, {0}; pildiga paralleelsed servad jäävad sellel paralleelseks.</translation>
     </message>
     <message>
         <source>Join the two images</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühendage kaks kujutist</translation>
     </message>
     <message>
         <source>This divides both ends and joins the results. An end behind the eye has {0}, and its image is mirrored. The right image of the segment runs through infinity, not between the two, so cut the segment in front of the eye before dividing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. Silma taga oleval otsal on {0} ja selle kujutis on peegeldatud. Lõigu õige kujutis läheb läbi lõpmatuse, mitte nende kahe vahelt, seepärast lõigake lõik enne jagamist silma eest läbi.</translation>
     </message>
     <message>
         <source>The middle of the picture is the middle of the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi keskkoht on serva keskkoht</translation>
     </message>
     <message>
         <source>This interpolates {0} itself on the screen. There {1} and {2} are linear, so {3}, and the middle of the picture shows a place that is closer to the nearer end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii interpoleeritakse ekraanil {0} ise. Seal on lineaarsed {1} ja {2}, seega {3}, ja pildi keskkoht näitab kohta, mis on lähemale otsale lähemal.</translation>
     </message>
     <message>
         <source>A lamp is a sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp on päike</translation>
     </message>
     <message>
         <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse lambi asukoht suunaks, mis on kõigil kiirtel ühine. Lambist on igal kiirel oma suund, {0}, ja see kohtab maad kohas {1}; ainult päike on nii kaugel, et kõik kiired on paralleelsed.</translation>
     </message>
     <message>
         <source>As sharp behind as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Taga sama terav kui ees</translation>
     </message>
     <message>
         <source>This puts the far limit as far behind the focus as the near limit is in front of it. The limits are {0} and {1}. Their reciprocals are equally far from {2}, so the sharp range reaches farther behind than in front, and it has no end from {3} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaugem piir fookuse taha sama kaugele, kui lähem piir on selle ees. Piirid on {0} ja {1}. Nende pöördarvud on arvust {2} võrdsel kaugusel, nii et terav vahemik ulatub taga kaugemale kui ees, ja alates {3} ei ole sellel lõppu.</translation>
     </message>
     <message>
         <source>Zooming is walking</source>
-        <translation type="unfinished"></translation>
+        <translation>Suumimine on kõndimine</translation>
     </message>
     <message>
         <source>This keeps the size ratio of the old place after a walk. A zoom enlarges the whole picture by one factor, but sizes are proportional to one over the distance. Walking therefore changes {0}, the size ratio of a thing and an equal one {1} behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse pärast kõndimist alles vana koha suuruste suhe. Suum suurendab kogu pilti sama arv kordi, aga suurused on võrdelised kauguse pöördarvuga. Kõndimine muudab seepärast suurust {0}, mis on asja ja sellest {1} tagapool oleva võrdse asja suuruste suhe.</translation>
     </message>
     <message>
         <source>More places than pixels are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Piisab, kui kohti on rohkem kui piksleid</translation>
     </message>
     <message>
         <source>This counts the places of a coordinate against the pixels of a picture. The places are spread over the whole scene, {0} apart, and a picture may show a small part of it: there the gap between two of 65 536 places can be wider than a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võrreldakse koordinaadi kohtade arvu pildi pikslite arvuga. Kohad on jaotatud üle kogu stseeni, vahega {0}, ja pilt võib näidata sellest väikest osa: seal võib kahe koha vahe, olgugi kohti 65 536, olla pikslist laiem.</translation>
     </message>
     <message>
         <source>Seven digits, so seven are right</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitse numbrit, seega on õiged seitse</translation>
     </message>
     <message>
         <source>This takes the digits of a coordinate for those of the picture. A float32 keeps 24 bits of the whole number; when eye and vertex, both near 1 000 000, are subtracted, the leading digits go and the rounding stays, so two or three digits are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse pildi numbriteks koordinaadi numbrid. float32 hoiab kogu arvust 24 bitti; kui silm ja tipp, mõlemad 1 000 000 lähedal, lahutatakse, kaovad esimesed numbrid ja ümardusviga jääb, nii et järele jääb kaks või kolm numbrit.</translation>
     </message>
     <message>
         <source>An error is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Viga on kõikjal sama</translation>
     </message>
     <message>
         <source>This takes the error in the scene for the error in the picture. A vertex is stored wrong by a fixed length, but a length is drawn with {0} pixels a unit: twice as near, every error is twice as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse veaks pildil viga stseenis. Tipp on salvestatud kindla pikkusega veaga, aga pikkus joonistatakse nii, et ühikus on {0} pikslit: kaks korda lähemal on iga viga kaks korda suurem.</translation>
     </message>
     <message>
         <source>Seven digits, so 360 steps keep five</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitse numbrit, seega jääb 360 sammuga alles viis</translation>
     </message>
     <message>
         <source>This takes the digits of the format for those of the result. How much a step loses depends on what it does: with a fast inverse square root each renormalising is off by 0.17 %, and after one round two digits are left, in float32 and in float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse tulemuse numbriteks vormingu numbrid. Kui palju samm kaotab, sõltub sellest, mida see teeb: kiire pöördruutjuurega on iga uuesti normeerimise viga 0.17 % ja pärast üht ringi jääb järele kaks numbrit, nii float32-s kui ka float64-s.</translation>
     </message>
     <message>
         <source>Renormalising repairs the direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Uuesti normeerimine parandab suuna</translation>
     </message>
     <message>
         <source>This expects of axes that are made orthonormal again that they point where they should. Renormalising knows the lengths, 1, and the angles between the axes, 90°. It does not know where the camera should look, so the drift of the direction stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii oodatakse telgedelt, mis on jälle ortonormeeritud, et need näitavad sinna, kuhu peaksid. Uuesti normeerimine teab pikkusi, 1, ja telgede vahelisi nurki, 90°. See ei tea, kuhu kaamera vaatama peaks, nii et suuna triiv jääb.</translation>
     </message>
     <message>
         <source>Logarithmic depth is always better</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritmiline sügavus on alati parem</translation>
     </message>
     <message>
         <source>This takes a better spread of digits for a better depth. A logarithm at each pixel is right everywhere; at the vertices it is interpolated linearly on the screen, where only {0} is linear. A piece whose far end is {1} times as far as its near end is drawn up to {2} times too far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse numbrikohtade paremat jaotust paremaks sügavuseks. Logaritm igas pikslis on kõikjal õige; tippudes arvutatuna interpoleeritakse seda ekraanil lineaarselt, kus lineaarne on ainult {0}. Tükk, mille kaugem ots on {1} korda nii kaugel kui lähem, joonistatakse kuni {2} korda liiga kaugele.</translation>
     </message>
     <message>
         <source>Fine enough is equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Piisavalt peen on võrdne</translation>
     </message>
     <message>
         <source>This takes a small error for none. Two grids put the same vertex at two places, however many bits they have: more bits make the gap narrower, and from near enough it is seen again. Only a common grid rounds both copies alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse väikest viga olematuks. Kaks ruudustikku panevad sama tipu kahte kohta, olgu bitte kui palju tahes: rohkem bitte teeb pilu kitsamaks ja piisavalt lähedalt on seda jälle näha. Ainult ühine ruudustik ümardab mõlemat koopiat ühtemoodi.</translation>
     </message>
     <message>
         <source>The inverse undoes exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördmaatriks võtab täpselt tagasi</translation>
     </message>
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse paberil olevat pöördmaatriksit arvutis olevaks. Selle lahtrid on ümardatud ja ümardatud on ka iga korrutis. Alguspunktist kaugel on silma koordinaadid suured ja pöördmaatriks korrutab need ümardatud arvude väikese vahega: float32 läheb punktist mööda protsentide võrra selle kaugusest.</translation>
     </message>
 </context>
 <context>
     <name>l01-camera-frame</name>
     <message>
         <source>The camera&apos;s own axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera enda teljed</translation>
     </message>
     <message>
         <source>Which way does n point?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu näitab n?</translation>
     </message>
     <message>
         <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaameral on kolm ühikvektorit: {0} näitab paremale, {1} üles ja {2} on vaatekiire sihis. Loeng 001 paneb kaamera kohale {3} ja laseb sel vaadata piki maailma {4}-telge; F-täht on 8 ühikut eespool. **Maailm** näitab silma {5}, vaatekiirt sihtpunkti {6} ja ülesvektorit {7}. Vektorit {8} veel ei ole.</translation>
     </message>
     <message>
         <source>What is {0} of this camera?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline on selle kaamera {0}?</translation>
     </message>
     <message>
         <source>(1, 0, 0), the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(1, 0, 0), suund, milles see vaatab</translation>
     </message>
     <message>
         <source>The camera looks along {0}: {1} runs from the target back to the eye. Look at its arrow: it points away from the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab suunas {0}: {1} on suunatud sihtpunktist tagasi silma. Vaadake selle noolt: see näitab F-ist eemale.</translation>
     </message>
     <message>
         <source>(-1, 0, 0), opposite to the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(-1, 0, 0), vastupidine suunale, milles see vaatab</translation>
     </message>
     <message>
         <source>(0, 0, -1), as for every camera</source>
-        <translation type="unfinished"></translation>
+        <translation>(0, 0, -1), nagu igal kaameral</translation>
     </message>
     <message>
         <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on suund, milles see vaatab omaenda koordinaatides, pärast vaatemaatriksit. Maailmas vaatab see suunas +x. Vaadake vektorit {0}: see on piki maailma x-telge, mitte piki z-telge.</translation>
     </message>
     <message>
         <source>n runs from the target back to the eye. The camera looks along {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>n on suunatud sihtpunktist tagasi silma. Kaamera vaatab suunas {0}.</translation>
     </message>
     <message>
         <source>Eye, target, up: then u, v, n</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm, siht, üles: siis u, v, n</translation>
     </message>
     <message>
         <source>The eye {0} is at {1}, the target {2} at the origin, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm {0} on kohal {1}, sihtpunkt {2} alguspunktis ja {3}.</translation>
     </message>
     <message>
         <source>{0}; its length is 3, so {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; selle pikkus on 3, seega {1}.</translation>
     </message>
     <message>
         <source>{0}; its length is only 0.745, so it is divided too: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; selle pikkus on ainult 0.745, nii et ka see jagatakse: {1}.</translation>
     </message>
     <message>
         <source>{0}; {1} and {2} are unit vectors at a right angle, so {3} needs no division.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; {1} ja {2} on ristuvad ühikvektorid, nii et {3} jagamist ei vaja.</translation>
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneelis *Kaamerafreim* ehitavad **Tagasi** ja **Edasi** need ükshaaval.</translation>
     </message>
     <message>
         <source>V is not v</source>
-        <translation type="unfinished"></translation>
+        <translation>V ei ole v</translation>
     </message>
     <message>
         <source>The up vector {0} only says roughly which way is up. Here it is {1}, and the camera looks slightly down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülesvektor {0} ütleb ainult ligikaudu, kus on üles. Siin on see {1} ja kaamera vaatab veidi alla.</translation>
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörake {0} vektorist {1} eemale, kuni nendevaheline nurk on 30° või rohkem.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
-        <translation type="unfinished"></translation>
+        <translation>v on alati vaatekiirega risti. Mis kallutab vaatekiirt?</translation>
     </message>
     <message>
         <source>Raise the eye: Elevation in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tõstke silma: Tõusunurk külgribal.</translation>
     </message>
     <message>
         <source>Right: v has the direction of the part of V at a right angle to the line of sight. Only for a camera that looks level are the two the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: v suund on see osa V-st, mis on vaatekiirega risti. Ainult horisontaalselt vaatava kaamera puhul on need kaks samad.</translation>
     </message>
     <message>
         <source>The length of a cross product</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektorkorrutise pikkus</translation>
     </message>
     <message>
         <source>A cross product of two unit vectors has length 1 only if they are at a right angle to each other. {0} and {1} are seldom at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahe ühikvektori vektorkorrutise pikkus on 1 ainult siis, kui need on teineteisega risti. {0} ja {1} on harva risti.</translation>
     </message>
     <message>
         <source>Eye (2, 3, 6), target at the origin, {0}. How large is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm (2, 3, 6), sihtpunkt alguspunktis, {0}. Kui suur on {1}?</translation>
     </message>
     <message>
         <source>This takes {0} itself for {1}. Look at the two arrows: {2} is at a right angle to {3}, and {4} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {1} vektor {0} ise. Vaadake kaht noolt: {2} on vektoriga {3} risti, aga {4} mitte.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1, because {1} and {2} are not at a right angle. Look at them, and divide by the length before the second product.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on 1-st lühem, sest {1} ja {2} ei ole risti. Vaadake neid ja jagage pikkusega enne teist korrutist.</translation>
     </message>
     <message>
         <source>N = (2, 3, 6) is 7 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>N = (2, 3, 6), pikkusega 7.</translation>
     </message>
     <message>
         <source>{0}. Its length is not 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Selle pikkus ei ole 1.</translation>
     </message>
     <message>
         <source>{0} is 0.904 long, so {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on 0.904, seega {1} ja {2}.</translation>
     </message>
     <message>
         <source>The last column of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriksi viimane veerg</translation>
     </message>
     <message>
         <source>The view matrix first moves the eye to the origin, then rotates: {0}, where the rows of {1} are {2}, {3}, {4}. Its last column is therefore {5} times minus the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks viib enne silma alguspunkti ja pöörab siis: {0}, kus maatriksi {1} read on {2}, {3}, {4}. Selle viimane veerg on seepärast {5} korda miinus silm.</translation>
     </message>
     <message>
         <source>The same camera: eye (2, 3, 6), target at the origin. Which number stands in row 3, column 4 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama kaamera: silm (2, 3, 6), sihtpunkt alguspunktis. Milline arv on vaatemaatriksi reas 3 ja veerus 4?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja nihutatakse siis. Nihe mõjub esimesena, nii et rida {0} korrutab kõiki kolme selle arvu. Vaadake kaamerafreimi: sihtpunkt, maailma alguspunkt, on teljel.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is at the origin, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaamera oma kohale. Vaatemaatriks liigutab maailma, kuni silm on alguspunktis. Vaadake kaamerafreimi: silm on alguspunktis ja sihtpunkt selle ees.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Vaadake kaamerafreimi: {1} näitab tahapoole, seega on sihtpunktil, mis on maailma alguspunkt, negatiivne z.</translation>
     </message>
     <message>
         <source>Row 3 is n. What does it make of the moved origin, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 3 on n. Mis saab sellega nihutatud alguspunktist {0}?</translation>
     </message>
     <message>
         <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Maailma alguspunkt on kaamerast 7 ühikut eespool, seega on selle z seal {1}.</translation>
     </message>
     <message>
         <source>A camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera antud n-i jaoks</translation>
     </message>
     <message>
         <source>Now the other way round: find the camera for a given axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd vastupidi: leidke kaamera antud telje jaoks.</translation>
     </message>
     <message>
         <source>Give the camera {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andke kaamerale {0}.</translation>
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
-        <translation type="unfinished"></translation>
+        <translation>n-il kõrgust ei ole: kaamera vaatab horisontaalselt.</translation>
     </message>
     <message>
         <source>From the target, go along n to the eye: 6 along x for every 8 along z. Then Elevation is 0 and Azimuth 36.87.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge sihtpunktist piki n-i silma: 6 piki x-telge iga 8 kohta piki z-telge. Siis on Tõusunurk 0 ja Asimuut 36.87.</translation>
     </message>
     <message>
         <source>Right: any eye on the ray from the target along n will do. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: sobib iga silm kiirel sihtpunktist piki n-i. Kaugus ei loe.</translation>
     </message>
     <message>
         <source>Back to the camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi kaamera juurde kohal (4, 2, 0)</translation>
     </message>
     <message>
         <source>It is tempting to take {0} as the direction in which the camera looks, {1}. But {2} to the right, {3} up and the third axis must make a right-handed system, so the third one comes out of the picture, towards the reader: {4}. Lecture 001 calls it {5} and writes {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on võtta vektoriks {0} suund, milles kaamera vaatab, {1}. Aga {2} paremale, {3} üles ja kolmas telg peavad moodustama paremakäelise süsteemi, nii et kolmas tuleb pildist välja, lugeja poole: {4}. Loeng 001 nimetab selle {5} ja kirjutab {6}.</translation>
     </message>
     <message>
         <source>That is why what is in front of a camera has a *negative* z in its coordinates: the F, 8 units ahead, is at {0}. In *Camera frame*, row 3 of the matrix begins with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seepärast on sellel, mis on kaamera ees, kaamera koordinaatides *negatiivne* z: F, 8 ühikut eespool, on kohal {0}. Paneelis *Kaamerafreim* on maatriksi rea 3 alguses {1}.</translation>
     </message>
     <message>
         <source>Practise: how upright is v?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui püsti on v?</translation>
     </message>
     <message>
         <source>Eye {0} and target {1} are new each time; {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm {0} ja sihtpunkt {1} on iga kord uued; {2}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. How large is {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1}. Kui suur on {2}?</translation>
     </message>
     <message>
         <source>{0}, divided by its length, is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, jagatuna oma pikkusega, on {1}.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1. Divide it by its length before you form {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on 1-st lühem. Jagage see oma pikkusega, enne kui moodustate {1}.</translation>
     </message>
     <message>
         <source>{0} is {1} long, {2} only {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}, {2} pikkus ainult {3}.</translation>
     </message>
     <message>
         <source>Practise: a row of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: vaatemaatriksi rida</translation>
     </message>
     <message>
         <source>The view matrix is {0}: {1} moves the eye {2} to the origin, and the rows of {3} are {4}, {5}, {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks on {0}: {1} viib silma {2} alguspunkti ja maatriksi {3} read on {4}, {5}, {6}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. Which four numbers are in row 3 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1}. Millised neli arvu on vaatemaatriksi reas 3?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so {0} multiplies all three numbers of {1}. Look at view space: the eye is at the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja nihutatakse siis. Nihe mõjub esimesena, nii et {0} korrutab vektori {1} kõiki kolme arvu. Vaadake kaamerafreimi: silm on alguspunktis.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is there, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaamera oma kohale. Vaatemaatriks liigutab maailma, kuni silm on alguspunktis. Vaadake kaamerafreimi: silm on seal ja sihtpunkt selle ees.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, away from the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Vaadake kaamerafreimi: {1} näitab tahapoole, sihtpunktist eemale.</translation>
     </message>
     <message>
         <source>{0} is {1} long.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} is {1}. What does it make of the moved origin, {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} rida 3 on {1}. Mis saab sellega nihutatud alguspunktist {2}?</translation>
     </message>
     <message>
         <source>{0} is {1} long. Row 3 begins with {2} and ends with {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}. Rea 3 alguses on {2} ja lõpus {3}.</translation>
     </message>
     <message>
         <source>Practise: a camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaamera antud n-i jaoks</translation>
     </message>
     <message>
         <source>Use *Azimuth* and *Elevation* in the dock, drag the eye in **World**, or type its coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasutage külgriba sätteid *Asimuut* ja *Tõusunurk*, lohistage silma paanis **Maailm** või sisestage selle koordinaadid.</translation>
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andke kaamerale selline {0}, mille suund on {1}.</translation>
     </message>
     <message>
         <source>{0} runs from the target to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on suunatud sihtpunktist silma.</translation>
     </message>
     <message>
         <source>The tangent of the azimuth is {0}. The tangent of the elevation is {1}, divided by the length of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asimuudi tangens on {0}. Tõusunurga tangens on {1}, jagatud vektori {2} pikkusega.</translation>
     </message>
     <message>
         <source>The eye is on the ray from the target along {0}: {1}. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kiirel sihtpunktist suunas {0}: {1}. Kaugus ei loe.</translation>
     </message>
     <message>
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teie kaamera vaatab suunas {0}. Vaadake selle vektorit {1}: see näitab teisele poole, sihtpunktist silma.</translation>
     </message>
 </context>
 <context>
     <name>l02-columns</name>
     <message>
         <source>The columns are the axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerud on teljed</translation>
     </message>
     <message>
         <source>First rotate, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne pööre, siis nihe</translation>
     </message>
     <message>
         <source>An object has coordinates of its own; {0} takes them to the world. Here {1}: the object is turned by 90° about z, then moved by 3 along x. With column vectors the matrix on the right acts first. In **World** the letter F still stands where it was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektil on omad koordinaadid; {0} viib need maailma. Siin {1}: objekti pööratakse 90° ümber z-telje ja nihutatakse siis 3 võrra piki x-telge. Veeruvektorite puhul mõjub esimesena parempoolne maatriks. Paanis **Maailm** on F-täht veel seal, kus see tehti.</translation>
     </message>
     <message>
         <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrgele maapinnast, y-sihis, satub objekti punkt (1, 0, 0) maailmas?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: objekti punkt satuks sinna, kõrgusele 4.</translation>
     </message>
     <message>
         <source>The move alone keeps it on the ground, but the turn by 90° takes x to y. Look at point 1: it is where the move alone takes the point, on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe üksi jätab selle maapinnale, aga 90° pööre viib x-i y-iks. Vaadake punkti 1: see on seal, kuhu nihe üksi punkti viib, maapinnal.</translation>
     </message>
     <message>
         <source>The turn takes (1, 0, 0) to (0, 1, 0), and then the move takes that to (3, 1, 0): probe 1 in World.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pööre viib punkti (1, 0, 0) punktiks (0, 1, 0) ja siis viib nihe selle punktiks (3, 1, 0): sond 1 paanis Maailm.</translation>
     </message>
     <message>
         <source>Read the matrix by columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugege maatriksit veergude kaupa</translation>
     </message>
     <message>
         <source>In *Matrices*, world ← object holds the turn and the move:</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneelis *Maatriksid* sisaldab maailm ← objekt pööret ja nihet:</translation>
     </message>
     <message>
         <source>x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>x-telg</translation>
     </message>
     <message>
         <source>y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>y-telg</translation>
     </message>
     <message>
         <source>z axis</source>
-        <translation type="unfinished"></translation>
+        <translation>z-telg</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>alguspunkt</translation>
     </message>
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
         <source>An axis straight up</source>
-        <translation type="unfinished"></translation>
+        <translation>Telg otse üles</translation>
     </message>
     <message>
         <source>The object is back in its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt on tagasi oma kohal.</translation>
     </message>
     <message>
         <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Paigutage objekt nii, et selle x-telg näitab otse üles: maatriksi maailm ← objekt veerg 1 on (0, 1, 0, 0).</translation>
     </message>
     <message>
         <source>Open Object in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avage külgribal Objekt.</translation>
     </message>
     <message>
         <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation type="unfinished"></translation>
+        <translation>90° pööre ümber z-telje viib x-telje y-teljeks.</translation>
     </message>
     <message>
         <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: veerg ütleb, kuhu telg näitab, olgu teised veerud millised tahes.</translation>
     </message>
     <message>
         <source>A cell of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörde lahter</translation>
     </message>
     <message>
         <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pööre ümber z-telje nurga {0} võrra viib x-telje vektoriks {1} ja y-telje vektoriks {2}. Siin on tähte pööratud 30°.</translation>
     </message>
     <message>
         <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline arv on maatriksi {0} reas 2 ja veerus 1?</translation>
     </message>
     <message>
         <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on rida 1, veerg 2. Veerg 1 on x-telg pärast pööret. Vaadake tähe enda x-telge: see tõuseb, seega on selle y positiivne.</translation>
     </message>
     <message>
         <source>The sine takes my 30</source>
-        <translation type="unfinished"></translation>
+        <translation>Siinusele kõlbab minu 30</translation>
     </message>
     <message>
         <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on 30 radiaani siinus. 30 kraadi on {0} radiaani. Vaadake tähte, mida on pööratud 30 radiaani: selle x-telg näitab alla.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on x-telg pärast pööret. Rida 2 on selle y.</translation>
     </message>
     <message>
         <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>x-telg tõuseb sin 30° = 0.5 võrra. Rida 1, veerg 2 on {0}, pööratud y-telje x.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt läbi T ja R</translation>
     </message>
     <message>
         <source>The letter is turned by 30° about z and then moved by 4 along x: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse 30° ümber z-telje ja nihutatakse siis 4 võrra piki x-telge: {0}.</translation>
     </message>
     <message>
         <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on objekti punkti (2, 1, 0) x maailmas?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud −30°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>2 times column 1, plus 1 times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 korda veerg 1, pluss 1 kord veerg 2, pluss veerg 4.</translation>
     </message>
     <message>
         <source>cos 30° = 0.866, sin 30° = 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>cos 30° = 0.866, sin 30° = 0.5</translation>
     </message>
     <message>
         <source>Where must it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu see nihkuma peab?</translation>
     </message>
     <message>
         <source>The letter is turned by 90° about z. Probe 1 in **World** is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte on pööratud 90° ümber z-telje. Sond 1 paanis **Maailm** on kohal {0}.</translation>
     </message>
     <message>
         <source>Keep the turn, and move the object so that its point (1, 0, 0) comes to probe 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke pööre samaks ja nihutage objekti nii, et selle punkt (1, 0, 0) satub sondi 1.</translation>
     </message>
     <message>
         <source>Where is the point now, when it is turned but not moved?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on see punkt praegu, kui seda on pööratud, aga mitte nihutatud?</translation>
     </message>
     <message>
         <source>It is at (0, 1, 0), and it must go to (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kohal (0, 1, 0) ja peab minema kohta (2, 3, 0).</translation>
     </message>
     <message>
         <source>Right: column 1 plus column 4 is (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: veerg 1 pluss veerg 4 on (2, 3, 0).</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Objekt* on **Järjekord** R T S.</translation>
     </message>
     <message>
         <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>T R S-iga pööratakse tähte paigal ja nihutatakse siis ning veerg 4 on nihe nii, nagu te selle sisestasite. R T S-iga on veerg 4 nihe pärast pööret, {0}.</translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pöörde maatriks</translation>
     </message>
     <message>
         <source>The letter is turned about z by an angle {0}. Seen from the tip of z, a positive angle turns it anticlockwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse ümber z-telje nurga {0} võrra. z-telje otsast vaadates pöörab positiivne nurk seda vastupäeva.</translation>
     </message>
     <message>
         <source>Here {0}. Which numbers are in rows 1 and 2, columns 1 and 2 of {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}. Millised arvud on maatriksi {1} ridades 1 ja 2, veergudes 1 ja 2?</translation>
     </message>
     <message>
         <source>This has rows and columns exchanged, which turns the letter the other way. Look at its own axes: they are turned by {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on read ja veerud vahetuses, mis pöörab tähte teistpidi. Vaadake selle enda telgi: neid on pööratud {0}°.</translation>
     </message>
     <message>
         <source>My degrees are radians</source>
-        <translation type="unfinished"></translation>
+        <translation>Minu kraadid on radiaanid</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}° asemel {1} radiaani. Vaadake tähte, mida on pööratud nii palju radiaane.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on pööratud tähe x-telg, veerg 2 selle y-telg.</translation>
     </message>
     <message>
         <source>Column 1 is where the x axis points after the turn, column 2 where the y axis points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on see, kuhu x-telg pärast pööret näitab, veerg 2 see, kuhu näitab y-telg.</translation>
     </message>
     <message>
         <source>Practise: turn, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pööre, siis nihe</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse ümber z-telje nurga {0} võrra ja nihutatakse siis piki x-telge: {1}. Punkt 1 on seal, kuhu satub tähe enda ruumi punkt.</translation>
     </message>
     <message>
         <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0} ja nihe on {1} piki x-telge. Kui suur on objekti punkti {2} x maailmas?</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud {0}°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>{0} times column 1, plus {1} times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} korda veerg 1, pluss {1} korda veerg 2, pluss veerg 4.</translation>
     </message>
     <message>
         <source>The x of column 1 is {0}, and the x of column 2 is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veeru 1 x on {0} ja veeru 2 x on {1}.</translation>
     </message>
     <message>
         <source>First the turn, then the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne pööre, siis nihe.</translation>
     </message>
     <message>
         <source>Practise: bring a point to its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: viige punkt oma kohale</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja veel ei ole nihutatud. Selle nihe on külgribal jaotises *Objekt*.</translation>
     </message>
     <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke pööre {0}° samaks ja nihutage tähte nii, et selle punkt {1} satub sondi 1, mis on kohal {2}.</translation>
     </message>
     <message>
         <source>Where does the turn alone take {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu viib pööre üksi punkti {0}?</translation>
     </message>
     <message>
         <source>To {0}. The move adds to that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktiks {0}. Nihe liidetakse sellele.</translation>
     </message>
     <message>
         <source>Column 1 plus column 4 is {0}: {1} {2} and {3} {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 pluss veerg 4 on {0}: {1} {2} ja {3} {4}.</translation>
     </message>
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See nihe on õige, kui see mõjub enne pööret. Vaadake tähte järjekorraga R T S: ainult seal viib see punkti sondi 1.</translation>
     </message>
 </context>
 <context>
@@ -946,7 +946,7 @@
     </message>
     <message>
         <source>The number in *Field of view* is the vertical angle, from the bottom of the picture to its top. The picture is 16 wide and 9 high. **World**, seen from *Above*, shows half of the horizontal angle at the eye: {0}.</source>
-        <translation>*Frustumi nurga* arv on vertikaalne nurk, pildi alumisest servast ülemiseni. Pildi laius on 16 ja kõrgus 9. **Maailm**, vaadatuna *Ülalt*, näitab silma juures poolt horisontaalsest nurgast: {0}.</translation>
+        <translation>Väljal *Frustumi nurk* olev arv on vertikaalne nurk, pildi alumisest servast ülemiseni. Pildi laius on 16 ja kõrgus 9. **Maailm**, vaadatuna *Ülalt*, näitab silma juures poolt horisontaalsest nurgast: {0}.</translation>
     </message>
     <message>
         <source>The vertical angle is set to 60°. How large is the horizontal one?</source>
@@ -2500,255 +2500,255 @@
     <name>l09-pyramid-to-cube</name>
     <message>
         <source>From the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiidist kuubiks</translation>
     </message>
     <message>
         <source>Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu läheb lähitasand?</translation>
     </message>
     <message>
         <source>Every lens has a volume of its own. Lecture 001 brings them all into one pyramid first: {0} moves the far plane to {1} and the sides of the picture to {2}. Here {3} and {4}, and the strip under the large cube is at *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Igal objektiivil on oma nähtav ruum. Loeng 001 viib need kõik enne ühte püramiidi: {0} viib kaugtasandi kohta {1} ja pildi küljed kohta {2}. Siin {3} ja {4} ning suure kuubi all olev riba on peatuses *Vaade*.</translation>
     </message>
     <message>
         <source>The strip goes on to *Pyramid*: the far plane moves from {0} to {1}. Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Riba läheb edasi peatusse *Püramiid*: kaugtasand liigub kohast {0} kohta {1}. Kuhu läheb lähitasand?</translation>
     </message>
     <message>
         <source>It stays at z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>See jääb kohale z = −1</translation>
     </message>
     <message>
         <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} jagab arvuga {1} iga sügavuse, mitte ainult kaugtasandi oma. Vaadake lähitasandit: see on kohal −0.111, silma lähedal.</translation>
     </message>
     <message>
         <source>At z = −0.111</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohale z = −0.111</translation>
     </message>
     <message>
         <source>At z = 0, with the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohale z = 0, silma</translation>
     </message>
     <message>
         <source>{0} is the eye. {1} only scales: a plane that is in front of the eye stays in front of it. Look at near and the eye: they are 0.111 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on silm. {1} ainult skaleerib: silma ees olev tasand jääb selle ette. Vaadake lähitasandit ja silma: nende vahe on 0.111.</translation>
     </message>
     <message>
         <source>{0} only scales. All depths are divided by {1}, so the near plane is at {2}, and the eye stays at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ainult skaleerib. Kõik sügavused jagatakse suurusega {1}, seega on lähitasand kohal {2} ja silm jääb kohale 0.</translation>
     </message>
     <message>
         <source>The two factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks tegurit</translation>
     </message>
     <message>
         <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Maatriksid* näitab ahelat loengu tähtedega ja tõstab esile riba peatuse maatriksi. {0} jagab z-i suurusega {1}: siin {2}.</translation>
     </message>
     <message>
         <source>{0} turns the pyramid into a box. Its third row ends in {1} and {2}, here 1.125 and 0.125, and its last row gives {3}. Try it on both planes:</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidist risttahuka. Selle kolmanda rea lõpus on {1} ja {2}, siin 1.125 ja 0.125, ning viimane rida annab {3}. Proovige mõlema tasandiga:</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>numerator</source>
-        <translation type="unfinished"></translation>
+        <translation>lugeja</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>z of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>risttahuka z</translation>
     </message>
     <message>
         <source>c</source>
-        <translation type="unfinished"></translation>
+        <translation>c</translation>
     </message>
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib vahemiku 0 … −1 OpenGL-i vahemikku −1 … 1: {1}. Klõpsake kuubi all *Püramiid*, *Risttahukas* ja *NDC*.</translation>
     </message>
     <message>
         <source>Half-way through the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas poolel teel</translation>
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sond 1 on fikseeritud F-i punkti, mis on silmast 7.5 eespool. {0} risttahukas on NDC-s {1}; seda näitab paneel Sond.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige punkt 1 risttahukas kohta z = −1/2: lähi- ja kaugtasandiga, kaameraga või punkti endaga.</translation>
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lähitasand = 6, on punkt maailmas tasandite vahel poolel teel. Kus on see siis risttahukas?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on sügavusel {1}, mis on suurusele {2} lähemal kui suurusele {3}.</translation>
     </message>
     <message>
         <source>The middle of the box is not the middle of the pyramid: the space close behind near fills half of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka keskkoht ei ole püramiidi keskkoht: ruum kohe lähitasandi taga täidab poole risttahukast.</translation>
     </message>
     <message>
         <source>The cells of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahela lahtrid</translation>
     </message>
     <message>
         <source>Compute before you open *Matrices*. In this step {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvutage, enne kui avate *Maatriksid*. Selles sammus {0} ja {1}.</translation>
     </message>
     <message>
         <source>What is in row 3, column 4 of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on maatriksi {0} reas 3 ja veerus 4?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is closer to the eye, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}. Teel püramiidi jagatakse iga sügavus suurusega {1}. Vaadake lähitasandit: see on silmale lähemal, kohal {2}.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the box: near comes to 0 and far to {2}; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}. Vaadake risttahukat: lähitasand satub kohale 0 ja kaugtasand kohale {2}; vahetatult oleksid need vastupidi.</translation>
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished">{0}, kus {1}.</translation>
+        <translation>{0}, kus {1}.</translation>
     </message>
     <message>
         <source>{0}, here 0.5/8.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, siin 0.5/8.5.</translation>
     </message>
     <message>
         <source>And in row 3, column 3 of the product {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja korrutise {0} reas 3 ja veerus 3?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth from 0 … −1 to −1 … 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mõjub esimesena, seega on see paremal. Vaadake risttahukat, mille see teeb: alles siis venitab {1} selle sügavuse vahemikust 0 … −1 vahemikku −1 … 1.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the cube: near comes to {2} and far to 1; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}. Vaadake kuupi: lähitasand satub kohale {2} ja kaugtasand kohale 1; vahetatult oleksid need vastupidi.</translation>
     </message>
     <message>
         <source>Third row of {0} times third column of {1}: {2} times one cell, and {3} times another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} kolmas rida korda maatriksi {1} kolmas veerg: {2} korda üks lahter ja {3} korda teine.</translation>
     </message>
     <message>
         <source>{0}. That is {1}, which other lectures derive in one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. See on {1}, mille teised loengud tuletavad ühe sammuga.</translation>
     </message>
     <message>
         <source>A near plane of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand teie valikul</translation>
     </message>
     <message>
         <source>The pyramid keeps its shape for every lens. Only {0} differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiid säilitab oma kuju iga objektiivi jaoks. Erineb ainult {0}.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at z = −0.2 in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke lähi- või kaugtasand nii, et lähitasand on püramiidis kohal z = −0.2.</translation>
     </message>
     <message>
         <source>The title of the large pane shows {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suure paani pealkiri näitab {0}.</translation>
     </message>
     <message>
         <source>In {0} only the quotient matters: 1.8 to 9 gives the same pyramid as 1 to 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaldises {0} loeb ainult jagatis: 1.8 ja 9 annavad sama püramiidi mis 1 ja 5.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on jätta lähitasand oma kohale {0}, sest see samm käib kaugtasandi kohta. Aga maatriks, mis z-i skaleerib, liigutab iga sügavust; kui lähitasand paigale jääks, oleks see kaugtasandil. Alles jääb ainult kahe kauguse jagatis {1} ja sellest koosneb {2}. Laske ribal veel kord peatusest *Maailm* peatuseni *NDC* joosta: püramiidis on lähitasand silmast 0.111 kaugusel ja lõpus on see terve kuubi tahk.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: püramiidist risttahukaks</translation>
     </message>
     <message>
         <source>{0} takes the pyramid, whose near plane is at {1} and whose far plane is at {2}, to a box from 0 to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidist, mille lähitasand on kohal {1} ja kaugtasand kohal {2}, risttahuka kohast 0 kohani {3}.</translation>
     </message>
     <message>
         <source>The near plane is {0} in front of the eye, the far plane {1}. What is in row 3 of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on silmast {0} eespool, kaugtasand {1}. Mis on maatriksi {2} reas 3?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}. Teel püramiidi jagatakse iga sügavus suurusega {1}. Vaadake lähitasandit: see on kohal {2}.</translation>
     </message>
     <message>
         <source>The row ends in {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rea lõpus on {0} ja {1}.</translation>
     </message>
     <message>
         <source>{0} and {1} with {2}: near comes to 0, and far to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, kus {2}: lähitasand satub kohale 0 ja kaugtasand kohale {3}.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: püramiidist kuubiks</translation>
     </message>
     <message>
         <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib risttahuka kohast 0 kohani {1} OpenGL-i sügavustele kohast {2} kohani {3}: {4}, ja {5} jääb samaks. Esimesena tuleb {6}.</translation>
     </message>
     <message>
         <source>With {0} and {1}, what is in rows 3 and 4, columns 3 and 4 of the product {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0} ja {1}, mis on korrutise {2} ridades 3 ja 4, veergudes 3 ja 4?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mõjub esimesena, seega on see paremal. Vaadake risttahukat, mille see teeb: alles siis venitab {1} selle sügavust.</translation>
     </message>
     <message>
         <source>In these rows and columns {0} is {1} above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nendes ridades ja veergudes on {0} {1} ja selle all {2}.</translation>
     </message>
     <message>
         <source>{0} is {1} above {2} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on seal {1} ja selle all {2}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} takes {1} times row 3 of {2} and {3} times its row 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} rida 3 võtab {1} korda maatriksi {2} rida 3 ja {3} korda selle rida 4.</translation>
     </message>
     <message>
         <source>Practise: choose the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: valige püramiid</translation>
     </message>
     <message>
         <source>In the canonical pyramid the far plane is at {0}. The lens decides where the near plane is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanoonilises püramiidis on kaugtasand kohal {0}. Kus on lähitasand, otsustab objektiiv.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at {0} in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke lähi- või kaugtasand nii, et lähitasand on püramiidis kohal {0}.</translation>
     </message>
     <message>
         <source>All depths are divided by {0} on the way into the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teel püramiidi jagatakse kõik sügavused suurusega {0}.</translation>
     </message>
     <message>
         <source>{0}: only the quotient of the two distances matters. If far stays at {1}, near is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: loeb ainult kahe kauguse jagatis. Kui kaugtasandiks jääb {1}, on lähitasand {2}.</translation>
     </message>
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii on lähitasand maailmas silmast {0} eespool. Teel püramiidi jagatakse kõik sügavused suurusega {1}. Vaadake lähitasandit: see on palju liiga lähedal, püramiidis kohal {2}/{3}.</translation>
     </message>
 </context>
 <context>
@@ -3476,299 +3476,299 @@
     <name>l13-homogeneous</name>
     <message>
         <source>What w is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Milleks on w</translation>
     </message>
     <message>
         <source>Four numbers for a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Neli arvu ühe punkti jaoks</translation>
     </message>
     <message>
         <source>A point can be written with a fourth coordinate, {0}. Many such rows of numbers stand for the same point. With them, matrices can do what they cannot do with three numbers: translate and divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti võib kirjutada neljanda koordinaadiga {0}. Sama punkti esindab palju selliseid arvuridu. Nendega saavad maatriksid teha seda, mida kolme arvuga ei saa: nihutada ja jagada.</translation>
     </message>
     <message>
         <source>Which point of space is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline ruumi punkt on {0}?</translation>
     </message>
     <message>
         <source>(2, 4, −6); the 2 is dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>(2, 4, −6); 2 jäetakse ära</translation>
     </message>
     <message>
         <source>The fourth number is an extra</source>
-        <translation type="unfinished"></translation>
+        <translation>Neljas arv on lisand</translation>
     </message>
     <message>
         <source>The fourth number is not an extra: it is the divisor of the other three. Only if {0} can it be dropped. Look at points 1 and 2: {1} is another place than {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neljas arv ei ole lisand: sellega jagatakse teised kolm. Ainult siis, kui {0}, võib selle ära jätta. Vaadake punkte 1 ja 2: {1} on teine koht kui {2}.</translation>
     </message>
     <message>
         <source>None: four numbers are not a point of space</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte ükski: neli arvu ei ole ruumi punkt</translation>
     </message>
     <message>
         <source>They stand for one: divide the first three by the fourth. Many rows of four numbers stand for the same point. Look at point 1: it is the point that they stand for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Need esindavad üht punkti: jagage esimesed kolm neljandaga. Sama punkti esindab palju neljaarvulisi ridu. Vaadake punkti 1: see on punkt, mida need esindavad.</translation>
     </message>
     <message>
         <source>{0} is the point {1}. Type 2, 4, −6 and w = 2 in the Probe panel: it becomes point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on punkt {1}. Sisestage paneelis Sond 2, 4, −6 ja w = 2: sellest saab punkt 1.</translation>
     </message>
     <message>
         <source>The w of the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiivi w</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on kaamerafreimis {0}. Objektiivi maatriksi viimane rida on {1}, seega {2}, mis on sügavus. Kärperuumis ei ole veel midagi jagatud:</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>kärperuum</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>The matrix keeps straight lines straight. The division by {0}, which is not a matrix, makes far things small. *Probe* shows each in a row of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriks jätab sirged sirgeks. Jagamine suurusega {0}, mis ei ole maatriks, teeb kauged asjad väikeseks. *Sond* näitab kumbagi omas reas.</translation>
     </message>
     <message>
         <source>Without a w</source>
-        <translation type="unfinished"></translation>
+        <translation>Ilma w-ta</translation>
     </message>
     <message>
         <source>If {0}, the division is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, ei saa jagada.</translation>
     </message>
     <message>
         <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage kaamerat või punkti 1, kuni punkti w on kärperuumis 0, täpsusega 0.05.</translation>
     </message>
     <message>
         <source>{0} is the depth in front of the eye, here 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on sügavus silma ees, siin 5.</translation>
     </message>
     <message>
         <source>The distance is 8, and the point is 3 in front of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugus on 8 ja punkt on sihtpunktist 3 eespool.</translation>
     </message>
     <message>
         <source>The point lies beside the eye, in the eye plane: its image is at infinity, in no pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt on silma kõrval, silmatasandil: selle kujutis on lõpmatuses ega ole üheski pikslis.</translation>
     </message>
     <message>
         <source>Computing with w</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvutamine w-ga</translation>
     </message>
     <message>
         <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga küsimus on punkti {0} kohta pärast objektiivi maatriksit või sellise maatriksi kohta.</translation>
     </message>
     <message>
         <source>A point comes out of the matrix as {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksist tuleb välja punkt {0}. Kui suur on selle {1} NDC-s?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1, which has {1} and {2} in clip space: it is inside the cube, where {3} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on alles rea esimene arv. NDC-s jagatakse see viimasega, {0}. Vaadake punkti 1, millel on kärperuumis {1} ja {2}: see on kuubi sees, kus {3} on ülimalt 1.</translation>
     </message>
     <message>
         <source>w has the sign of z</source>
-        <translation type="unfinished"></translation>
+        <translation>w-l on z-i märk</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1, which has {3} and {4} in clip space: it is in the right half of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märk on muutunud: {0} juba ongi positiivne sügavus {1}, seega jagage suurusega {2} endaga. Vaadake punkti 1, millel on kärperuumis {3} ja {4}: see on pildi paremas pooles.</translation>
     </message>
     <message>
         <source>NDC is the result of the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC on jagamise tulemus.</translation>
     </message>
     <message>
         <source>{0}. The same w divides y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sama w jagab ka y-i ja z-i.</translation>
     </message>
     <message>
         <source>Lecture 000: with {0} in row 4, column 3 the matrix has 1 in row 1, column 1. Multiply the matrix by the {1} that makes row 4, column 3 equal to {2}; let {3}. What is in row 1, column 1 then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng 000: kui reas 4 ja veerus 3 on {0}, on maatriksi reas 1 ja veerus 1 1. Korrutage maatriks sellise arvuga {1}, et rea 4 ja veeru 3 lahtriks saab {2}; olgu {3}. Mis on siis reas 1 ja veerus 1?</translation>
     </message>
     <message>
         <source>One minus is left over</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks miinus jääb üle</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} annab {1}, mis on positiivne: miinus on mõlemal pool. Vaadake loengu stseenis suurust {2}: {3} on see pikkus.</translation>
     </message>
     <message>
         <source>{0} and {1} take a point to the same point. Multiply every cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1} viivad punkti samaks punktiks. Korrutage iga lahter.</translation>
     </message>
     <message>
         <source>{0}. All four resulting coordinates are four times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kõik neli tulemuse koordinaati on neli korda suuremad ja nende jagatised on samad.</translation>
     </message>
     <message>
         <source>w = 0 before the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w = 0 enne objektiivi</translation>
     </message>
     <message>
         <source>{0} is not a point but a direction: a *point at infinity*. A matrix takes it like any other row, and a translation leaves it unchanged. Here P is at {1} along z: its {2} is 0 in the world, yet it has an image, because its w in clip space is not 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ei ole punkt, vaid suund: *lõpmatuspunkt*. Maatriks teisendab seda nagu iga teist rida ja nihe jätab selle samaks. Siin on P kohal {1} piki z-telge: selle {2} on maailmas 0, ometi on sellel kujutis, sest selle w kärperuumis ei ole 0.</translation>
     </message>
     <message>
         <source>The image is 720 high and the field of view 70°. In which row is the image of the direction {0} in view space? Its {1} is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi kõrgus on 720 ja frustumi nurk 70°. Millises reas on kaamerafreimi suuna {0} kujutis? Selle {1} on {2}.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. {0} is positive, so the row is above the middle, 360. Look at the numbers beside the frame: 0 is at the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ridu loetakse ülalt. {0} on positiivne, seega on rida keskkohast 360 kõrgemal. Vaadake numbreid raami kõrval: 0 on üleval.</translation>
     </message>
     <message>
         <source>This is a point ten steps along a line in this direction. The point at infinity depends on the direction alone: {0}. Look at P at {1}: it has not reached its vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt kümme sammu mööda selle suuna sirget. Lõpmatuspunkt sõltub ainult suunast: {0}. Vaadake punkti P, kui {1}: see ei ole oma koondumispunkti jõudnud.</translation>
     </message>
     <message>
         <source>Row {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida {0}.</translation>
     </message>
     <message>
         <source>{0}, so row 102.9. All lines in this direction meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega rida 102.9. Kõik selle suuna sirged kohtuvad seal.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on lugeda neljandat arvu lisandiks ja see ära jätta. Aga sellega jagatakse teised kolm. {0} ja {1} on ühel sirgel läbi neljamõõtmelise ruumi alguspunkti ja see sirge esindab üht punkti. Seepärast saab maatriks jagada: see kirjutab jagaja suurusesse {2}. Ja kui {3} on 0, esindab sirge suunda, mitte punkti.</translation>
     </message>
     <message>
         <source>Practise: divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: jagage</translation>
     </message>
     <message>
         <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 tuleb objektiivi maatriksist välja kujul {0}.</translation>
     </message>
     <message>
         <source>Its row of numbers is {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle arvurida on {0}. Kui suur on selle {1} NDC-s?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on alles rea esimene arv. NDC-s jagatakse see viimasega, {0}. Vaadake kuubis punkti 1: selle {1} on −1 ja 1 vahel.</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1 in the picture: it is on the side that the sign of {3} says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märk on muutunud: {0} juba ongi positiivne sügavus {1}, seega jagage suurusega {2} endaga. Vaadake punkti 1 pildil: see on sellel pool, mida ütleb {3} märk.</translation>
     </message>
     <message>
         <source>The third number divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagab kolmas arv</translation>
     </message>
     <message>
         <source>This divides by the third number of the row. The divisor is the fourth one, {0}, which the matrix made of the depth. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse rea kolmanda arvuga. Jagaja on neljas, {0}, mille maatriks tegi sügavusest. Vaadake kuubis punkti 1: selle {1} on −1 ja 1 vahel.</translation>
     </message>
     <message>
         <source>Which of the four numbers is the divisor?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline neljast arvust on jagaja?</translation>
     </message>
     <message>
         <source>The same {0} divides the first three numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimesed kolm arvu jagab sama {0}.</translation>
     </message>
     <message>
         <source>Practise: the same matrix, multiplied</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: sama maatriks, korrutatud</translation>
     </message>
     <message>
         <source>Lecture 000 projects onto the plane {0} by a matrix {1} with 1, 1, 1, 0 on its diagonal, {2} in row 4, column 3, and 0 elsewhere. {3} and {4} take every point to the same point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng 000 projitseerib tasandile {0} maatriksiga {1}, mille diagonaalil on 1, 1, 1, 0, reas 4 ja veerus 3 on {2} ja mujal 0. {3} ja {4} viivad iga punkti samaks punktiks.</translation>
     </message>
     <message>
         <source>{0}. Which {1} has {2} in row 4, column 3? Give its rows 3 and 4, columns 3 and 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Millisel {1} on reas 4 ja veerus 3 {2}? Kirjutage selle read 3 ja 4, veerud 3 ja 4.</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2}: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} annab {1}, mis on positiivne: miinus on mõlemal pool. Vaadake suurust {2}: {3} on see pikkus.</translation>
     </message>
     <message>
         <source>One cell is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühest lahtrist piisab</translation>
     </message>
     <message>
         <source>This changes one cell only. {0} multiplies every cell of the matrix, the ones on the diagonal too. Look at {1}: only for this plane is 1 right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii muudetakse ainult üht lahtrit. {0} korrutab maatriksi iga lahtrit, ka ühtesid diagonaalil. Vaadake juhtu {1}: ainult selle tasandi jaoks on 1 õige.</translation>
     </message>
     <message>
         <source>The diagonal is divided</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagonaal jagatakse</translation>
     </message>
     <message>
         <source>This multiplies the diagonal by {0}, but the last row by {1}. All cells have the same factor. Look at {2}: only for this plane are {3} and {4} the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse diagonaal suurusega {0}, aga viimane rida suurusega {1}. Kõigil lahtritel on sama kordaja. Vaadake juhtu {2}: ainult selle tasandi jaoks on {3} ja {4} samad.</translation>
     </message>
     <message>
         <source>By what is {0} multiplied to become {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millega korrutada {0}, et saada {1}?</translation>
     </message>
     <message>
         <source>{0}. All four numbers of a point are {1} times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kõik neli punkti arvu on {1} korda suuremad ja nende jagatised on samad.</translation>
     </message>
     <message>
         <source>Practise: a direction in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: suund pildil</translation>
     </message>
     <message>
         <source>Lines in one direction of view space run to one point of the picture: the image of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimi ühe suuna sirged jooksevad pildi ühte punkti, milleks on suuna {0} kujutis.</translation>
     </message>
     <message>
         <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge algab kaamerafreimis punktist {0} ja kulgeb suunas {1}. Frustumi nurk on {2}°. Märkige sirge lõpmatuspunkti kujutis.</translation>
     </message>
     <message>
         <source>This is a point five steps along the line. At infinity {0}, and the start has no part in the image: only the direction counts. Look at point 1, 60 steps along the line: it has moved on.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt viis sammu mööda sirget. Lõpmatuses {0} ja alguspunktil ei ole kujutises osa: loeb ainult suund. Vaadake punkti 1, 60 sammu mööda sirget: see on edasi liikunud.</translation>
     </message>
     <message>
         <source>The column is right, but the rows are counted from the top: a direction that leads up ends in the upper half of the picture. Look at point 1, 60 steps along the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg on õige, aga ridu loetakse ülalt: ülespoole viiv suund lõpeb pildi ülemises pooles. Vaadake punkti 1, 60 sammu mööda sirget.</translation>
     </message>
     <message>
         <source>{0}, where *aspect* is 16/9.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus *aspect* on 16/9.</translation>
     </message>
     <message>
         <source>{0} is the middle of the picture and {1} its right edge; {2} is its top.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on pildi keskkoht ja {1} selle parem serv; {2} on ülemine.</translation>
     </message>
     <message>
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti asemele tuleb suund: {0} ja {1} on selle kärperuumi koordinaadid, jagatud nende suurusega {2}.</translation>
     </message>
 </context>
 <context>
@@ -4552,7 +4552,7 @@
     </message>
     <message>
         <source>Depth depends on {0}, and {1} has only become {2}. (Single stripes move with every change of the codes, and with the size of the picture; the gap does not depend on it.)</source>
-        <translation>Sügavus sõltub suurusest {0}, ja {1} asemele on tulnud ainult {2}. (Üksikud triibud nihkuvad iga koodide muutusega ja pildi suurusega; vahe sellest ei sõltu.)</translation>
+        <translation>Sügavus sõltub suurusest {0}, ja väärtusest {1} on saanud ainult {2}. (Üksikud triibud nihkuvad iga koodide muutusega ja pildi suurusega; vahe sellest ei sõltu.)</translation>
     </message>
     <message>
         <source>Where the codes are</source>
@@ -4644,7 +4644,7 @@
     </message>
     <message>
         <source>With far at 50 instead of 100 the range is half as long, so it is tempting to expect codes twice as close. They would be if depth changed evenly. But it changes with {0}, so most codes lie just behind near. The space from 50 to 100 had hardly any, and giving them up gains nothing. Now move *Near* a little and watch the stripes.</source>
-        <translation>Kui kaugtasand on 100 asemel 50, on vahemik poole lühem, nii et ahvatlev on oodata kaks korda tihedamaid koode. Nii see oleks, kui sügavus muutuks ühtlaselt. Aga see muutub koos suurusega {0}, seega on enamik koode kohe lähitasandi taga. Vahemikus 50-st 100-ni ei olnud neid peaaegu üldse ja selle äraandmine ei too midagi. Nihutage nüüd natuke *Lähitasandit* ja jälgige triipe.</translation>
+        <translation>Kui kaugtasand on 100 asemel 50, on vahemik poole lühem, nii et ahvatlev on oodata kaks korda tihedamaid koode. Nii see oleks, kui sügavus muutuks ühtlaselt. Aga see muutub koos suurusega {0}, seega on enamik koode kohe lähitasandi taga. Vahemikus 50-st 100-ni ei olnud neid peaaegu üldse ja selle äraandmine ei too midagi. Nihutage nüüd natuke liugurit *Lähitasand* ja jälgige triipe.</translation>
     </message>
     <message>
         <source>Practise: a stored depth</source>
@@ -4843,7 +4843,7 @@
     </message>
     <message>
         <source>Point 1 is {0} deep and has {1}. Point 2 is {2} deep and has {3}. What is {4} at the share {5} of the way from 1 to 2 in the picture?</source>
-        <translation>Punkti 1 sügavus on {0} ja sellel on {1}. Punkti 2 sügavus on {2} ja sellel on {3}. Kui suur on {4}, kui pildil on punktist 1 punkti 2 läbitud osa {5}?</translation>
+        <translation>Punkti 1 sügavus on {0} ja sellel on {1}. Punkti 2 sügavus on {2} ja sellel on {3}. Kui suur on {4} kohas, kus pildil on punktist 1 punkti 2 läbitud osa {5}?</translation>
     </message>
     <message>
         <source>This mixes {0} itself. In the picture only the divided quantities change evenly: mix {1} and {2}, then divide. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
@@ -4879,7 +4879,7 @@
     </message>
     <message>
         <source>Point 1 is {0} deep, point 2 is {1} deep. How deep is the place that is seen at the share {2} of the way from 1 to 2 in the picture?</source>
-        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Kui sügaval on koht, mida on näha, kui pildil on punktist 1 punkti 2 läbitud osa {2}?</translation>
+        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Kui sügaval on see, mida on näha kohas, kus pildil on punktist 1 punkti 2 läbitud osa {2}?</translation>
     </message>
     <message>
         <source>This mixes the depth itself. In the picture {0} changes evenly, not {1}. Look from above at point 3, half-way in the picture: it is closer to point 1 than to point 2.</source>
@@ -4986,7 +4986,7 @@
     </message>
     <message>
         <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
-        <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese puhul on suurusel {5} {6} ja kiired on paralleelsed.</translation>
+        <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese {5} puhul {6} ja kiired on paralleelsed.</translation>
     </message>
     <message>
         <source>Put the shadow there</source>
@@ -5042,7 +5042,7 @@
     </message>
     <message>
         <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
-        <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke *Valguse liiki* ja jälgige F-i ülemist otsa, siis alumist.</translation>
+        <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke sätet *Valguse liik* ja jälgige F-i ülemist otsa, siis alumist.</translation>
     </message>
     <message>
         <source>Practise: a lamp&apos;s shadow</source>
@@ -5743,7 +5743,7 @@
     </message>
     <message>
         <source>From above you usually *look down*, and houses lean in photographs from towers, so it was tempting to let the uprights lean. But looking down makes them lean, not the height. If a camera rises and looks level, the F moves in the picture but its uprights stay parallel. If a camera turns down to its target, {0} and the uprights meet. Press play in the tool bar: the section Animation has both ways of looking.</source>
-        <translation>Ülalt *vaadatakse* tavaliselt *alla* ja tornist tehtud fotodel on majad kaldu, nii et ahvatlev oli panna püstservad kaldu. Aga kaldu teeb need alla vaatamine, mitte kõrgus. Kui kaamera tõuseb ja vaatab horisontaalselt, liigub F pildil, aga selle püstservad jäävad paralleelseks. Kui kaamera pöördub alla oma sihtpunkti poole, siis {0} ja püstservad kohtuvad. Vajutage tööriistaribal Esita: jaotises Animatsioon on mõlemad vaatamise viisid.</translation>
+        <translation>Ülalt tavaliselt *vaadatakse alla* ja tornist tehtud fotodel on majad kaldu, nii et ahvatlev oli panna püstservad kaldu. Aga kaldu teeb need alla vaatamine, mitte kõrgus. Kui kaamera tõuseb ja vaatab horisontaalselt, liigub F pildil, aga selle püstservad jäävad paralleelseks. Kui kaamera pöördub alla oma sihtpunkti poole, siis {0} ja püstservad kohtuvad. Vajutage tööriistaribal Esita: jaotises Animatsioon on mõlemad vaatamise viisid.</translation>
     </message>
     <message>
         <source>Practise: the vector v</source>
@@ -5982,7 +5982,7 @@
     </message>
     <message>
         <source>The tree behind this one is farther from the eye than far, but less deep, and only depth counts. Far is a plane across the direction of view, not a circle round the eye. Look from above at far, moved out.</source>
-        <translation>Selle taga olev puu on silmast kaugemal kui kaugtasand, aga selle sügavus on väiksem, ja loeb ainult sügavus. Kaugtasand on vaate suunaga risti olev tasand, mitte ring ümber silma. Vaadake ülalt kaugemale viidud kaugtasandit.</translation>
+        <translation>Selle taga olev puu on silmast kaugemal kui kaugtasand, aga selle sügavus on kaugtasandi omast väiksem, ja loeb ainult sügavus. Kaugtasand on vaate suunaga risti olev tasand, mitte ring ümber silma. Vaadake ülalt kaugemale viidud kaugtasandit.</translation>
     </message>
     <message>
         <source>The far plane moves along the direction of view and stays across it.</source>
@@ -5990,7 +5990,7 @@
     </message>
     <message>
         <source>By how many trees is {0} longer than 6?</source>
-        <translation>Mitme puu võrra on {0} pikem kui 6?</translation>
+        <translation>Mitu puud 6 vahega mahub pikkusele {0}?</translation>
     </message>
     <message>
         <source>This tree is {0} deep, the next one {1}; far is then {2}.</source>
@@ -7938,235 +7938,235 @@
     <name>talk-003</name>
     <message>
         <source>Coordinate systems and transformations</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaatsüsteemid ja teisendused</translation>
     </message>
     <message>
         <source>Three spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm ruumi</translation>
     </message>
     <message>
         <source>Object space is where a thing is made, world space where it is placed, camera space where it is seen from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekti ruumis asi tehakse, maailmas see paigutatakse ja kaamerafreimist seda vaadatakse.</translation>
     </message>
     <message>
         <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm: ruudustiku keskkoht on maailma alguspunkt; väikesed teljed F-i juures on selle omad, nihutatud 3 piki x-telge ja -1 piki z-telge ning pööratud ümber y-telje; u, v, n silma juures on kaamera omad. Igal kolmest küsimusest, tegemine, paigutamine, vaatamine, on oma ruum, et igaühele saaks vastata ilma teisteta. Kõik kolm on paremakäelised. Haarake F selle enda alguspunktist ja liigutage seda.</translation>
     </message>
     <message>
         <source>Columns are axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerud on teljed</translation>
     </message>
     <message>
         <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} veerud 1 kuni 3 on objekti teljed nii, nagu maailm neid näeb; veerg 4 on selle alguspunkt:</translation>
     </message>
     <message>
         <source>The object is turned by 90° about z, then moved by 3 along x. How high in y is its point (1, 0, 0) then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekti pööratakse 90° ümber z-telje ja nihutatakse siis 3 võrra piki x-telge. Kui kõrgel, y-sihis, on siis selle punkt (1, 0, 0)?</translation>
     </message>
     <message>
         <source>The move does not raise it, but the rotation takes x to y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe seda ei tõsta, aga pööre viib x-i y-iks.</translation>
     </message>
     <message>
         <source>Column 1 is (0, 1, 0), column 4 is (3, 0, 0), and together they are (3, 1, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on (0, 1, 0), veerg 4 on (3, 0, 0) ja kokku on need (3, 1, 0).</translation>
     </message>
     <message>
         <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutise rida x on tahvlil olev summa: kui kaugele iga objekti telg maailma x-sihis ulatub, korda koordinaat. Veergude kaupa lugedes ütleb see rohkem: veerg 1 on see, kuhu objekti x-telg näitab. Pärast hääletust avage Maatriksid ja käige läbi maatriksi maailm ← objekt veerud; telg süttib paanis Maailm. Siis pöörake objekti käsitsi, selle rõngast.</translation>
     </message>
     <message>
         <source>From the object to the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektist kaamerani</translation>
     </message>
     <message>
         <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on ehitatud samamoodi: selle veerud on maailma teljed nii, nagu kaamera neid näeb.</translation>
     </message>
     <message>
         <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage riba Maailmast Vaateni ja tagasi: kõik liigub, millegi koht ülejäänu suhtes ei muutu. Selle read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Kärperuum, jagamine, NDC</translation>
     </message>
     <message>
         <source>First multiply by {0}, then divide by {1}. Probe 1 is at {2} in camera space, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne korrutage maatriksiga {0}, siis jagage suurusega {1}. Sond 1 on kaamerafreimis {2} ja {3}.</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>kärperuum</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks sammu: maatriks ja jagamine, mida ükski maatriks teha ei saa. w on 5, punkti sügavus. Tabel on paneelist Sond; NDC näitab punkti kuubis. Jaotusmaterjal nimetab kärperuumiks kuupi; siin on kärperuum see, mis on enne jagamist. Kuubi z on suunatud lugejast eemale: NDC on vasakukäeline, kaamerafreim paremakäeline. Lohistage paanis Pilt sondi 1.</translation>
     </message>
     <message>
         <source>The view frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav ruum: frustum</translation>
     </message>
     <message>
         <source>Six numbers: near and far, and left, right, bottom and top of the window on the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuus arvu: lähi- ja kaugtasand ning lähitasandil oleva akna vasak, parem, alumine ja ülemine serv.</translation>
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm: püramiid ilma tiputa. Mis on selle sees, joonistatakse, ja see kõik läheb kuupi. Lohistage lähitasandit, kaugtasandit ja üht nurka nende pidemetest. Siin on aken sümmeetriline ja selle neli arvu tulevad ühest nurgast ja pildi proportsioonidest: see on järgmine samm.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurgad ja e</translation>
     </message>
     <message>
         <source>At {0} the picture reaches {1} in x and {2} in y, {3}; at near {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohal {0} ulatub pilt x-sihis {1} ja y-sihis {2}, {3}; lähitasandil {4}, {5}.</translation>
     </message>
     <message>
         <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation type="unfinished"></translation>
+        <translation>β on nüüd 60° ja pilt 16:9. Kui suur on α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>
-        <translation type="unfinished"></translation>
+        <translation>tan(α/2) = 16/9 · tan 30° = 1.026</translation>
     </message>
     <message>
         <source>Draw the triangle eye, axis, edge: half the angle is in it. World is seen from above, with half of α at the eye. After the vote: 91.5°, not 106.7°. The tangents of the half angles are in the ratio 16 to 9, not the angles. The wider, the worse: type 120°, multiplied it would be 213°. More of the lens has Focal length e and the focal length of a 35-mm camera. β is not α, unless the picture is square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistage kolmnurk silm, telg, serv: selles on pool nurka. Maailma nähakse ülalt, silma juures on pool α-st. Pärast hääletust: 91.5°, mitte 106.7°. Suhtes 16 ja 9 on poolte nurkade tangensid, mitte nurgad. Mida laiem, seda hullem: sisestage 120°, korrutatuna oleks see 213°. Jaotises Veel objektiivist on Fookuskaugus e ja 35-mm kaamera fookuskaugus. β ei ole α, kui pilt ei ole ruudukujuline.</translation>
     </message>
     <message>
         <source>Onto the near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandile</translation>
     </message>
     <message>
         <source>By similar triangles, with the plane at {0}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarnaste kolmnurkade järgi, kui tasand on kohal {0}:</translation>
     </message>
     <message>
         <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P&apos; kõrgus on 0.8. Mõlemad koordinaadid käivad koos suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
-        <translation type="unfinished"></translation>
+        <translation>[l, r] ja [b, t]</translation>
     </message>
     <message>
         <source>{0}, and likewise for y with b and t.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, samamoodi y-i jaoks b ja t-ga.</translation>
     </message>
     <message>
         <source>Check the ends: {0} gives {1}, {2} gives 1. In the proportion of the handout read {3} and (t - b). Probe 1 is straight ahead, x = 0; only the second fraction is left, and with l = -1, r = 3 it puts it at -0.5. The plus is right: it is multiplied by z, which is negative. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollige otsi: {0} annab {1}, {2} annab 1. Jaotusmaterjali võrdes lugege {3} ja (t - b). Sond 1 on otse ees, x = 0; alles on ainult teine murd ja kui l = -1, r = 3, viib see selle kohta -0.5. Pluss on õige: see korrutatakse z-iga, mis on negatiivne. Lohistage välju Vasak ja Parem.</translation>
     </message>
     <message>
         <source>A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>A ja B</translation>
     </message>
     <message>
         <source>z does not depend on x and y: {0}, {1} at near and {2} at far:</source>
-        <translation type="unfinished"></translation>
+        <translation>z ei sõltu x-ist ja y-ist: {0}, {1} lähitasandil ja {2} kaugtasandil:</translation>
     </message>
     <message>
         <source>Near is 1, far is 9. A point is 5 deep, halfway between them. Where is it in the cube, as {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on 1, kaugtasand 9. Punkti sügavus on 5, nende vahel poolel teel. Kus on see kuubis, suurusena {0}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. Look at the F in the cube: most of the depth lies close to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus lähi- ja kaugtasandi vahel ühtlaselt. Vaadake kuubis F-i: suurem osa sügavusest on kaugtasandi lähedal.</translation>
     </message>
     <message>
         <source>This is {0}, before the division by {1}. Look at the point: it lies inside the cube, so {2} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on {0}, enne jagamist suurusega {1}. Vaadake punkti: see on kuubi sees, seega on {2} ülimalt 1.</translation>
     </message>
     <message>
         <source>{0}, {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} ja {2}.</translation>
     </message>
     <message>
         <source>Solve for A and B with the two conditions. Why not just scale? Because then lines would be bent; the reason that the lecture gives is the next part: 1/z is what is linear on the screen. The vote: most say 0, the middle. Show the crowding: half of the cube is used up at 2nf/(n + f) = 1.8.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaldage kahest tingimusest A ja B. Miks mitte lihtsalt skaleerida? Sest siis oleksid sirged kõverad; põhjus, mille annab loeng, on järgmine osa: ekraanil on lineaarne 1/z. Hääletus: enamik ütleb 0, keskkoht. Näidake tihenemist: pool kuubist on ära kasutatud kohal 2nf/(n + f) = 1.8.</translation>
     </message>
     <message>
         <source>The matrix of glFrustum</source>
-        <translation type="unfinished"></translation>
+        <translation>glFrustumi maatriks</translation>
     </message>
     <message>
         <source>Rows 1 and 2 come from the window, row 3 from {0} and {1}; row 4 divides. Framed is what {2} changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Read 1 ja 2 tulevad aknast, rida 3 suurustest {0} ja {1}; rida 4 jagab. Raamis on see, mida {2} muudab.</translation>
     </message>
     <message>
         <source>All of it has been derived: rows 1 and 2 from the window, row 3 from A and B, row 4 from the division. With the numbers here row 1 is 1, 0, 0.5, 0. For a symmetric window the two shears are 0, and 2n/(r - l) is e.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik see on tuletatud: read 1 ja 2 aknast, rida 3 A-st ja B-st, rida 4 jagamisest. Siinsete arvudega on rida 1 1, 0, 0.5, 0. Sümmeetrilise akna puhul on kaks kaldnihet 0 ja 2n/(r - l) on e.</translation>
     </message>
     <message>
         <source>1/z is linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>1/z on ekraanil lineaarne</translation>
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Serv läheb sügavuselt {0} sügavusele {1}. Kui ekraanil on läbitud osa {2}, siin {3}, on selle punkti sügavus {4}:</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimene on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirge {0} ja kiir läbi punkti {1} kohtuvad, kus {2}. p ja 1/z on lineaarses võrrandis, ja see ongi kõik.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
-        <translation type="unfinished"></translation>
+        <translation>Atribuudid: a/z</translation>
     </message>
     <message>
         <source>Colours and texture coordinates are linear along the edge in space, so {0} is linear on the screen too:</source>
-        <translation type="unfinished"></translation>
+        <translation>Värvid ja tekstuuri koordinaadid on ruumis piki serva lineaarsed, seega on ekraanil lineaarne ka {0}:</translation>
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afiinne: tekstuur murdub diagonaalil, kus kaks kolmnurka kohtuvad. Korrektne: interpoleeritakse a/z ja 1/z ning jagatakse igas pikslis. Kui sügavused on 2 ja 8 ning a on 0-st 1-ni, on keskel a = 0.2, mitte 0.5. Pöörake asimuuti: otse vaadates on mõlemad ühesugused. Osi küljel teeb vea väiksemaks, mitte nulliks.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortograafiline risttahukas</translation>
     </message>
     <message>
         <source>A box becomes a cube without a division: scale by {0} and {1}, and move the middle to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukast saab kuup ilma jagamata: skaleerige arvudega {0} ja {1} ning nihutage keskkoht kohta 0.</translation>
     </message>
     <message>
         <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas on igal sügavusel ühelaiune: w on 1. Jaotusmaterjali esimeses lahtris on 2n/(r - l), mis on näpuviga: siin ei viida midagi lähitasandile, seega ei ole n-i. Nihked on nüüd veerus 4, mitte veerus 3, sest neid ei korrutata z-iga. Võrrelge frustumi maatriksiga sammus 10.</translation>
     </message>
     <message>
         <source>To pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslitesse</translation>
     </message>
     <message>
         <source>{0} and, as rows count down, {1}. Probe 1: {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja, sest ridu loetakse ülalt alla, {1}. Sond 1: {2} läheb kohta {3}.</translation>
     </message>
     <message>
         <source>The same probe as before, now to the end: 1280 by 720, origin at the upper left. Ask for the corners of the cube: (-1, 1) is (0, 0), (1, -1) is (1280, 720). y turns over here and nowhere else. Sum up the chain: object, world, camera, clip, NDC, pixels; Probe in the drawer has all of it for one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama sond mis enne, nüüd lõpuni: 1280 korda 720, alguspunkt üleval vasakul. Küsige kuubi nurki: (-1, 1) on (0, 0), (1, -1) on (1280, 720). y pöördub ümber siin ja mitte kusagil mujal. Võtke ahel kokku: objekt, maailm, kaamera, kärperuum, NDC, pikslid; sahtli paneelis Sond on see kõik ühe punkti jaoks.</translation>
     </message>
 </context>
 <context>

@@ -572,7 +572,7 @@
     </message>
     <message>
         <source>It is tempting to take {0} as the direction in which the camera looks, {1}. But {2} to the right, {3} up and the third axis must make a right-handed system, so the third one comes out of the picture, towards the reader: {4}. Lecture 001 calls it {5} and writes {6}.</source>
-        <translation>Zavodljivo je za {0} uzeti smjer u kojem kamera gleda, {1}. Ali {2} udesno, {3} gore i treća os moraju činiti desni sustav, pa treća izlazi iz slike, prema čitatelju: {4}. Predavanje 001 zove je {5} i piše {6}.</translation>
+        <translation>Primamljivo je za {0} uzeti smjer u kojem kamera gleda, {1}. Ali {2} udesno, {3} gore i treća os moraju činiti desni sustav, pa treća izlazi iz slike, prema čitatelju: {4}. Predavanje 001 zove je {5} i piše {6}.</translation>
     </message>
     <message>
         <source>That is why what is in front of a camera has a *negative* z in its coordinates: the F, 8 units ahead, is at {0}. In *Camera frame*, row 3 of the matrix begins with {1}.</source>
@@ -839,7 +839,7 @@
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
-        <translation>Zavodljivo je najprije pomaknuti, s {0} na {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} prelazi u {3}, gdje je sonda 1. To je {4}, što pokazuje ovaj korak: u odjeljku *Objekt* **Redoslijed** je R T S.</translation>
+        <translation>Primamljivo je najprije pomaknuti, s {0} na {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} prelazi u {3}, gdje je sonda 1. To je {4}, što pokazuje ovaj korak: u odjeljku *Objekt* **Redoslijed** je R T S.</translation>
     </message>
     <message>
         <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
@@ -1094,7 +1094,7 @@
     </message>
     <message>
         <source>It is tempting to multiply the angle by 16/9, like the width: {0}. That would be right if the picture were bent round the eye. But the picture is flat: the tangent of the half angle grows evenly, and far from the axis a degree takes more and more of the picture.</source>
-        <translation>Zavodljivo je kut pomnožiti s 16/9, kao širinu: {0}. To bi bilo točno kad bi slika bila savijena oko kamere. Ali slika je ravna: tangens polovice kuta raste jednoliko, a daleko od osi jedan stupanj zauzima sve veći dio slike.</translation>
+        <translation>Primamljivo je kut pomnožiti s 16/9, kao širinu: {0}. To bi bilo točno kad bi slika bila savijena oko kamere. Ali slika je ravna: tangens polovice kuta raste jednoliko, a daleko od osi jedan stupanj zauzima sve veći dio slike.</translation>
     </message>
     <message>
         <source>The wider the angle, the larger the error: here the vertical angle is 120°. Multiplied, it would be 213° across, more than half a turn. The model has 144°.</source>
@@ -1389,7 +1389,7 @@
     </message>
     <message>
         <source>It is tempting to expect the farther cube to be smaller: every picture of an eye or a camera shows it so, and it is true of the pyramid, whose section grows with the depth. A cube takes a smaller share of a larger section.</source>
-        <translation>Zavodljivo je očekivati da je udaljenija kocka manja: tako je pokazuje svaka slika oka ili kamere, i to vrijedi za piramidu, čiji presjek raste s dubinom. Kocka zauzima manji dio većeg presjeka.</translation>
+        <translation>Primamljivo je očekivati da je udaljenija kocka manja: tako je pokazuje svaka slika oka ili kamere, i to vrijedi za piramidu, čiji presjek raste s dubinom. Kocka zauzima manji dio većeg presjeka.</translation>
     </message>
     <message>
         <source>The section of the box does not grow. A cube takes the same share of it at every depth. The picture loses the impression of depth: in **Image** nothing says that B is the nearer one.</source>
@@ -1632,7 +1632,7 @@
     </message>
     <message>
         <source>It is tempting to measure from the plane to P: 4 units before, 3 units after, so {0} against {1}, which is 2.67 times. But the two triangles share the corner at the eye. Measured from there, P stays 5 units deep wherever the plane is, and {2} grows from {3} to {4}.</source>
-        <translation>Zavodljivo je mjeriti od ravnine do P: 4 jedinice prije, 3 jedinice poslije, dakle {0} prema {1}, što je 2.67 puta. Ali dva trokuta imaju zajednički vrh kod kamere. Mjereno odande, P ostaje na dubini od 5 jedinica gdje god bila ravnina, a {2} raste od {3} do {4}.</translation>
+        <translation>Primamljivo je mjeriti od ravnine do P: 4 jedinice prije, 3 jedinice poslije, dakle {0} prema {1}, što je 2.67 puta. Ali dva trokuta imaju zajednički vrh kod kamere. Mjereno odande, P ostaje na dubini od 5 jedinica gdje god bila ravnina, a {2} raste od {3} do {4}.</translation>
     </message>
     <message>
         <source>This also says what happens to the *picture* when the plane moves: everything grows by the same factor, and nothing moves against the rest.</source>
@@ -1831,7 +1831,7 @@
     </message>
     <message>
         <source>It is tempting to move the picture with the window: to the right, {0}. But the window is the frame through which you see the scene. If you move a frame to the right, you see more of what is on the right, and what was in the middle is now left of the middle.</source>
-        <translation>Zavodljivo je pomaknuti sliku zajedno s prozorom: udesno, {0}. Ali prozor je okvir kroz koji vidite scenu. Ako okvir pomaknete udesno, vidite više onoga što je desno, a ono što je bilo u sredini sada je lijevo od sredine.</translation>
+        <translation>Primamljivo je pomaknuti sliku zajedno s prozorom: udesno, {0}. Ali prozor je okvir kroz koji vidite scenu. Ako okvir pomaknete udesno, vidite više onoga što je desno, a ono što je bilo u sredini sada je lijevo od sredine.</translation>
     </message>
     <message>
         <source>The plus in {0} does not contradict this. The cell is multiplied by {1}, and {2} is {3} at probe 1: {4}. Lecture 002 writes a plus where its own signs require a minus. So always try such a sign on a point.</source>
@@ -2134,7 +2134,7 @@
     </message>
     <message>
         <source>Two answers are tempting. The answer 3 adds 2 units at each end, so the window would be 6 high instead of 4. {0} is *half* of what is missing, because it is added twice.</source>
-        <translation>Zavodljiva su dva odgovora. Odgovor 3 dodaje 2 jedinice na svakom kraju, pa bi prozor bio visok 6 umjesto 4. {0} je *polovica* onoga što nedostaje, jer se dodaje dvaput.</translation>
+        <translation>Primamljiva su dva odgovora. Odgovor 3 dodaje 2 jedinice na svakom kraju, pa bi prozor bio visok 6 umjesto 4. {0} je *polovica* onoga što nedostaje, jer se dodaje dvaput.</translation>
     </message>
     <message>
         <source>The answer 1 leaves {0} as it is: the name of the variant sounds as if X changed. But X is what it *keeps*. With the same letter F and the same eye, X shows more of the scene above and below; Y takes away at the sides.</source>
@@ -2409,7 +2409,7 @@
     </message>
     <message>
         <source>It is tempting to trust {0}, because in space it bends nothing. But after {1} and {2} are divided by {3}, equal steps along the picture are unequal steps of depth, and a straight line stays straight only if the depth is divided as well.</source>
-        <translation>Zavodljivo je vjerovati izrazu {0}, jer u prostoru ništa ne savija. Ali kad se {1} i {2} podijele s {3}, jednaki koraci po slici nejednaki su koraci dubine, i pravac ostaje pravac samo ako se podijeli i dubina.</translation>
+        <translation>Primamljivo je vjerovati izrazu {0}, jer u prostoru ništa ne savija. Ali kad se {1} i {2} podijele s {3}, jednaki koraci po slici nejednaki su koraci dubine, i pravac ostaje pravac samo ako se podijeli i dubina.</translation>
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
@@ -2672,7 +2672,7 @@
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
-        <translation>Zavodljivo je ostaviti blisku ravninu gdje jest, na {0}, jer se korak tiče daleke. Ali matrica koja skalira z pomiče svaku dubinu; kad bi bliska ravnina ostala, ležala bi na dalekoj. Ostaje samo kvocijent {1} dviju udaljenosti, i od njega je načinjena {2}. Pustite traku da još jednom ide od postaje *Svijet* do *NDC*: u piramidi je bliska ravnina 0.111 od kamere, a na kraju je cijela strana kocke.</translation>
+        <translation>Primamljivo je ostaviti blisku ravninu gdje jest, na {0}, jer se korak tiče daleke. Ali matrica koja skalira z pomiče svaku dubinu; kad bi bliska ravnina ostala, ležala bi na dalekoj. Ostaje samo kvocijent {1} dviju udaljenosti, i od njega je načinjena {2}. Pustite traku da još jednom ide od postaje *Svijet* do *NDC*: u piramidi je bliska ravnina 0.111 od kamere, a na kraju je cijela strana kocke.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the box</source>
@@ -2875,7 +2875,7 @@
     </message>
     <message>
         <source>Far things look small to an eye, and to every lens whose projectors meet in a point. It is tempting to take this for a law of pictures. In a box the projectors never meet: the last row of the matrix is 0, 0, 0, 1, so {0} at every depth, and x and y do not depend on z. The depth is not lost: {1} keeps it and decides what hides what. That is why the posts are drawn equally high, side by side.</source>
-        <translation>Daleke stvari izgledaju male oku i svakom objektivu čije se zrake projiciranja sijeku u točki. Zavodljivo je to uzeti kao zakon slika. U kvadru se zrake projiciranja nikad ne sijeku: posljednji redak matrice je 0, 0, 0, 1, pa je {0} na svakoj dubini, a x i y ne ovise o z. Dubina nije izgubljena: {1} je čuva i odlučuje što će što sakriti. Zato su stupovi nacrtani jednako visoki, jedan uz drugi.</translation>
+        <translation>Daleke stvari izgledaju male oku i svakom objektivu čije se zrake projiciranja sijeku u točki. Primamljivo je to uzeti kao zakon slika. U kvadru se zrake projiciranja nikad ne sijeku: posljednji redak matrice je 0, 0, 0, 1, pa je {0} na svakoj dubini, a x i y ne ovise o z. Dubina nije izgubljena: {1} je čuva i odlučuje što će što sakriti. Zato su stupovi nacrtani jednako visoki, jedan uz drugi.</translation>
     </message>
     <message>
         <source>Practise: the first row</source>
@@ -3114,7 +3114,7 @@
     </message>
     <message>
         <source>Scale 0 belongs to 90°, scale 1 to 45°, so it is tempting to take the middle, 67.5°, for scale 1/2. But the angle does not change evenly with the scale. One unit of depth and {0} units along the picture are the legs of a right triangle, and {1}: for 1/2 that is 63.4°. Look at *World* from above, with the lines from the corners of the body to the near plane.</source>
-        <translation>Mjerilo 0 pripada kutu 90°, mjerilo 1 kutu 45°, pa je zavodljivo za mjerilo 1/2 uzeti sredinu, 67.5°. Ali kut se ne mijenja jednoliko s mjerilom. Jedna jedinica dubine i {0} jedinica po slici katete su pravokutnog trokuta, i {1}: za 1/2 to je 63.4°. Pogledajte *Svijet* odozgo, s linijama od vrhova tijela do bliske ravnine.</translation>
+        <translation>Mjerilo 0 pripada kutu 90°, mjerilo 1 kutu 45°, pa je primamljivo za mjerilo 1/2 uzeti sredinu, 67.5°. Ali kut se ne mijenja jednoliko s mjerilom. Jedna jedinica dubine i {0} jedinica po slici katete su pravokutnog trokuta, i {1}: za 1/2 to je 63.4°. Pogledajte *Svijet* odozgo, s linijama od vrhova tijela do bliske ravnine.</translation>
     </message>
     <message>
         <source>Practise: the first row of H</source>
@@ -3369,7 +3369,7 @@
     </message>
     <message>
         <source>A box has three directions, and everybody knows the name 3-point perspective, so three is tempting. But the number depends on the camera, not on the box. Each axis of the box that is parallel to the picture, {0}, has its vanishing point at infinity, and its edges stay parallel. A level camera keeps uprights upright, which is why architects keep it level. *Kinds of projection* has all of them as small pictures.</source>
-        <translation>Kvadar ima tri smjera, a svi znaju naziv perspektiva s 3 nedogleda, pa je odgovor tri zavodljiv. Ali broj ovisi o kameri, a ne o kvadru. Svaka os kvadra koja je paralelna sa slikom, {0}, ima nedogled u beskonačnosti, i njezini bridovi ostaju paralelni. Horizontalna kamera ostavlja uspravne bridove uspravnima, zato je arhitekti i drže horizontalno. *Vrste projekcija* ih sve imaju kao male slike.</translation>
+        <translation>Kvadar ima tri smjera, a svi znaju naziv perspektiva s 3 nedogleda, pa je odgovor tri primamljiv. Ali broj ovisi o kameri, a ne o kvadru. Svaka os kvadra koja je paralelna sa slikom, {0}, ima nedogled u beskonačnosti, i njezini bridovi ostaju paralelni. Horizontalna kamera ostavlja uspravne bridove uspravnima, zato je arhitekti i drže horizontalno. *Vrste projekcija* ih sve imaju kao male slike.</translation>
     </message>
     <message>
         <source>Practise: where lines meet</source>
@@ -3660,7 +3660,7 @@
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
-        <translation>Zavodljivo je četvrti broj čitati kao dodatak i odbaciti ga. Ali on je djelitelj ostalih triju. {0} i {1} leže na istom pravcu kroz ishodište četverodimenzionalnog prostora, a taj pravac predstavlja jednu točku. Zato matrica može dijeliti: ona upisuje djelitelj u {2}. A ako je {3} jednak 0, pravac predstavlja smjer, a ne točku.</translation>
+        <translation>Primamljivo je četvrti broj čitati kao dodatak i odbaciti ga. Ali on je djelitelj ostalih triju. {0} i {1} leže na istom pravcu kroz ishodište četverodimenzionalnog prostora, a taj pravac predstavlja jednu točku. Zato matrica može dijeliti: ona upisuje djelitelj u {2}. A ako je {3} jednak 0, pravac predstavlja smjer, a ne točku.</translation>
     </message>
     <message>
         <source>Practise: divide</source>
@@ -3911,7 +3911,7 @@
     </message>
     <message>
         <source>In a diagram y goes up, and in NDC too, so 720 is tempting for the top. But an image is stored row by row from the top, and y of the image counts these rows. The minus in {0} does all the work. If you forget it, the picture is upside down, and you notice. If you forget the half pixel, the picture is shifted by half a pixel, and you do not notice.</source>
-        <translation>Na dijagramu y ide prema gore, a tako je i u NDC, pa je za vrh zavodljivo 720. Ali slika se sprema redak po redak odozgo, i y slike broji te retke. Minus u {0} čini sav posao. Ako ga zaboravite, slika je naopačke, i to primijetite. Ako zaboravite pola piksela, slika je pomaknuta za pola piksela, a to ne primijetite.</translation>
+        <translation>Na dijagramu y ide prema gore, a tako je i u NDC, pa je za vrh primamljivo 720. Ali slika se sprema redak po redak odozgo, i y slike broji te retke. Minus u {0} čini sav posao. Ako ga zaboravite, slika je naopačke, i to primijetite. Ako zaboravite pola piksela, slika je pomaknuta za pola piksela, a to ne primijetite.</translation>
     </message>
     <message>
         <source>Practise: the viewport as a matrix</source>
@@ -4178,7 +4178,7 @@
     </message>
     <message>
         <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
-        <translation>„Njezin {0} je između −1 i 1, dakle na slici je”: to je zavodljivo, jer nakon dijeljenja drugog ispita više nema. Ali dijeljenje je izgubilo predznak od {1}. Točka iza kamere tada izgleda kao ona ispred nje, naopačke i na drugoj strani. Zato odsijecajte prije dijeljenja, po {2}; bliska ravnina uklanja sve što nema pozitivan {3}.</translation>
+        <translation>„Njezin {0} je između −1 i 1, dakle na slici je”: to je primamljivo, jer nakon dijeljenja drugog ispita više nema. Ali dijeljenje je izgubilo predznak od {1}. Točka iza kamere tada izgleda kao ona ispred nje, naopačke i na drugoj strani. Zato odsijecajte prije dijeljenja, po {2}; bliska ravnina uklanja sve što nema pozitivan {3}.</translation>
     </message>
     <message>
         <source>Practise: where an edge leaves</source>
@@ -4321,7 +4321,7 @@
     </message>
     <message>
         <source>*Image* shows the three ways: *naive*, divided without a cut; *cut*, at {0}; and *clipped*, in homogeneous coordinates, which need no such number.</source>
-        <translation>*Slika* pokazuje tri načina: *naivno*, dijeljeno bez odsijecanja; *odsječeno*, kod {0}; i *odsječeno* u homogenim koordinatama, kojima taj broj ne treba.</translation>
+        <translation>*Slika* pokazuje tri načina: *naivno*, dijeljeno bez odsijecanja; *odsječeno*, kod {0}; i *odsječeno homogeno*, u homogenim koordinatama, kojima taj broj ne treba.</translation>
     </message>
     <message>
         <source>Case 4</source>
@@ -4421,7 +4421,7 @@
     </message>
     <message>
         <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je zavodljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A&apos; i B&apos; crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
+        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je primamljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A&apos; i B&apos; crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
@@ -4644,7 +4644,7 @@
     </message>
     <message>
         <source>With far at 50 instead of 100 the range is half as long, so it is tempting to expect codes twice as close. They would be if depth changed evenly. But it changes with {0}, so most codes lie just behind near. The space from 50 to 100 had hardly any, and giving them up gains nothing. Now move *Near* a little and watch the stripes.</source>
-        <translation>S dalekom ravninom na 50 umjesto na 100 raspon je upola kraći, pa je zavodljivo očekivati dvostruko gušće kodove. Bili bi takvi kad bi se dubina mijenjala jednoliko. Ali ona se mijenja s {0}, pa većina kodova leži odmah iza bliske ravnine. Prostor od 50 do 100 jedva ih je imao, i odreći ga se ne donosi ništa. Sada malo pomaknite klizač *Bliska ravnina* i promatrajte pruge.</translation>
+        <translation>S dalekom ravninom na 50 umjesto na 100 raspon je upola kraći, pa je primamljivo očekivati dvostruko gušće kodove. Bili bi takvi kad bi se dubina mijenjala jednoliko. Ali ona se mijenja s {0}, pa većina kodova leži odmah iza bliske ravnine. Prostor od 50 do 100 jedva ih je imao, i odreći ga se ne donosi ništa. Sada malo pomaknite klizač *Bliska ravnina* i promatrajte pruge.</translation>
     </message>
     <message>
         <source>Practise: a stored depth</source>
@@ -4831,7 +4831,7 @@
     </message>
     <message>
         <source>One half was tempting because the picture of a straight edge is straight, and its middle is easy to see. But the division by the depth is not even along the edge: at four times the depth, a piece is drawn a quarter as wide. So half of the picture shows only the nearest fifth. Interpolate the divided quantities, {0} and {1}, and then divide.</source>
-        <translation>Polovica je bila zavodljiva jer je slika ravnog brida ravna, a sredina joj se lako vidi. Ali dijeljenje s dubinom nije jednoliko duž brida: na četiri puta većoj dubini komad se crta u četvrtini širine. Zato polovica slike pokazuje samo najbližu petinu. Interpolirajte podijeljene veličine, {0} i {1}, a zatim dijelite.</translation>
+        <translation>Polovica je bila primamljiva jer je slika ravnog brida ravna, a sredina joj se lako vidi. Ali dijeljenje s dubinom nije jednoliko duž brida: na četiri puta većoj dubini komad se crta u četvrtini širine. Zato polovica slike pokazuje samo najbližu petinu. Interpolirajte podijeljene veličine, {0} i {1}, a zatim dijelite.</translation>
     </message>
     <message>
         <source>Practise: a value on the way</source>
@@ -5042,7 +5042,7 @@
     </message>
     <message>
         <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
-        <translation>Sunce i svjetiljka imali su ista tri broja, pa je bilo zavodljivo sjenu ostaviti na mjestu. Ali brojevi sunca su smjer, isti za svaku točku slova F. Brojevi svjetiljke su položaj, a smjer zrake je {0}: što je točka viša, to je zraka položitija i sjena dulja. Promijenite *Vrsta svjetla* i promatrajte vrh slova F, zatim njegovo podnožje.</translation>
+        <translation>Sunce i svjetiljka imali su ista tri broja, pa je bilo primamljivo sjenu ostaviti na mjestu. Ali brojevi sunca su smjer, isti za svaku točku slova F. Brojevi svjetiljke su položaj, a smjer zrake je {0}: što je točka viša, to je zraka položitija i sjena dulja. Promijenite *Vrsta svjetla* i promatrajte vrh slova F, zatim njegovo podnožje.</translation>
     </message>
     <message>
         <source>Practise: a lamp&apos;s shadow</source>
@@ -5285,7 +5285,7 @@
     </message>
     <message>
         <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
-        <translation>Zavodljivo je reći da se ništa ne mijenja, jer glava zadržava veličinu, a zum je tome i namijenjen. Ali zum čuva veličine samo na jednoj dubini, dubini cilja. Ispred njega i iza njega veličine su proporcionalne s jedan kroz *svoju* udaljenost, a hodanje ju je promijenilo. Zato portret izbliza ima velik nos uz svaki objektiv: udaljenost određuje perspektivu; objektiv samo bira njezin dio.</translation>
+        <translation>Primamljivo je reći da se ništa ne mijenja, jer glava zadržava veličinu, a zum je tome i namijenjen. Ali zum čuva veličine samo na jednoj dubini, dubini cilja. Ispred njega i iza njega veličine su proporcionalne s jedan kroz *svoju* udaljenost, a hodanje ju je promijenilo. Zato portret izbliza ima velik nos uz svaki objektiv: udaljenost određuje perspektivu; objektiv samo bira njezin dio.</translation>
     </message>
     <message>
         <source>Practise: as large with another lens</source>
@@ -5504,7 +5504,7 @@
     </message>
     <message>
         <source>It was tempting to keep the sign, because the triangles are the same. But the projector goes through the eye and crosses the axis there: what was above is now below. Our cameras put the plane in front, where nothing is turned over. A real camera has its film behind and turns the picture round afterwards; the numbers differ by the sign only.</source>
-        <translation>Bilo je zavodljivo zadržati predznak, jer su trokuti isti. Ali zraka projiciranja ide kroz kameru i ondje siječe os: što je bilo gore, sada je dolje. Naše kamere stavljaju ravninu ispred, gdje se ništa ne okreće. Prava kamera ima film iza i sliku poslije okreće; brojevi se razlikuju samo predznakom.</translation>
+        <translation>Bilo je primamljivo zadržati predznak, jer su trokuti isti. Ali zraka projiciranja ide kroz kameru i ondje siječe os: što je bilo gore, sada je dolje. Naše kamere stavljaju ravninu ispred, gdje se ništa ne okreće. Prava kamera ima film iza i sliku poslije okreće; brojevi se razlikuju samo predznakom.</translation>
     </message>
     <message>
         <source>Practise: height on the film</source>
@@ -5743,7 +5743,7 @@
     </message>
     <message>
         <source>From above you usually *look down*, and houses lean in photographs from towers, so it was tempting to let the uprights lean. But looking down makes them lean, not the height. If a camera rises and looks level, the F moves in the picture but its uprights stay parallel. If a camera turns down to its target, {0} and the uprights meet. Press play in the tool bar: the section Animation has both ways of looking.</source>
-        <translation>Odozgo obično *gledate dolje*, a na fotografijama s tornjeva zgrade se naginju, pa je bilo zavodljivo pustiti uspravne bridove da se nagnu. Ali naginje ih gledanje dolje, a ne visina. Ako se kamera diže i gleda horizontalno, F se na slici pomiče, ali uspravni bridovi ostaju paralelni. Ako se kamera okrene dolje prema cilju, {0} i uspravni bridovi se stječu. Pritisnite Pokreni na alatnoj traci: odjeljak Animacija ima oba načina gledanja.</translation>
+        <translation>Odozgo obično *gledate dolje*, a na fotografijama s tornjeva zgrade se naginju, pa je bilo primamljivo pustiti uspravne bridove da se nagnu. Ali naginje ih gledanje dolje, a ne visina. Ako se kamera diže i gleda horizontalno, F se na slici pomiče, ali uspravni bridovi ostaju paralelni. Ako se kamera okrene dolje prema cilju, {0} i uspravni bridovi se stječu. Pritisnite Pokreni na alatnoj traci: odjeljak Animacija ima oba načina gledanja.</translation>
     </message>
     <message>
         <source>Practise: the vector v</source>
@@ -5938,7 +5938,7 @@
     </message>
     <message>
         <source>The tree is 40.85 away, more than far, so it was tempting to leave it out. If far were a sphere, that would be right. But a matrix can only give planes, so near and far are planes: the tree is drawn because it is 38 *ahead*. When the camera turns, the plane turns with it, and trees at the edge of the picture come and go although nobody has driven. Drag the azimuth and watch them.</source>
-        <translation>Stablo je udaljeno 40.85, dalje od daleke ravnine, pa ga je bilo zavodljivo izostaviti. Da je daleka ravnina sfera, to bi bilo točno. Ali matrica može dati samo ravnine, pa su bliska i daleka ravnine: stablo se crta jer je 38 *naprijed*. Kad se kamera okreće, s njom se okreće i ravnina, i stabla na rubu slike dolaze i odlaze premda nitko nije vozio. Povucite azimut i promatrajte ih.</translation>
+        <translation>Stablo je udaljeno 40.85, dalje od daleke ravnine, pa ga je bilo primamljivo izostaviti. Da je daleka ravnina sfera, to bi bilo točno. Ali matrica može dati samo ravnine, pa su bliska i daleka ravnine: stablo se crta jer je 38 *naprijed*. Kad se kamera okreće, s njom se okreće i ravnina, i stabla na rubu slike dolaze i odlaze premda nitko nije vozio. Povucite azimut i promatrajte ih.</translation>
     </message>
     <message>
         <source>Practise: drive until it appears</source>
@@ -6129,7 +6129,7 @@
     </message>
     <message>
         <source>Half in front and half behind was tempting, because the disc is 0 at the focus and grows on both sides. But it does not grow equally: it is proportional to {0}, and one over the distance changes more slowly the farther away you are. So the far limit is always farther from the focus than the near one, and from the hyperfocal distance on it is at infinity.</source>
-        <translation>Pola ispred i pola iza bilo je zavodljivo, jer je krug na izoštrenome 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica uvijek udaljenija od izoštrenoga nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
+        <translation>Pola ispred i pola iza bilo je primamljivo, jer je krug na izoštrenome 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica uvijek udaljenija od izoštrenoga nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
     </message>
     <message>
         <source>Practise: the far limit</source>
@@ -6396,7 +6396,7 @@
     </message>
     <message>
         <source>65 536 places were tempting because no screen has so many columns. But the places belong to the scene, and the pixels to the picture: the number that matters is pixels per place, and you change it with every step. The two pictures draw the corner with 16 bits and with float64. So ask for the error in pixels from where you will stand, and buy the bits for that.</source>
-        <translation>65 536 mjesta bilo je zavodljivo jer nijedan ekran nema toliko stupaca. Ali mjesta pripadaju sceni, a pikseli slici: važan je broj piksela po mjestu, a njega mijenjate svakim korakom. Dvije slike crtaju vrh sa 16 bitova i s float64. Zato pitajte za pogrešku u pikselima odande gdje ćete stajati i za to kupite bitove.</translation>
+        <translation>65 536 mjesta bilo je primamljivo jer nijedan ekran nema toliko stupaca. Ali mjesta pripadaju sceni, a pikseli slici: važan je broj piksela po mjestu, a njega mijenjate svakim korakom. Dvije slike crtaju vrh sa 16 bitova i s float64. Zato pitajte za pogrešku u pikselima odande gdje ćete stajati i za to kupite bitove.</translation>
     </message>
     <message>
         <source>16 bits</source>
@@ -7026,7 +7026,7 @@
     </message>
     <message>
         <source>“Logarithmic depth is always better” is tempting: its digits are spread as distances need them. But digits are half of the story. A number is stored at some places, and used at others: depths between the vertices, positions in the grid of another mesh. Precision goes where two ways of rounding meet. Choose *each pixel* and watch the foundation disappear.</source>
-        <translation>„Logaritamska dubina uvijek je bolja” zvuči zavodljivo: znamenke su joj raspoređene kako ih udaljenosti trebaju. Ali znamenke su pola priče. Broj se sprema na jednim mjestima, a koristi na drugima: dubine između vrhova, položaji na rešetki druge mreže. Preciznost odlazi ondje gdje se sretnu dva načina zaokruživanja. Odaberite *svaki piksel* i promatrajte kako temelj nestaje.</translation>
+        <translation>„Logaritamska dubina uvijek je bolja” zvuči primamljivo: znamenke su joj raspoređene kako ih udaljenosti trebaju. Ali znamenke su pola priče. Broj se sprema na jednim mjestima, a koristi na drugima: dubine između vrhova, položaji na rešetki druge mreže. Preciznost odlazi ondje gdje se sretnu dva načina zaokruživanja. Odaberite *svaki piksel* i promatrajte kako temelj nestaje.</translation>
     </message>
     <message>
         <source>Practise: half-way</source>
@@ -7392,7 +7392,7 @@
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation>Karte koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je karata cijelo.</translation>
+        <translation>Kartice koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelo.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
@@ -7516,7 +7516,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećajte: 0.30 puta toliko velika, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: 0.30 puta toliko velika, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7628,7 +7628,7 @@
     </message>
     <message>
         <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
-        <translation>Koordinatni sustav kamere gradi ga korak po korak: w, u, v. Program najprije uzima u iz vektorskog umnoška gore i w, a v iz w i u; to je isti v kao u predavanju: smjer prema gore minus njegova projekcija na w, normiran. R ima u, v, w kao stupce; kameru pomiče inverz, a on je transponirana matrica: u, v, w kao retci.</translation>
+        <translation>Koordinatni sustav kamere gradi ih korak po korak: w, u, v. Program najprije uzima u iz vektorskog umnoška gore i w, a v iz w i u; to je isti v kao u predavanju: smjer prema gore minus njegova projekcija na w, normiran. R ima u, v, w kao stupce; kameru pomiče inverz, a on je transponirana matrica: u, v, w kao retci.</translation>
     </message>
     <message>
         <source>A, B, C and the canonical pyramid</source>

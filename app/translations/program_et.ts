@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&amp;Close the lesson</source>
-        <translation>Su&amp;lge õppetund</translation>
+        <translation>Sul&amp;ge õppetund</translation>
     </message>
     <message>
         <source>&amp;Controls</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>&amp;Conventions</source>
-        <translation>Ko&amp;kkulepped</translation>
+        <translation>K&amp;okkulepped</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation>Täis&amp;ekraan</translation>
+        <translation>Täisek&amp;raan</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Abi</translation>
+        <translation>A&amp;bi</translation>
     </message>
     <message>
         <source>&amp;Hint</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>&amp;Layers</source>
-        <translation>&amp;Kihid</translation>
+        <translation>Ki&amp;hid</translation>
     </message>
     <message>
         <source>&amp;Lessons</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>&amp;Open a lesson…</source>
-        <translation>Ava õ&amp;ppetund…</translation>
+        <translation>Ava &amp;õppetund…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>&amp;Lähtesta paanide oma vaated</translation>
+        <translation>L&amp;ähtesta paanide oma vaated</translation>
     </message>
     <message>
         <source>&amp;Review</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Nagu &amp;süsteemis</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>Back to &amp;all panes</source>
-        <translation>Tagasi &amp;kõigi paanide juurde</translation>
+        <translation>&amp;Tagasi kõigi paanide juurde</translation>
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
@@ -209,15 +209,15 @@
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
-        <translation>Kontrolli õpp&amp;etundi</translation>
+        <translation>K&amp;ontrolli õppetundi</translation>
     </message>
     <message>
         <source>Co&amp;ntrols of the slide</source>
-        <translation>Slaidi &amp;juhtelemendid</translation>
+        <translation>Slai&amp;di juhtelemendid</translation>
     </message>
     <message>
         <source>Compare s&amp;ide by side or overlaid</source>
-        <translation>&amp;Võrdle kõrvuti või ülestikku</translation>
+        <translation>Võrdle kõrvuti või &amp;ülestikku</translation>
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
-        <translation>Jätka tes&amp;ti</translation>
+        <translation>Jätka test&amp;i</translation>
     </message>
     <message>
         <source>Help</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>Kee&amp;l</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>&amp;Maailma vaatepunkt</translation>
+        <translation>Maailma v&amp;aatepunkt</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>O&amp;verview…</source>
-        <translation>Ü&amp;levaade…</translation>
+        <translation>Üle&amp;vaade…</translation>
     </message>
     <message>
         <source>Open</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>P&amp;en</source>
-        <translation>P&amp;liiats</translation>
+        <translation>&amp;Pliiats</translation>
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
@@ -381,7 +381,7 @@
     </message>
     <message>
         <source>Reset &amp;all</source>
-        <translation>Läh&amp;testa kõik</translation>
+        <translation>&amp;Lähtesta kõik</translation>
     </message>
     <message>
         <source>Reset camera, lens, image and settings to how the scene opens</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Esita vastus</translation>
+        <translation>Esita vast&amp;us</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -674,11 +674,11 @@
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Näitab olekut, kus see näha on (Alt+W)</translation>
+        <translation>Näitab olekut, kus see näha on (Alt+D)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
-        <translation>Näita s&amp;eda</translation>
+        <translation>Näita se&amp;da</translation>
     </message>
     <message>
         <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Näita &amp;uuesti</translation>
+        <translation>&amp;Näita uuesti</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -1112,7 +1112,7 @@
     </message>
     <message>
         <source>view</source>
-        <translation>vaate</translation>
+        <translation>kaamerafreimi</translation>
     </message>
     <message>
         <source>world</source>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>Be&amp;gin</source>
-        <translation>&amp;Alusta</translation>
+        <translation>Al&amp;usta</translation>
     </message>
     <message>
         <source>Draw the numbers, and show their state</source>
@@ -1391,7 +1391,7 @@
     </message>
     <message>
         <source>C&amp;olours</source>
-        <translation>Vär&amp;vid</translation>
+        <translation>Vä&amp;rvid</translation>
     </message>
     <message>
         <source>What becomes of lines behind faces, in SVG, PDF and TEX</source>
@@ -1435,11 +1435,11 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Taust</translation>
+        <translation>Tau&amp;st</translation>
     </message>
     <message>
         <source>C&amp;rop to the content</source>
-        <translation>Kä&amp;rbi sisu järgi</translation>
+        <translation>Kär&amp;bi sisu järgi</translation>
     </message>
     <message>
         <source>Leaves a margin of 2 mm around what is drawn</source>
@@ -2518,7 +2518,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
-        <translation>Vihje; {Alt+W} näitab, miks vastus on vale</translation>
+        <translation>Vihje; {Alt+D} näitab, miks vastus on vale</translation>
     </message>
     <message>
         <source>A lamp, a point, also in the cube and the image</source>
@@ -3469,7 +3469,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation>&amp;Sulge</translation>
+        <translation>Sul&amp;ge</translation>
     </message>
     <message>
         <source>Back to step {0}</source>
@@ -3489,7 +3489,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>&amp;Mark the test now</source>
-        <translation>Hinda &amp;testi nüüd</translation>
+        <translation>&amp;Hinda testi nüüd</translation>
     </message>
     <message>
         <source>End the test</source>
@@ -4878,7 +4878,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>muuda dokumendi väärtust, näiteks lens.far=inf; võib korrata; nimed on {0} ja stseeni sätte jaoks settings.NAME</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4898,7 +4898,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>käsud, igaühel oma --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4994,7 +4994,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5074,7 +5074,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>käskudel check ja print: telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: õppetunni omad)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -7545,79 +7545,79 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <name>Spoken</name>
     <message>
         <source>at least</source>
-        <translation type="unfinished"></translation>
+        <translation>vähemalt</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished"></translation>
+        <translation>ülimalt</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished">kraadi</translation>
+        <translation>kraadi</translation>
     </message>
     <message>
         <source>equals</source>
-        <translation type="unfinished"></translation>
+        <translation>võrdub</translation>
     </message>
     <message>
         <source>infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>lõpmatus</translation>
     </message>
     <message>
         <source>is about</source>
-        <translation type="unfinished"></translation>
+        <translation>on umbes</translation>
     </message>
     <message>
         <source>is not</source>
-        <translation type="unfinished"></translation>
+        <translation>ei võrdu</translation>
     </message>
     <message>
         <source>minus</source>
-        <translation type="unfinished"></translation>
+        <translation>miinus</translation>
     </message>
     <message>
         <source>over</source>
-        <translation type="unfinished"></translation>
+        <translation>jagatud</translation>
     </message>
     <message>
         <source>phi</source>
-        <translation type="unfinished"></translation>
+        <translation>fii</translation>
     </message>
     <message>
         <source>plus</source>
-        <translation type="unfinished"></translation>
+        <translation>pluss</translation>
     </message>
     <message>
         <source>plus or minus</source>
-        <translation type="unfinished"></translation>
+        <translation>pluss-miinus</translation>
     </message>
     <message>
         <source>prime</source>
-        <translation type="unfinished"></translation>
+        <translation>primm</translation>
     </message>
     <message>
         <source>root of</source>
-        <translation type="unfinished"></translation>
+        <translation>ruutjuur</translation>
     </message>
     <message>
         <source>sum of</source>
-        <translation type="unfinished"></translation>
+        <translation>summa</translation>
     </message>
     <message>
         <source>times</source>
-        <translation type="unfinished">korda</translation>
+        <translation>korda</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>nool</translation>
     </message>
     <message>
         <source>to the power</source>
-        <translation type="unfinished"></translation>
+        <translation>astmes</translation>
     </message>
     <message>
         <source>vector</source>
-        <translation type="unfinished"></translation>
+        <translation>vektor</translation>
     </message>
 </context>
 <context>
@@ -8006,15 +8006,15 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>Ava see &amp;ettekande esitlemisel</translation>
+        <translation>Ava see ettekande esit&amp;lemisel</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
-        <translation>&amp;Lisa see olek sammuna…</translation>
+        <translation>Lisa p&amp;raegune olek sammuna…</translation>
     </message>
     <message>
         <source>A new talk fro&amp;m here…</source>
-        <translation>Uus ettekanne &amp;siit…</translation>
+        <translation>Uus ettekanne siit e&amp;dasi…</translation>
     </message>
 </context>
 <context>
@@ -8025,7 +8025,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>{0} is not in its folder any more, and no step was added: put the file back, or choose “A new talk from here” in the Lessons menu.</source>
-        <translation>{0} ei ole enam oma kaustas ja sammu ei lisatud: pange fail tagasi või valige menüüst Õppetunnid „Uus ettekanne siit“.</translation>
+        <translation>{0} ei ole enam oma kaustas ja sammu ei lisatud: pange fail tagasi või valige menüüst Õppetunnid „Uus ettekanne siit edasi“.</translation>
     </message>
     <message>
         <source>Added as step {0} of {1}</source>
@@ -8037,7 +8037,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A new talk from here</source>
-        <translation>Uus ettekanne siit</translation>
+        <translation>Uus ettekanne siit edasi</translation>
     </message>
 </context>
 <context>
@@ -8087,7 +8087,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Esita vastus</translation>
+        <translation>Esita vast&amp;us</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -8099,11 +8099,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Näitab olekut, kus see näha on (Alt+W)</translation>
+        <translation>Näitab olekut, kus see näha on (Alt+D)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
-        <translation>Näita s&amp;eda</translation>
+        <translation>Näita se&amp;da</translation>
     </message>
     <message>
         <source>Done.</source>

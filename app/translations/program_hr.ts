@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>&amp;Controls</source>
-        <translation>Kon&amp;trole</translation>
+        <translation>&amp;Kontrole</translation>
     </message>
     <message>
         <source>&amp;Conventions</source>
@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation>Kopiraj &amp;sliku</translation>
+        <translation>&amp;Kopiraj sliku</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>&amp;Frustum</source>
-        <translation>K&amp;rnja piramida</translation>
+        <translation>Krnja p&amp;iramida</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>Po&amp;moć</translation>
+        <translation>Pomo&amp;ć</translation>
     </message>
     <message>
         <source>&amp;Hint</source>
@@ -109,7 +109,7 @@
     </message>
     <message>
         <source>&amp;Lessons</source>
-        <translation>&amp;Lekcije</translation>
+        <translation>Lek&amp;cije</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>&amp;Open a lesson…</source>
-        <translation>O&amp;tvori lekciju…</translation>
+        <translation>&amp;Otvori lekciju…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -141,15 +141,15 @@
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Ponovi</translation>
+        <translation>Pono&amp;vi</translation>
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>&amp;Vrati poglede okana</translation>
+        <translation>Vrati po&amp;glede okana</translation>
     </message>
     <message>
         <source>&amp;Review</source>
-        <translation>Po&amp;navljanje</translation>
+        <translation>Ponavljan&amp;je</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -161,11 +161,11 @@
     </message>
     <message>
         <source>&amp;Show cost</source>
-        <translation>&amp;Prikaži trošak</translation>
+        <translation>P&amp;rikaži trošak</translation>
     </message>
     <message>
         <source>&amp;Show the step again</source>
-        <translation>Ponovno p&amp;okaži korak</translation>
+        <translation>Ponovno po&amp;kaži korak</translation>
     </message>
     <message>
         <source>&amp;Start card</source>
@@ -189,11 +189,11 @@
     </message>
     <message>
         <source>Along the a&amp;xis</source>
-        <translation>Duž o&amp;si</translation>
+        <translation>Duž &amp;osi</translation>
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Kao u s&amp;ustavu</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -201,27 +201,27 @@
     </message>
     <message>
         <source>Back to &amp;all panes</source>
-        <translation>Natrag na s&amp;va okna</translation>
+        <translation>&amp;Natrag na sva okna</translation>
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
-        <translation>Počni lekciju iz&amp;nova</translation>
+        <translation>Počni lekciju iznov&amp;a</translation>
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
-        <translation>Provje&amp;ri lekciju</translation>
+        <translation>Pro&amp;vjeri lekciju</translation>
     </message>
     <message>
         <source>Co&amp;ntrols of the slide</source>
-        <translation>&amp;Kontrole slajda</translation>
+        <translation>Kontrole sla&amp;jda</translation>
     </message>
     <message>
         <source>Compare s&amp;ide by side or overlaid</source>
-        <translation>Usporedi &amp;jedno uz drugo ili preklopljeno</translation>
+        <translation>Usporedi je&amp;dno uz drugo ili preklopljeno</translation>
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
-        <translation>Usporedi &amp;s ovom slikom</translation>
+        <translation>Usporedi s &amp;ovom slikom</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
-        <translation>Nastavi t&amp;est</translation>
+        <translation>Nas&amp;tavi test</translation>
     </message>
     <message>
         <source>Help</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jezik</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>Pogled na &amp;svijet</translation>
+        <translation>Pogled n&amp;a svijet</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
-        <translation>Po&amp;kazivač u svim oknima</translation>
+        <translation>Pokaziva&amp;č u svim oknima</translation>
     </message>
     <message>
         <source>Panes in col&amp;umns</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Reduce &amp;motion</source>
-        <translation>Manje &amp;kretanja</translation>
+        <translation>&amp;Manje kretanja</translation>
     </message>
     <message>
         <source>Remove the &amp;probe</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>Test &amp;yourself…</source>
-        <translation>Provjerite s&amp;ebe…</translation>
+        <translation>Provjerite znanj&amp;e…</translation>
     </message>
     <message>
         <source>The scenes as pictures, lessons, talks, and recent files</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Predaj</translation>
+        <translation>P&amp;redaj</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -622,7 +622,7 @@
     </message>
     <message>
         <source>Chec&amp;k</source>
-        <translation>Provje&amp;ri</translation>
+        <translation>Provj&amp;eri</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -646,7 +646,7 @@
     </message>
     <message>
         <source>Show the right answer, and why it is right (Alt+A)</source>
-        <translation>Prikazuje točan odgovor i zašto je točan (Alt+A)</translation>
+        <translation>Prikazuje točan odgovor i zašto je točan (Alt+G)</translation>
     </message>
     <message>
         <source>Show the &amp;answer</source>
@@ -674,7 +674,7 @@
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Prikazuje stanje u kojem se to vidi (Alt+W)</translation>
+        <translation>Prikazuje stanje u kojem se to vidi (Alt+K)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
@@ -807,7 +807,7 @@
     <name>ChoiceView</name>
     <message>
         <source>&amp;Commit</source>
-        <translation>&amp;Potvrdi</translation>
+        <translation>Po&amp;tvrdi</translation>
     </message>
     <message>
         <source>This is my prediction (Enter)</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Pokaži &amp;ponovno</translation>
+        <translation>Pokaži p&amp;onovno</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -1285,7 +1285,7 @@
     </message>
     <message>
         <source>Be&amp;gin</source>
-        <translation>Poč&amp;ni</translation>
+        <translation>Počn&amp;i</translation>
     </message>
     <message>
         <source>Draw the numbers, and show their state</source>
@@ -2519,7 +2519,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
-        <translation>Savjet; {Alt+W} pokazuje zašto je odgovor netočan</translation>
+        <translation>Savjet; {Alt+K} pokazuje zašto je odgovor netočan</translation>
     </message>
     <message>
         <source>A lamp, a point, also in the cube and the image</source>
@@ -3047,7 +3047,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{Alt+I}</source>
-        <translation>{Alt+I}</translation>
+        <translation>{Alt+A}</translation>
     </message>
     <message>
         <source>{Alt+Right}</source>
@@ -3154,7 +3154,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Hiding</name>
     <message>
         <source>Hidden until the exercise is answered</source>
-        <translation>Skriveno dok se vježba ne odgovori</translation>
+        <translation>Skriveno dok se na vježbu ne odgovori</translation>
     </message>
     <message>
         <source>Closed during a test</source>
@@ -3328,7 +3328,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>No scale factors: things farther away are drawn smaller.</source>
-        <translation>Nema faktora mjerila: udaljenije se crta manjim.</translation>
+        <translation>Nema faktora mjerila: ono što je dalje crta se manjim.</translation>
     </message>
     <message>
         <source>A unit would be drawn {0} long along x, {1} along y, {2} along z.</source>
@@ -3410,7 +3410,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Show the next hint (Alt+I)</source>
-        <translation>Prikazuje sljedeći savjet (Alt+I)</translation>
+        <translation>Prikazuje sljedeći savjet (Alt+A)</translation>
     </message>
     <message>
         <source>Next step ({0})</source>
@@ -3434,11 +3434,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation>&amp;Dalje</translation>
+        <translation>Da&amp;lje</translation>
     </message>
     <message>
         <source>Do&amp;ne</source>
-        <translation>&amp;Gotovo</translation>
+        <translation>Goto&amp;vo</translation>
     </message>
     <message>
         <source>Make your prediction first: choose one, then Commit.</source>
@@ -3490,7 +3490,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Mark the test now</source>
-        <translation>&amp;Ocijeni test sada</translation>
+        <translation>Oci&amp;jeni test sada</translation>
     </message>
     <message>
         <source>End the test</source>
@@ -3692,7 +3692,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>The hint (Alt+I) says how to begin.</source>
-        <translation>Savjet (Alt+I) kaže kako početi.</translation>
+        <translation>Savjet (Alt+A) kaže kako početi.</translation>
     </message>
     <message>
         <source>Wrong</source>
@@ -4879,7 +4879,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4899,7 +4899,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>naredbe, svaka s vlastitim --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4995,7 +4995,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5075,7 +5075,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>uz check i print: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz lekcije)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -5226,7 +5226,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Test &amp;yourself…</source>
-        <translation>Provjerite s&amp;ebe…</translation>
+        <translation>Provjerite znanj&amp;e…</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -6127,79 +6127,79 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation>je oblak točaka druge vrste ({0}): pretvorite ga u .ply; naredba „project --points” čita tablicu x, y, z</translation>
+        <translation>sadrži oblak točaka druge vrste ({0}): pretvorite ga u .ply; naredba „project --points” čita tablicu x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation>je dokument i nema pogled {0}</translation>
+        <translation>kao dokument nema pogled {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation>je datoteka programa {0}, koja se ne čita: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
+        <translation>ne čita se, jer je datoteka programa {0}: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation>je mapa, a ne datoteka</translation>
+        <translation>nije datoteka, nego mapa</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation>je objektiv s distorzijom, a ovdje pravci ostaju ravni: ispravite distorziju slika i koristite kameru novih</translation>
+        <translation>opisuje objektiv s distorzijom, a ovdje pravci ostaju ravni: ispravite distorziju slika i koristite kameru novih</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation>je slika bez dokumenta programa Frustum Lab u sebi</translation>
+        <translation>nema u slici dokument programa Frustum Lab</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation>je nakošenost piksela, koja mora biti 0: prozor objektiva je pravokutnik</translation>
+        <translation>znači nakošenost piksela, koja mora biti 0: prozor objektiva je pravokutnik</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation>je transponirana K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
+        <translation>predstavlja transponiranu K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
-        <translation>beskonačno je daleko, pa je smjer, a ne točka</translation>
+        <translation>leži u beskonačnosti, pa je smjer, a ne točka</translation>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation>je binarno: zapišite tekst naredbom colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
+        <translation>ima binarni sadržaj: zapišite tekst naredbom colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation>oštećeno je ili prekinuto: tekst od retka {0}, stupca {1} nadalje nije JSON</translation>
+        <translation>ima oštećen ili prekinut sadržaj: tekst od retka {0}, stupca {1} nadalje nije JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation>oštećeno je i ne može se preimenovati: {0}</translation>
+        <translation>ima oštećen sadržaj i ne može se preimenovati: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
-        <translation>ispunjeno je prije nego što student išta učini</translation>
+        <translation>ispunjava se prije nego što student išta učini</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation>prazno je</translation>
+        <translation>nema sadržaja</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation>zadano je dvaput</translation>
+        <translation>pojavljuje se dvaput</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
-        <translation>dano je u pikselima slike čija veličina nije poznata, a nije ni {0} x {1}: postavite image.width i image.height ili dodajte image_width i image_height u datoteku</translation>
+        <translation>vrijedi u pikselima slike čija veličina nije poznata, a nije ni {0} x {1}: postavite image.width i image.height ili dodajte image_width i image_height u datoteku</translation>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation>uvučeno je, ali ne pripada ničemu iznad sebe</translation>
+        <translation>ima uvlaku, ali ne pripada ničemu iznad sebe</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation>veće je od {0}</translation>
+        <translation>prelazi veličinu {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
-        <translation>dulje je od broja znakova {0}</translation>
+        <translation>prelazi duljinu od {0} znakova</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -6251,47 +6251,47 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
-        <translation>je korak {0} lekcije; granica je {1}</translation>
+        <translation>pripada koraku {0} lekcije; granica je {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
-        <translation>je korak {0} s vježbom; granica lekcije je {1}</translation>
+        <translation>pripada koraku {0} s vježbom; granica lekcije je {1}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
-        <translation>već je slovo za {0}; dvije stvari ne mogu dijeliti isto</translation>
+        <translation>već označava {0}; dvije stvari ne mogu dijeliti isto slovo</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation>je presuda koju nema nijedan uzorak u bloku „test”</translation>
+        <translation>ne odgovara nijednom uzorku u bloku „test”</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>preblizu je {0} za ravninu koja je od kamere udaljena koliko i bliska ravnina</translation>
+        <translation>leži preblizu vrijednosti {0} za ravninu koja je od kamere udaljena koliko i bliska ravnina</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
-        <translation>preblizu je {0} da bi float64 to dvoje razlikovao</translation>
+        <translation>leži preblizu vrijednosti {0} da bi ih float64 razlikovao</translation>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation>predugo je za jednu stranicu</translation>
+        <translation>ne stane na jednu stranicu</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
-        <translation>ne isprobava nijedan uzorak „{0}: ... -&gt; right”, pa se pogrešna vrijednost ne bi primijetila</translation>
+        <translation>nema uzorak „{0}: ... -&gt; right” koji bi ga isprobao, pa se pogrešna vrijednost ne bi primijetila</translation>
     </message>
     <message>
         <source>is wrong, but has no reply: name a wrong idea, or add “says:” below</source>
-        <translation>pogrešno je, ali nema odgovora: navedite pogrešnu predodžbu ili ispod dodajte „says:”</translation>
+        <translation>vrijedi kao pogrešno, ali nema odgovora: navedite pogrešnu predodžbu ili ispod dodajte „says:”</translation>
     </message>
     <message>
         <source>is wrong, but holds in the right state</source>
-        <translation>pogrešno je, ali vrijedi u točnom stanju</translation>
+        <translation>vrijedi kao pogrešno, a ispunjeno je i u točnom stanju</translation>
     </message>
     <message>
         <source>is wrong, but its formula gives the right value, {0}</source>
-        <translation>pogrešno je, ali njegova formula daje točnu vrijednost, {0}</translation>
+        <translation>vrijedi kao pogrešno, a formula daje točnu vrijednost, {0}</translation>
     </message>
     <message>
         <source>lacks a line --- above it, which ends the lines like “title: ...”</source>
@@ -6323,7 +6323,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be 9, 12 or 16 numbers, but has {0}</source>
-        <translation>mora biti 9, 12 ili 16 brojeva, a ima ih {0}</translation>
+        <translation>mora imati 9, 12 ili 16 brojeva, a ima ih {0}</translation>
     </message>
     <message>
         <source>must be NAME=VALUE, or document: FILE.json</source>
@@ -6551,11 +6551,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
-        <translation>iza mora stajati # i broj, do {0}, ili ime pogleda: {1}</translation>
+        <translation>mora iza sebe imati # i broj, do {0}, ili ime pogleda: {1}</translation>
     </message>
     <message>
         <source>must be four rows of four finite numbers</source>
-        <translation>mora biti četiri retka s po četiri konačna broja</translation>
+        <translation>mora imati četiri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be from {0} to {1} points</source>
@@ -6667,7 +6667,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be the numbers x, y, z of each point in turn</source>
-        <translation>moraju biti redom brojevi x, y, z svake točke</translation>
+        <translation>mora sadržavati redom brojeve x, y, z svake točke</translation>
     </message>
     <message>
         <source>must be the path of a mesh file ({0}), or empty for none</source>
@@ -6679,19 +6679,19 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be three finite numbers x, y, z</source>
-        <translation>mora biti tri konačna broja x, y, z</translation>
+        <translation>mora imati tri konačna broja x, y, z</translation>
     </message>
     <message>
         <source>must be three numbers for a point, four with w, two for the ray of a pixel, or null for no probe</source>
-        <translation>mora biti tri broja za točku, četiri s w, dva za zraku piksela ili null za nijednu sondu</translation>
+        <translation>mora imati tri broja za točku, četiri s w, dva za zraku piksela ili null za nijednu sondu</translation>
     </message>
     <message>
         <source>must be three rows of four finite numbers</source>
-        <translation>mora biti tri retka s po četiri konačna broja</translation>
+        <translation>mora imati tri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be three rows of three finite numbers</source>
-        <translation>mora biti tri retka s po tri konačna broja</translation>
+        <translation>mora imati tri retka s po tri konačna broja</translation>
     </message>
     <message>
         <source>must be tiles such as translate 3,0,0 or rotate z 90</source>
@@ -6707,7 +6707,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be two numbers of pixels, width and height</source>
-        <translation>mora biti dva broja piksela, širina i visina</translation>
+        <translation>mora imati dva broja piksela, širinu i visinu</translation>
     </message>
     <message>
         <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
@@ -6967,19 +6967,19 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation>bilo je oštećeno i čuva se kao {0}</translation>
+        <translation>imalo je oštećen sadržaj i čuva se kao {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
-        <translation>zapisao je noviji Frustum Lab: njegova je verzija {0}, granica je {1}</translation>
+        <translation>dolazi iz novijeg programa Frustum Lab: verzija je {0}, granica je {1}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}</source>
-        <translation>zapisao je noviji Frustum Lab: verzija je {0}, ovaj program čita do {1}</translation>
+        <translation>dolazi iz novijeg programa Frustum Lab: verzija je {0}, ovaj program čita do {1}</translation>
     </message>
     <message>
         <source>was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}</source>
-        <translation>pisano je za noviji Frustum Lab, koji čita verziju {0}; ovaj čita do {1}</translation>
+        <translation>treba noviji Frustum Lab, koji čita verziju {0}; ovaj čita do {1}</translation>
     </message>
     <message>
         <source>width = {0} mm: a line of this equation needs {1} mm in letters of {2} points.</source>
@@ -7324,7 +7324,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Test yourself</source>
-        <translation>Provjerite sebe</translation>
+        <translation>Provjerite znanje</translation>
     </message>
     <message>
         <source>Number of the test</source>
@@ -7524,7 +7524,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation>&amp;Zaustavi</translation>
+        <translation>Zau&amp;stavi</translation>
     </message>
     <message>
         <source>&amp;Start</source>
@@ -7547,79 +7547,79 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Spoken</name>
     <message>
         <source>at least</source>
-        <translation type="unfinished"></translation>
+        <translation>veće ili jednako</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished"></translation>
+        <translation>manje ili jednako</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished">stupnjeva</translation>
+        <translation>stupnjeva</translation>
     </message>
     <message>
         <source>equals</source>
-        <translation type="unfinished"></translation>
+        <translation>jednako</translation>
     </message>
     <message>
         <source>infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>beskonačno</translation>
     </message>
     <message>
         <source>is about</source>
-        <translation type="unfinished"></translation>
+        <translation>približno</translation>
     </message>
     <message>
         <source>is not</source>
-        <translation type="unfinished"></translation>
+        <translation>različito od</translation>
     </message>
     <message>
         <source>minus</source>
-        <translation type="unfinished"></translation>
+        <translation>minus</translation>
     </message>
     <message>
         <source>over</source>
-        <translation type="unfinished"></translation>
+        <translation>kroz</translation>
     </message>
     <message>
         <source>phi</source>
-        <translation type="unfinished"></translation>
+        <translation>fi</translation>
     </message>
     <message>
         <source>plus</source>
-        <translation type="unfinished"></translation>
+        <translation>plus</translation>
     </message>
     <message>
         <source>plus or minus</source>
-        <translation type="unfinished"></translation>
+        <translation>plus minus</translation>
     </message>
     <message>
         <source>prime</source>
-        <translation type="unfinished"></translation>
+        <translation>crtano</translation>
     </message>
     <message>
         <source>root of</source>
-        <translation type="unfinished"></translation>
+        <translation>korijen iz</translation>
     </message>
     <message>
         <source>sum of</source>
-        <translation type="unfinished"></translation>
+        <translation>zbroj po</translation>
     </message>
     <message>
         <source>times</source>
-        <translation type="unfinished">puta</translation>
+        <translation>puta</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>u</translation>
     </message>
     <message>
         <source>to the power</source>
-        <translation type="unfinished"></translation>
+        <translation>na potenciju</translation>
     </message>
     <message>
         <source>vector</source>
-        <translation type="unfinished"></translation>
+        <translation>vektor</translation>
     </message>
 </context>
 <context>
@@ -7875,7 +7875,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>StatusLine</name>
     <message>
         <source>Numerical health</source>
-        <translation>Numeričko zdravlje</translation>
+        <translation>Numeričko stanje</translation>
     </message>
     <message>
         <source>The precision of the picture (drawn) and of its numbers (read), each with a bound on its error. The bound of the picture holds for what is visible. The bounds of the numbers and of the alternatives in the menu hold for every point in front of the eye</source>
@@ -8004,11 +8004,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>TalkActions</name>
     <message>
         <source>Speaker&apos;s &amp;window</source>
-        <translation>&amp;Prozor predavača</translation>
+        <translation>Prozor predava&amp;ča</translation>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>&amp;Otvori ga kad se izlaže</translation>
+        <translation>Otvori ga kad se &amp;izlaže</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
@@ -8089,7 +8089,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Predaj</translation>
+        <translation>P&amp;redaj</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -8101,7 +8101,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Prikazuje stanje u kojem se to vidi (Alt+W)</translation>
+        <translation>Prikazuje stanje u kojem se to vidi (Alt+K)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
@@ -8508,7 +8508,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Choose half floats, products alone.</source>
-        <translation>Odaberite polovične brojeve, samo umnoške.</translation>
+        <translation>Odaberite polovičnu preciznost, samo umnoške.</translation>
     </message>
     <message>
         <source>Choose the box: which come, which go?</source>
@@ -8732,7 +8732,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Enlarge the 105-mm photograph</source>
-        <translation>Povećajte fotografiju od 105 mm</translation>
+        <translation>Povećaj fotografiju od 105 mm</translation>
     </message>
     <message>
         <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
@@ -9052,7 +9052,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Move near and far: which cards cross?</source>
-        <translation>Pomaknite blisku i daleku ravninu: koje ih karte sijeku?</translation>
+        <translation>Pomaknite blisku i daleku ravninu: koje ih kartice sijeku?</translation>
     </message>
     <message>
         <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
@@ -9628,7 +9628,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>all</source>
-        <translation>svi</translation>
+        <translation>sve</translation>
     </message>
     <message>
         <source>an axis is too long or too short by up to</source>
@@ -9700,15 +9700,15 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>cards crossing: to be cut</source>
-        <translation>karte koje sijeku: treba ih odsjeći</translation>
+        <translation>kartice koje sijeku: treba ih odsjeći</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation>karte izvan</translation>
+        <translation>kartice izvan</translation>
     </message>
     <message>
         <source>cards whole inside</source>
-        <translation>karte cijele unutra</translation>
+        <translation>kartice cijele unutra</translation>
     </message>
     <message>
         <source>case, by the cut at z = −0.01</source>
@@ -9732,11 +9732,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>clipped</source>
-        <translation>odsječeno</translation>
+        <translation>odsječeno homogeno</translation>
     </message>
     <message>
         <source>clipped, then divided</source>
-        <translation>odsječeno, zatim dijeljeno</translation>
+        <translation>odsječeno homogeno, zatim dijeljeno</translation>
     </message>
     <message>
         <source>codes of the buffer</source>
@@ -10004,7 +10004,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation>polovični brojevi</translation>
+        <translation>polovična preciznost</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
@@ -10256,7 +10256,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>off-axis</source>
-        <translation>asimetrično</translation>
+        <translation>asimetrične</translation>
     </message>
     <message>
         <source>on the film: h&apos; = −d·h / z</source>
@@ -10652,7 +10652,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>these are</source>
-        <translation>to je</translation>
+        <translation>to su</translation>
     </message>
     <message>
         <source>these formats may overflow or divide by 0 here, so there is no bound</source>
@@ -10840,7 +10840,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0} = {1}: is at infinity, so it is a direction and not a point; it must be another than {2}</source>
-        <translation>{0} = {1}: beskonačno je daleko, pa je smjer, a ne točka; mora se razlikovati od {2}</translation>
+        <translation>{0} = {1}: leži u beskonačnosti, pa je smjer, a ne točka; mora se razlikovati od {2}</translation>
     </message>
     <message>
         <source>{0} = {1}: must be from 0 to {2}, or P has no pixel and no depth in the picture</source>

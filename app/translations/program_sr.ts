@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>&amp;Blank the screen</source>
-        <translation>&amp;Затамни екран</translation>
+        <translation>Зата&amp;мни екран</translation>
     </message>
     <message>
         <source>&amp;Camera</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation>Као с&amp;истем</translation>
+        <translation>Као систе&amp;м</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation>&amp;Језик</translation>
+        <translation>Је&amp;зик</translation>
     </message>
     <message>
         <source>Light</source>
@@ -5075,7 +5075,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>уз check и print: слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из лекције)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -5903,7 +5903,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>cannot be written: it is write-protected</source>
-        <translation>не може да се упише: заштићено је од писања</translation>
+        <translation>не може да се упише: постоји заштита од писања</translation>
     </message>
     <message>
         <source>cannot be written: {0}</source>
@@ -6127,35 +6127,35 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation>јесте облак тачака друге врсте ({0}): претворите га у .ply; наредба „project --points” чита табелу x, y, z</translation>
+        <translation>је облак тачака друге врсте ({0}): претворите га у .ply; наредба „project --points” чита табелу x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation>јесте документ и нема поглед {0}</translation>
+        <translation>је документ и нема поглед {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation>јесте датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
+        <translation>је датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation>јесте фасцикла, а не датотека</translation>
+        <translation>је фасцикла, а не датотека</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation>јесте објектив са дисторзијом, а овде праве остају праве: уклоните дисторзију са слика и употребите камеру нових слика</translation>
+        <translation>је објектив са дисторзијом, а овде праве остају праве: уклоните дисторзију са слика и употребите камеру нових слика</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation>јесте слика без документа програма Frustum Lab у себи</translation>
+        <translation>је слика без документа програма Frustum Lab у себи</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation>јесте искошење пиксела, које мора бити 0: прозор објектива је правоугаоник</translation>
+        <translation>је искошење пиксела, које мора бити 0: прозор објектива је правоугаоник</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation>јесте транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
+        <translation>је транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
@@ -6163,15 +6163,15 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation>јесте бинарна датотека: упишите текст помоћу colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
+        <translation>је бинарна датотека: упишите текст помоћу colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation>је оштећено или прекинуто: текст од реда {0}, колоне {1} надаље није JSON</translation>
+        <translation>има оштећен или прекинут садржај: текст од реда {0}, колоне {1} надаље није JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation>је оштећено и не може да се преименује: {0}</translation>
+        <translation>има оштећен садржај и не може да се преименује: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
@@ -6179,11 +6179,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is empty</source>
-        <translation>је празно</translation>
+        <translation>нема садржаја</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation>је дато двапут</translation>
+        <translation>стоји двапут</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
@@ -6191,11 +6191,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation>је увучено, али не припада ничему изнад</translation>
+        <translation>стоји увучено, али не припада ничему изнад</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation>је веће од {0}</translation>
+        <translation>прелази величину {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
@@ -6275,7 +6275,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation>је предугачко за једну страну</translation>
+        <translation>не стаје на једну страну</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
@@ -6967,7 +6967,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation>је било оштећено, и чува се као {0}</translation>
+        <translation>има оштећен садржај, и чува се као {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
@@ -7055,7 +7055,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0}: is damaged: {1}.</source>
-        <translation>{0}: оштећено: {1}.</translation>
+        <translation>{0}: датотека је оштећена: {1}.</translation>
     </message>
     <message>
         <source>{0}: is not a file of measurements.</source>
@@ -7547,79 +7547,79 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Spoken</name>
     <message>
         <source>at least</source>
-        <translation type="unfinished"></translation>
+        <translation>најмање</translation>
     </message>
     <message>
         <source>at most</source>
-        <translation type="unfinished"></translation>
+        <translation>највише</translation>
     </message>
     <message>
         <source>degrees</source>
-        <translation type="unfinished">степени</translation>
+        <translation>степени</translation>
     </message>
     <message>
         <source>equals</source>
-        <translation type="unfinished"></translation>
+        <translation>једнако</translation>
     </message>
     <message>
         <source>infinity</source>
-        <translation type="unfinished"></translation>
+        <translation>бесконачно</translation>
     </message>
     <message>
         <source>is about</source>
-        <translation type="unfinished"></translation>
+        <translation>приближно једнако</translation>
     </message>
     <message>
         <source>is not</source>
-        <translation type="unfinished"></translation>
+        <translation>различито од</translation>
     </message>
     <message>
         <source>minus</source>
-        <translation type="unfinished"></translation>
+        <translation>минус</translation>
     </message>
     <message>
         <source>over</source>
-        <translation type="unfinished"></translation>
+        <translation>кроз</translation>
     </message>
     <message>
         <source>phi</source>
-        <translation type="unfinished"></translation>
+        <translation>фи</translation>
     </message>
     <message>
         <source>plus</source>
-        <translation type="unfinished"></translation>
+        <translation>плус</translation>
     </message>
     <message>
         <source>plus or minus</source>
-        <translation type="unfinished"></translation>
+        <translation>плус-минус</translation>
     </message>
     <message>
         <source>prime</source>
-        <translation type="unfinished"></translation>
+        <translation>прим</translation>
     </message>
     <message>
         <source>root of</source>
-        <translation type="unfinished"></translation>
+        <translation>корен из</translation>
     </message>
     <message>
         <source>sum of</source>
-        <translation type="unfinished"></translation>
+        <translation>збир</translation>
     </message>
     <message>
         <source>times</source>
-        <translation type="unfinished">пута</translation>
+        <translation>пута</translation>
     </message>
     <message>
         <source>to</source>
-        <translation type="unfinished"></translation>
+        <translation>у</translation>
     </message>
     <message>
         <source>to the power</source>
-        <translation type="unfinished"></translation>
+        <translation>на степен</translation>
     </message>
     <message>
         <source>vector</source>
-        <translation type="unfinished"></translation>
+        <translation>вектор</translation>
     </message>
 </context>
 <context>
