@@ -83,7 +83,7 @@ class TradesCard(CoverCard):
         bold = boldest(results.trades[0]) if results is not None else None
         if results is not None and bold is not None:
             cost, choice = bold
-            paid = bargain(results.trades[0].by_cost(cost), choice, of_measurements)
+            paid = bargain(results.trades[0].by_cost(cost), choice)
         tile = tool_button(
             act=partial(self._choose, self.trade_chosen.emit, name), name=title, flat=True
         )
