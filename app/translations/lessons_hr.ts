@@ -412,7 +412,7 @@
     </message>
     <message>
         <source>The camera looks along {0}: {1} runs from the target back to the eye. Look at its arrow: it points away from the F.</source>
-        <translation>Kamera gleda duž {0}: {1} ide od cilja natrag prema kameri. Pogledajte njegovu strelicu: pokazuje od slova F.</translation>
+        <translation>Kamera gleda duž {0}: {1} ide od cilja natrag prema kameri. Pogledajte njegovu strelicu: pokazuje na suprotnu stranu od slova F.</translation>
     </message>
     <message>
         <source>(-1, 0, 0), opposite to the direction in which it looks</source>
@@ -452,7 +452,7 @@
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
-        <translation>U ploči *Koordinatni sustav kamere* grade ih jednog po jednog **Natrag** i **Dalje**.</translation>
+        <translation>U ploči *Koordinatni sustav kamere* grade ih jedan po jedan **Natrag** i **Dalje**.</translation>
     </message>
     <message>
         <source>V is not v</source>
@@ -552,7 +552,7 @@
     </message>
     <message>
         <source>Give the camera {0}.</source>
-        <translation>Neka kamera ima {0}.</translation>
+        <translation>Postavite kameru tako da bude {0}.</translation>
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
-        <translation>Neka kamera ima {0} u smjeru {1}.</translation>
+        <translation>Postavite kameru tako da {0} ima smjer {1}.</translation>
     </message>
     <message>
         <source>{0} runs from the target to the eye.</source>
@@ -1205,7 +1205,7 @@
     </message>
     <message>
         <source>In the picture of the box: how wide is cube A, as a multiple of cube B, which is half as deep?</source>
-        <translation>Koliko je puta na slici kvadra kocka A široka kao kocka B, koja je na upola manjoj dubini?</translation>
+        <translation>Kolika je na slici kvadra širina kocke A podijeljena širinom kocke B, koja je na upola manjoj dubini?</translation>
     </message>
     <message>
         <source>This divides by the depth, as a pyramid does. Look at a pyramid wide enough for both: here A is half as wide as B, because its projectors meet. Those of the box do not.</source>
@@ -1986,7 +1986,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Prozor na bliskoj ravnini širok je 4, a visok 2: {0} od -2 do 2, {1} od -1 do 1. Slika ima 720 puta 720 piksela. Rastegnuto na nju, slovo F je dvostruko više nego što treba. Predavanje 000 ima dva lijeka. Varijanta X zamjenjuje {2} s {3} (i {4} s {5}), tako da proporcije budu ispravne.</translation>
+        <translation>Prozor na bliskoj ravnini širok je 4, a visok 2: {0} od -2 do 2, {1} od -1 do 1. Slika ima 720 puta 720 piksela. Rastegnuto na nju, slovo F je dvaput više nego što treba biti. Predavanje 000 ima dva lijeka. Varijanta X zamjenjuje {2} s {3} (i {4} s {5}), tako da proporcije budu ispravne.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -2413,7 +2413,7 @@
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
-        <translation>Savijene linije pokvarile bi spremnik dubine: između vrhova trokuta dubine se interpoliraju jednoliko po pikselima. Izračunana dubina ne bi bila prava, i ploha koja je iza mogla bi se nacrtati ispred.</translation>
+        <translation>Savijene linije pokvarile bi spremnik dubine: između vrhova trokuta dubine se interpoliraju jednoliko po pikselima. Izračunata dubina ne bi bila prava, i ploha koja je iza mogla bi se nacrtati ispred.</translation>
     </message>
     <message>
         <source>Practise: the depth of a point</source>
@@ -2767,7 +2767,7 @@
     </message>
     <message>
         <source>The lens becomes orthographic; camera and posts stay. How many times as high as post 1 is post 2 drawn now?</source>
-        <translation>Objektiv postaje ortogonalni; kamera i stupovi ostaju. Koliko je puta stup 2 sada nacrtan visok kao stup 1?</translation>
+        <translation>Objektiv postaje ortogonalni; kamera i stupovi ostaju. Kolika je sada nacrtana visina stupa 2 podijeljena visinom stupa 1?</translation>
     </message>
     <message>
         <source>1 times: both are equally high</source>
@@ -3010,7 +3010,7 @@
     </message>
     <message>
         <source>That is a shear: the matrix {0}, which leaves the near plane as it is. Here {1}, {2} and {3}: one unit behind the near plane {4}, and x moves by {5}. *Matrices* shows it as *sheared ← view*. After {6} the slanted box is straight, so {7}; the three matrices stand side by side.</source>
-        <translation>To je smicanje: matrica {0}, koja ostavlja blisku ravninu kakva jest. Ovdje je {1}, {2} i {3}: jednu jedinicu iza bliske ravnine je {4}, a x se pomiče za {5}. *Matrice* je pokazuju kao *smaknuti ← kamera*. Nakon {6} kosi kvadar je uspravan, pa je {7}; tri matrice stoje jedna uz drugu.</translation>
+        <translation>To je smicanje: matrica {0}, koja ostavlja blisku ravninu kakva jest. Ovdje je {1}, {2} i {3}: jednu jedinicu iza bliske ravnine je {4}, a x se pomiče za {5}. *Matrice* je pokazuju kao *smicanje ← kamera*. Nakon {6} kosi kvadar je uspravan, pa je {7}; tri matrice stoje jedna uz drugu.</translation>
     </message>
     <message>
         <source>Make it a cabinet drawing</source>
@@ -3190,7 +3190,7 @@
     </message>
     <message>
         <source>The projectors of this drawing meet the picture at the angle {0}. Edges that recede are drawn {1} times as long as they are.</source>
-        <translation>Zrake projiciranja ovog crteža sijeku sliku pod kutom {0}. Bridovi koji idu u dubinu crtaju se {1} puta dugi koliko jesu.</translation>
+        <translation>Zrake projiciranja ovog crteža sijeku sliku pod kutom {0}. Nacrtana duljina bridova koji idu u dubinu iznosi {1} njihove prave duljine.</translation>
     </message>
     <message>
         <source>Make {0}, to within 1 %. The direction of the receding edges is free.</source>
@@ -7309,7 +7309,7 @@
     </message>
     <message>
         <source>The window is {0}, but the canvas {1} is square. (13) does not prevent this: the letter is twice as high as it should be.</source>
-        <translation>Prozor je {0}, ali je canvas {1} kvadratan. (13) to ne sprječava: slovo je dvostruko više nego što treba.</translation>
+        <translation>Prozor je {0}, ali je canvas {1} kvadratan. (13) to ne sprječava: slovo je dvaput više nego što treba biti.</translation>
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
@@ -7392,7 +7392,7 @@
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation>Kartice koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelo.</translation>
+        <translation>Kartice koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelih.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
@@ -7448,7 +7448,7 @@
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation>Osi kao na ekranu: x udesno, y gore, z prema nama. Smjer gledanja može biti bilo koji vektor, smjer prema gore bilo koji koji ne leži duž njega; ne mora biti okomit. Na ploči pomičite Prema gore od pogleda: slika ostaje dok smjer prema gore ostaje u svojoj ravnini. Dovedite ga blizu 0 i pomaknite ga za 0.1° u stranu: slika se zakrene. Na 0 se kamera odbija.</translation>
+        <translation>Osi kao na ekranu: x udesno, y gore, z prema nama. Smjer gledanja može biti bilo koji vektor, smjer prema gore bilo koji koji ne leži duž njega; ne mora biti okomit. Na ploči pomičite Prema gore od pogleda: slika ostaje dok smjer prema gore ostaje u svojoj ravnini. Dovedite ga blizu 0 i pomaknite ga za 0.1° u stranu: slika se zakrene. Na 0 program kameru odbije.</translation>
     </message>
     <message>
         <source>The angles of view</source>
@@ -7480,7 +7480,7 @@
     </message>
     <message>
         <source>With 29 mm from 30 cm and with 105 mm from 108.6 cm the head is equally large. With 105 mm from 360 cm it is 0.30 times as large.</source>
-        <translation>S 29 mm s 30 cm i sa 105 mm sa 108.6 cm glava je jednako velika. Sa 105 mm s 360 cm je 0.30 puta toliko velika.</translation>
+        <translation>Objektivom od 29 mm s udaljenosti od 30 cm i objektivom od 105 mm sa 108.6 cm glava je jednako velika. Objektivom od 105 mm s 360 cm visoka je samo 0.30 te veličine.</translation>
     </message>
     <message>
         <source>From 30 cm to 108.6 cm, the head kept at its size: what of the background?</source>
@@ -7512,11 +7512,11 @@
     </message>
     <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
-        <translation>20 cm iza, ona je 0.6 puta velika kao glava s 30 cm, a 0.84 puta sa 108.6 cm.</translation>
+        <translation>20 cm iza, njezina je veličina 0.6 veličine glave snimljene s 30 cm, a 0.84 snimljene sa 108.6 cm.</translation>
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: 0.30 puta toliko velika, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7568,7 +7568,7 @@
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation>Dvije plohe razmaknute 0.05, 16 bitova. Gdje obje dobiju isti kod, probija skrivena. Glasanje, zatim pokažite; potom vratite blisku ravninu na 0.1 i isprobajte daleku na 50: ništa se ne dobiva. Pomažu i 24 bita. Pravilo: bliska ravnina onoliko daleko koliko scena dopušta. Ne stavljajte je na 0 za svaki slučaj.</translation>
+        <translation>Dvije plohe razmaknute 0.05, 16 bitova. Gdje obje dobiju isti kod, probija skrivena. Glasanje, zatim pokažite; potom vratite blisku ravninu na 0.1 i isprobajte daleku na 50: ništa se ne dobiva. To rješavaju i 24 bita. Pravilo: bliska ravnina onoliko daleko koliko scena dopušta. Ne stavljajte je na 0 za svaki slučaj.</translation>
     </message>
     <message>
         <source>Popping</source>
@@ -7767,7 +7767,7 @@
     </message>
     <message>
         <source>World from above has the slanted box with a cube in it. After H and {0} the box is the NDC cube, and the object is sheared. Which faces keep their shape? Those parallel to the picture. Then vote, and show. Open Matrices: H, {1} and their product stand side by side. Read from right to left: H first, which knows the slant alone, then {2}, which knows the box alone. In OpenGL it is glOrtho and one more matrix, multiplied from the right.</source>
-        <translation>Svijet odozgo ima kosi kvadar s kockom u njemu. Nakon H i {0} kvadar je kocka NDC, a objekt je smaknut. Koje strane zadržavaju oblik? One paralelne sa slikom. Zatim glasanje, pa pokažite. Otvorite Matrice: H, {1} i njihov umnožak stoje jedan uz drugi. Čitajte zdesna nalijevo: najprije H, koji zna samo za kosost, zatim {2}, koji zna samo za kvadar. U OpenGL-u je to glOrtho i još jedna matrica, pomnožena zdesna.</translation>
+        <translation>Svijet odozgo ima kosi kvadar s kockom u njemu. Nakon H i {0} kvadar je kocka NDC, a na objekt je djelovalo smicanje. Koje strane zadržavaju oblik? One paralelne sa slikom. Zatim glasanje, pa pokažite. Otvorite Matrice: H, {1} i njihov umnožak stoje jedan uz drugi. Čitajte zdesna nalijevo: najprije H, koji zna samo za kosost, zatim {2}, koji zna samo za kvadar. U OpenGL-u je to glOrtho i još jedna matrica, pomnožena zdesna.</translation>
     </message>
     <message>
         <source>Homogeneous coordinates</source>
@@ -8142,7 +8142,7 @@
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation>Afino: tekstura je savijena duž dijagonale, gdje se dva trokuta dodiruju. Točno: interpoliraju se a/z i 1/z i dijele u svakom pikselu. S dubinama 2 i 8 i a od 0 do 1 sredina ima a = 0.2, a ne 0.5. Okrećite Azimut: gledano ravno, oba su ista. Dijelova po stranici smanjuje pogrešku, ali ne na nulu.</translation>
+        <translation>Afino: tekstura je savijena duž dijagonale, gdje se dva trokuta dodiruju. Točno: interpoliraju se a/z i 1/z i dijele u svakom pikselu. S dubinama 2 i 8 i a od 0 do 1 sredina ima a = 0.2, a ne 0.5. Okrećite Azimut: gledano ravno, obje izgledaju isto. Dijelova po stranici smanjuje pogrešku, ali ne na nulu.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
@@ -8162,7 +8162,7 @@
     </message>
     <message>
         <source>{0} and, as rows count down, {1}. Probe 1: {2} to {3}.</source>
-        <translation>{0}, a kako se retci broje prema dolje, {1}. Sonda 1: {2} u {3}.</translation>
+        <translation>{0}, a kako se retci broje prema dolje, {1}. Sonda 1: {2} prelazi u {3}.</translation>
     </message>
     <message>
         <source>The same probe as before, now to the end: 1280 by 720, origin at the upper left. Ask for the corners of the cube: (-1, 1) is (0, 0), (1, -1) is (1280, 720). y turns over here and nowhere else. Sum up the chain: object, world, camera, clip, NDC, pixels; Probe in the drawer has all of it for one point.</source>

@@ -449,7 +449,7 @@
     </message>
     <message>
         <source>What a renderer gives up to be fast: trades as pictures, measured</source>
-        <translation>Čega se program za crtanje odriče radi brzine: kompromisi u slikama, izmjereni</translation>
+        <translation>Čega se program za iscrtavanje odriče radi brzine: kompromisi u slikama, izmjereni</translation>
     </message>
     <message>
         <source>What you did not solve alone comes back after 1, 3 and 7 days</source>
@@ -2351,7 +2351,7 @@
 An error in {3} is {2} times as large in u and v.</source>
         <translation>Kut između {3} i smjera gledanja: {0}°
 |{3} × {4}| = {1}
-Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
+Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Up is only {0}° from the line of sight: up × n is nearly 0, and an error of {1}° in up turns the picture by up to {2}°.</source>
@@ -2791,7 +2791,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Pomiče duž smjera gledanja; i za plohu, gdje scena ima njihove kontrole</translation>
+        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, hvata ih se i za samu plohu</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -4863,11 +4863,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation>izlaganje ili lekcija, ili ime jednog od onih koja dolaze s programom, npr. 001 ili L5</translation>
+        <translation>izlaganje ili lekcija, ili ime jednog od priloženih uz program, npr. 001 ili L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation>nakon --convention (zadano: oni tog programa)</translation>
+        <translation>nakon --convention (zadano: ono što taj program koristi)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
@@ -4887,7 +4887,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: oni koji dolaze s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
+        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
@@ -5035,7 +5035,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
-        <translation>mjeri, na ovom računalu, koliko točnosti stoji brzina</translation>
+        <translation>mjeri, na ovom računalu, koliko se točnosti gubi radi brzine</translation>
     </message>
     <message>
         <source>of --batch with a folder or a lesson: what to write (default: png)</source>
@@ -5103,7 +5103,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>za grafikon, kao za sliku; uz zadanu veličinu njega ili njegovih slova ispod nema bilježaka</translation>
+        <translation>za grafikon, kao za sliku; ako se zada njegova veličina ili veličina slova, ispod nema napomena</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -7143,7 +7143,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0}: the window could not be shown whole.</source>
-        <translation>{0}: prozor se nije mogao prikazati cijel.</translation>
+        <translation>{0}: cijeli se prozor nije mogao prikazati.</translation>
     </message>
     <message>
         <source>{0}: the window did not appear on the screen.</source>
@@ -7433,7 +7433,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>sheared</source>
-        <translation>smaknuti</translation>
+        <translation>smicanje</translation>
     </message>
     <message>
         <source>view</source>
@@ -7856,7 +7856,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>What a renderer gives up to be fast, measured</source>
-        <translation>Čega se program za crtanje odriče radi brzine, izmjereno</translation>
+        <translation>Čega se program za iscrtavanje odriče radi brzine, izmjereno</translation>
     </message>
     <message>
         <source>What you did not solve alone, with other numbers, the topics mixed</source>
@@ -8147,7 +8147,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Speed and accuracy: what a renderer gives up to be fast</source>
-        <translation>Brzina i točnost: čega se program za crtanje odriče radi brzine</translation>
+        <translation>Brzina i točnost: čega se program za iscrtavanje odriče radi brzine</translation>
     </message>
     <message>
         <source>Go on with the scene (Esc)</source>
@@ -8244,7 +8244,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: slika ima {2} dijelova</translation>
+        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: dijelova na slici: {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -8608,7 +8608,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Distance between the two eyes</source>
-        <translation>Udaljenost između dvaju očiju</translation>
+        <translation>Udaljenost između dviju očiju</translation>
     </message>
     <message>
         <source>Distance from the eye to the plane of projection; negative behind the eye</source>
@@ -9028,7 +9028,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Make near larger: do they spread out?</source>
-        <translation>Povećajte udaljenost bliske ravnine: raširuju li se?</translation>
+        <translation>Povećajte udaljenost bliske ravnine: razmiču li se?</translation>
     </message>
     <message>
         <source>Measure from the object: is it smooth?</source>
@@ -9336,7 +9336,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>The f-number: the lens is opened to f / N, and no lens opens wider than f / 0.5</source>
-        <translation>Broj f: objektiv je otvoren do f / N, a nijedan se ne otvara šire od f / 0.5</translation>
+        <translation>F-broj: objektiv je otvoren do f / N, a nijedan se ne otvara šire od f / 0.5</translation>
     </message>
     <message>
         <source>The faces with AB over them, or the edges alone, drawn in one of the three ways</source>
@@ -10556,7 +10556,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>the picture is stretched {0} times as much upwards as across: faces do not keep their shape</source>
-        <translation>slika je u visinu rastegnuta {0} puta toliko koliko u širinu: strane ne zadržavaju oblik</translation>
+        <translation>slika je u visinu rastegnuta {0} puta više nego u širinu: strane ne zadržavaju oblik</translation>
     </message>
     <message>
         <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
@@ -10616,11 +10616,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
-        <translation>tekstura je položena po dvjema najvećim protežnostima mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
+        <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
-        <translation>tekstura je položena po dvjema najvećim protežnostima mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
+        <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
     </message>
     <message>
         <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>

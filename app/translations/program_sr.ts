@@ -3165,15 +3165,15 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Kind</name>
     <message>
         <source>1-point</source>
-        <translation>са 1 недогледом</translation>
+        <translation>1 недоглед</translation>
     </message>
     <message>
         <source>2-point</source>
-        <translation>са 2 недогледа</translation>
+        <translation>2 недогледа</translation>
     </message>
     <message>
         <source>3-point</source>
-        <translation>са 3 недогледа</translation>
+        <translation>3 недогледа</translation>
     </message>
     <message>
         <source>all projectors are parallel</source>
@@ -4561,7 +4561,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats</source>
-        <translation>два броја у покретном зарезу</translation>
+        <translation>два float-а</translation>
     </message>
     <message>
         <source>two sines</source>
@@ -8280,7 +8280,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>1-point</source>
-        <translation>са 1 недогледом</translation>
+        <translation>1 недоглед</translation>
     </message>
     <message>
         <source>1-point perspective</source>
@@ -8328,7 +8328,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>2-point</source>
-        <translation>са 2 недогледа</translation>
+        <translation>2 недогледа</translation>
     </message>
     <message>
         <source>2-point perspective</source>
@@ -9948,7 +9948,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation>float32, далеко од координатног почетка</translation>
+        <translation>float32, далеко од почетка</translation>
     </message>
     <message>
         <source>float32, from the object</source>
@@ -10420,7 +10420,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>standard, far at infinity</source>
-        <translation>стандардно, задња раван у бесконачности</translation>
+        <translation>стандардно, задња у ∞</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
@@ -10708,11 +10708,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats</source>
-        <translation>два броја у покретном зарезу</translation>
+        <translation>два float-а</translation>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation>два броја у покретном зарезу, од координатног почетка</translation>
+        <translation>два float-а, од почетка</translation>
     </message>
     <message>
         <source>upright</source>

@@ -35,6 +35,7 @@ from widgets.parts.plain import show_tip
 from widgets.parts.section import GAP_PX
 
 WORD = 16  # longest word that fits the narrowest dock
+LONGEST_LINE = 30  # most letters of the names of compared pictures on one line of it
 TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
@@ -271,11 +272,13 @@ class SceneCard(QWidget, RowHolder):
         discard(self._compares, self.comparisons)
         self.comparisons = []
         for comparison in comparisons:
-            names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
-            about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
+            names = [of_phenomena(name) for name, _ in comparison.pictures]
+            about = self.tr("Compare: {0}").format(", ".join(names))
+            is_short = sum(map(len, names)) <= LONGEST_LINE
             tip = self.tr("Show these pictures side by side, enlarged")
             button = tool_button(
-                names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
+                (" | " if is_short else " |\n").join(names), f"{about}\n{tip}",
+                partial(self.comparison_wanted.emit, comparison.name),
                 icon="compare", name=about, by_click=True,
             )  # fmt: skip
             button.setMinimumWidth(1)  # it must not widen the dock
