@@ -23,8 +23,9 @@ from app.model.refusal import Refusal, format_value
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
-from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.movable import MovableColumn
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.plain import PlainLabel, set_tip
@@ -47,17 +48,13 @@ class _TileCard(Rows):
         set_tip(self.switch, self.tr("Whether the product has this tile"))
         self._tile = tile
         self.switch.clicked.connect(lambda on: owner.put(self, replace(self._tile, is_off=not on)))
-        up, down, away = (
-            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
-            for icon, tip, act in (
-                ("up", self.tr("Move it left in the product: it acts later"),
-                 lambda: owner.step(self, -1)),
-                ("choose", self.tr("Move it right: it acts earlier"), lambda: owner.step(self, 1)),
-                ("close", self.tr("Remove it"), lambda: owner.put(self)),
-            )
-        )  # fmt: skip
+        tip = self.tr("Remove it")
+        away = tool_button(
+            icon="close", tip=tip, name=f"{title}: {tip}", act=lambda: owner.put(self), flat=True
+        )
+        grip = owner.tiles.grip_of(self, title)
         head = QWidget()
-        in_row((self.switch, 1), up, down, away, on=head, margins=(0, 0, 0, 0), gap=0)
+        in_row(grip, (self.switch, 1), away, on=head, margins=(0, 0, 0, 0), gap=0)
         self._column.insertWidget(0, head)
         self.rows = dict(self._made_rows(tile, title))
         self.set_reach(reach)
@@ -124,7 +121,8 @@ class ChainEditor(QWidget, RowHolder):
         super().__init__()
         self._chain, self._reach = NOT_MOVED, 10.0
         self.rows: dict[str, Row] = {}
-        self.cards: list[_TileCard] = []
+        self.tiles = MovableColumn(GAP_PX)
+        self.tiles.moved.connect(lambda place, to: self._adopt(self._chain.moved(place, to)))
         text, tip = self.tr("Add a tile"), self.tr("It acts last: left of the others")
         self.add = tool_button(text, tip, name=text)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -140,15 +138,19 @@ class ChainEditor(QWidget, RowHolder):
             box.toggled.connect(self._show_product)
         self.product = TypesetLabel()
         self.product.shrinks = True
-        self._tiles = in_column(margins=(0, 0, 0, 0), gap=GAP_PX)
         self.refusal = RefusalLabel()
         self.first = PlainLabel(
             self.tr("The tile at the bottom acts first."), objectName="paneNote"
         )
         bar = in_row(self.letters, self.vectors, FREE)
-        parts = self.add, self.refusal, self._tiles, self.first, self.product, bar
+        parts = self.add, self.refusal, self.tiles, self.first, self.product, bar
         in_column(*parts, on=self, margins=(0, 0, 0, 0))
         self._build(NOT_MOVED)
+
+    @property
+    def cards(self) -> list[_TileCard]:
+        """The tiles from the top, which is left in the product."""
+        return [part for part in self.tiles.parts if isinstance(part, _TileCard)]
 
     # -- the interface
 
@@ -194,14 +196,6 @@ class ChainEditor(QWidget, RowHolder):
 
         self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
 
-    def step(self, card: _TileCard, by: int) -> None:
-        """Move a tile up or down, which is left or right in the product."""
-        place = self.cards.index(card)
-        to = min(max(place + by, 0), len(self.cards) - 1)
-        self.cards.insert(to, self.cards.pop(place))
-        self._tiles.insertWidget(to, card)
-        self._adopt(self._chain.moved(place, to))
-
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
@@ -236,10 +230,7 @@ class ChainEditor(QWidget, RowHolder):
     # -- shown
 
     def _build(self, chain: Chain) -> None:
-        discard(self._tiles, self.cards)
-        self.cards = [_TileCard(tile, self._reach, self) for tile in chain.tiles]
-        for card in self.cards:
-            self._tiles.addWidget(card)
+        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in chain.tiles])
         self.add.setEnabled(len(self.cards) < MOST_TILES)
         for part in (self.first, self.product, self.letters, self.vectors):
             part.setVisible(bool(self.cards))

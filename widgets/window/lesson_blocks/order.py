@@ -1,0 +1,99 @@
+"""The view of a question whose answer is a chain: tiles to arrange, switch off, and type into."""
+
+from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+
+from app.lecture.copying import latex_called
+from app.lecture.equation import USUAL
+from app.lecture.wrong_chains import DIVIDE, DIVIDE_XYZ
+from app.lessons.blocks.order import OrderQuestion
+from app.lessons.player import PlayedBlock
+from app.lessons.text import spoken_text
+from app.model.chain import KINDS
+from widgets.parts.layouts import FREE, in_row
+from widgets.parts.lesson_text import LessonText
+from widgets.parts.messages import stage_title
+from widgets.parts.movable import MovableColumn
+from widgets.parts.plain import PlainLabel, set_tip
+from widgets.window.lesson_blocks.marked import MarkedAnswerView
+from widgets.window.lesson_blocks.view import on_holder
+
+
+class _TileRow(QWidget):
+    """A tile: its grip, its switch, its name, and its numbers if it has any."""
+
+    def __init__(self, text: str, column: MovableColumn) -> None:
+        super().__init__()
+        words = text.split()
+        kind = next((name for n in (2, 1) if (name := " ".join(words[:n])) in KINDS), "")
+        self._head = kind or text
+        named = {
+            DIVIDE: self.tr("Divide by w"), DIVIDE_XYZ: self.tr("x, y, z divided by w"),
+            **{word: stage_title(stage) for word, stage in USUAL.items()},
+        }  # fmt: skip
+        title = (
+            stage_title(KINDS[kind].factor)
+            if kind
+            else named.get(text) or f"${latex_called(text)}$".replace("^-1", "^{-1}")
+        )
+        self.switch = QCheckBox()
+        self.switch.setAccessibleName(spoken_text(title))
+        self.switch.setChecked(True)
+        set_tip(self.switch, self.tr("Whether the product has this tile"))
+        self.field = QLineEdit(" ".join(words[len(kind.split()) :]) if kind else "")
+        self.field.setAccessibleName(spoken_text(title))
+        self.field.setHidden(not self.field.text())
+        self.grip = column.grip_of(self, spoken_text(title))
+        in_row(
+            self.grip,
+            self.switch,
+            (LessonText(title), 1),
+            (self.field, 1),
+            on=self,
+            margins=(0, 0, 0, 0),
+            gap=4,
+        )
+
+    @property
+    def text(self) -> str:
+        return (
+            f"{'' if self.switch.isChecked() else 'off '}{self._head} {self.field.text()}".strip()
+        )
+
+
+class OrderView(MarkedAnswerView):
+    """Tiles in a column, as in the dock: the one at the bottom acts first."""
+
+    question: OrderQuestion
+
+    def __init__(self, played: PlayedBlock, question: OrderQuestion) -> None:
+        super().__init__(played, question)
+        self.column = MovableColumn(gap=2)
+        self._show("; ".join(question.tiles))
+        self._check = self._answer_button(self.check)
+        first = PlainLabel(self.tr("The tile at the bottom acts first."), objectName="paneNote")
+        self._insert(self.column)
+        self._insert(on_holder(first, FREE, self._check, gap=5))
+
+    @property
+    def rows(self) -> list[_TileRow]:
+        return [part for part in self.column.parts if isinstance(part, _TileRow)]
+
+    @property
+    def first(self) -> QWidget | None:
+        return self.rows[0].grip
+
+    def check(self) -> None:
+        """Say whether the product is right."""
+        if self.played.is_open:
+            self._submit("; ".join(row.text for row in self.rows))
+
+    def _show(self, typed: str) -> None:
+        texts = [part.strip() for part in typed.split(";")]
+        self.column.show_parts([_TileRow(text.removeprefix("off "), self.column) for text in texts])
+        for row, text in zip(self.rows, texts, strict=True):
+            row.switch.setChecked(not text.startswith("off "))
+            row.field.returnPressed.connect(self.check)
+
+    def _close(self) -> None:
+        self.column.setEnabled(False)
+        self._check.hide()
