@@ -163,6 +163,8 @@ def _other_axes(factor: Factor) -> Iterator[Factors]:
 
 
 MISTAKES: dict[str, Change] = {
+    "model-view": _past(_OF_VIEW, _OF_OBJECT),
+    "projection-first": _past(_OF_LENS, _OF_VIEW),
     "turn-moves": _past("translate", "rotate"),
     "scale-moves": _past("translate", "scale"),
     "mirror-moves": _past("translate", "mirror"),
@@ -171,9 +173,7 @@ MISTAKES: dict[str, Change] = {
     "shear-turned": _past("rotate", "shear"),
     "turns-swapped": _past("rotate", "rotate"),
     "view-order": _past("rotation", "translation"),
-    "model-view": _past(_OF_VIEW, _OF_OBJECT),
-    "projection-first": _past(_OF_LENS, _OF_VIEW),
-    "z-first": _past("depth_range_from", "canonical_"),
+    "z-first": _past("depth_range_from", "canonical_parallel"),
     "box-first": _past("canonical_perspective", "canonical_parallel"),
     "viewport-first": _past(VIEWPORT.name, DIVIDE),
     "divide-twice": _each(DIVIDE, lambda factor: [(factor, Factor("", DIVIDE_XYZ, None))]),
@@ -187,8 +187,8 @@ MISTAKES: dict[str, Change] = {
     "row-move": _each("transl", lambda factor: [(factor.made(_transposed),)]),
     "left-out": _each("", lambda factor: [()]),
     "inverse": _inverted,
-    "inverse-kept": _whole(_inverse, keeps=True),
     "undone": _whole(_inverse),
+    "inverse-kept": _whole(_inverse, keeps=True),
     "transposed": _whole(_transposed),
     "order": lambda chain: [chain[::-1]],
 }

@@ -2,15 +2,17 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject, Qt, Signal
+from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QToolButton, QWidget
 
-from widgets.parts.layouts import discard, in_column, tool_button
+from widgets.parts.icons import show_icon
+from widgets.parts.layouts import discard, in_column
+from widgets.parts.plain import set_tip
 
 
 class MovableColumn(QWidget):
-    """Parts that are dragged by a grip, or moved by the arrow keys while it has the focus."""
+    """Parts, one below the other; each has a `Grip` somewhere."""
 
     moved = Signal(int, int)  # the user moved the part from one place to another
 
@@ -18,48 +20,64 @@ class MovableColumn(QWidget):
         super().__init__()
         self._column = in_column(on=self, margins=(0, 0, 0, 0), gap=gap)
         self.parts: list[QWidget] = []
-        self._owners: dict[QObject, QWidget] = {}
-        self._from: int | None = None  # the place from which a part is dragged
 
     def show_parts(self, parts: Sequence[QWidget]) -> None:
         """Show other parts, from the top, in place of these."""
         discard(self._column, self.parts)
-        self.parts, self._from = [*parts], None
-        self._owners = {grip: part for grip, part in self._owners.items() if part in parts}
+        self.parts = [*parts]
         for part in parts:
             self._column.addWidget(part)
 
-    def grip_of(self, part: QWidget, name: str) -> QToolButton:
-        """Make the grip of a part."""
+    def move_part(self, part: QWidget, to: int) -> None:
+        """Show a part at another place, without a signal."""
+        self.parts.remove(part)
+        self.parts.insert(to, part)
+        self._column.insertWidget(to, part)
+
+
+class Grip(QToolButton):
+    """Moves the part that it belongs to: dragged, or by the arrow keys while it has the focus."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__(autoRaise=True)
         tip = self.tr("Drag it to another place, or press the arrow keys up and down")
-        grip = tool_button(icon="grip", tip=tip, name=f"{name}: {tip}", flat=True)
-        grip.setCursor(Qt.CursorShape.SizeVerCursor)
-        grip.installEventFilter(self)
-        self._owners[grip] = part
-        return grip
+        self.setAccessibleName(f"{name}: {tip}")
+        set_tip(self, tip)
+        show_icon(self, "grip")
+        self.setCursor(Qt.CursorShape.SizeVerCursor)
+        self._begin = -1  # the place from which the part is dragged
 
-    def eventFilter(self, grip: QObject, event: QEvent) -> bool:
-        place = self.parts.index(part) if (part := self._owners[grip]) in self.parts else -1
-        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.KeyPress:
-            by = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()), 0)
-            if by and 0 <= place + by < len(self.parts):
-                self._move(place, place + by)
-                self.moved.emit(place, place + by)
-            return bool(by)
-        if isinstance(event, QMouseEvent) and event.buttons() & Qt.MouseButton.LeftButton:
-            if event.type() == QEvent.Type.MouseMove and self._from is not None:
-                y = self.mapFromGlobal(event.globalPosition().toPoint()).y()
-                others = (each for each in self.parts if each is not part)
-                self._move(place, sum(each.geometry().center().y() < y for each in others))
-            else:
-                self._from = place
-        elif event.type() == QEvent.Type.MouseButtonRelease and self._from is not None:
-            begin, self._from = self._from, None
-            if begin != place:
-                self.moved.emit(begin, place)
-        return super().eventFilter(grip, event)
+    def _place(self) -> tuple[MovableColumn, QWidget, int]:
+        part, column = self, self.parentWidget()
+        while not isinstance(column, MovableColumn):
+            part, column = column, column.parentWidget()
+        return column, part, column.parts.index(part)
 
-    def _move(self, place: int, to: int) -> None:
-        if place != to:
-            self.parts.insert(to, part := self.parts.pop(place))
-            self._column.insertWidget(to, part)
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        by = {Qt.Key.Key_Up: -1, Qt.Key.Key_Down: 1}.get(Qt.Key(event.key()), 0)
+        if not by:
+            super().keyPressEvent(event)
+            return
+        column, part, place = self._place()
+        if 0 <= place + by < len(column.parts):
+            column.move_part(part, place + by)
+            column.moved.emit(place, place + by)
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        self._begin = self._place()[2]
+        super().mousePressEvent(event)
+
+    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+        column, part, place = self._place()
+        y = column.mapFromGlobal(event.globalPosition().toPoint()).y()
+        others = (each for each in column.parts if each is not part)
+        to = sum(each.geometry().center().y() < y for each in others)
+        if self._begin >= 0 and to != place:
+            column.move_part(part, to)
+
+    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+        column, _, place = self._place()
+        begin, self._begin = self._begin, -1
+        super().mouseReleaseEvent(event)
+        if begin not in (-1, place):
+            column.moved.emit(begin, place)

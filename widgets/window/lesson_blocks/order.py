@@ -12,7 +12,7 @@ from app.model.chain import KINDS
 from widgets.parts.layouts import FREE, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import stage_title
-from widgets.parts.movable import MovableColumn
+from widgets.parts.movable import Grip, MovableColumn
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import on_holder
@@ -21,7 +21,7 @@ from widgets.window.lesson_blocks.view import on_holder
 class _TileRow(QWidget):
     """A tile: its grip, its switch, its name, and its numbers if it has any."""
 
-    def __init__(self, text: str, column: MovableColumn) -> None:
+    def __init__(self, text: str) -> None:
         super().__init__()
         words = text.split()
         kind = next((name for n in (2, 1) if (name := " ".join(words[:n])) in KINDS), "")
@@ -33,7 +33,7 @@ class _TileRow(QWidget):
         title = (
             stage_title(KINDS[kind].factor)
             if kind
-            else named.get(text) or f"${latex_called(text)}$".replace("^-1", "^{-1}")
+            else named.get(text) or "\u200b" + f"${latex_called(text)}$".replace("^-1", "^{-1}")
         )
         self.switch = QCheckBox()
         self.switch.setAccessibleName(spoken_text(title))
@@ -42,7 +42,7 @@ class _TileRow(QWidget):
         self.field = QLineEdit(" ".join(words[len(kind.split()) :]) if kind else "")
         self.field.setAccessibleName(spoken_text(title))
         self.field.setHidden(not self.field.text())
-        self.grip = column.grip_of(self, spoken_text(title))
+        self.grip = Grip(spoken_text(title))
         in_row(
             self.grip,
             self.switch,
@@ -89,7 +89,7 @@ class OrderView(MarkedAnswerView):
 
     def _show(self, typed: str) -> None:
         texts = [part.strip() for part in typed.split(";")]
-        self.column.show_parts([_TileRow(text.removeprefix("off "), self.column) for text in texts])
+        self.column.show_parts([_TileRow(text.removeprefix("off ")) for text in texts])
         for row, text in zip(self.rows, texts, strict=True):
             row.switch.setChecked(not text.startswith("off "))
             row.field.returnPressed.connect(self.check)
