@@ -5,12 +5,10 @@ matrices of the pipeline by their names, and divides. Two chains are the same if
 to points; a wrong one is recognised by what it does, whatever its factors.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
-from typing import NamedTuple, TypeAlias
+from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
 
@@ -26,12 +24,12 @@ DIVIDE, DIVIDE_XYZ = "divide", "xyz/w"
 """Divides by w: of all four coordinates, and of three, after which w is left to divide again."""
 SAME = 1e-3  # largest difference of equal points, of their largest coordinate: typed numbers
 _POINTS = np.array(
-    [(0.3, 0.7, -2.1), (1.1, -0.4, -3.2), (-0.8, 0.5, -4.7), (0.6, 1.3, -6.1), (-1.2, -0.9, -5.3)]
+    [(0.3, 1.1, -0.8, 0.6), (0.7, -0.4, 0.5, 1.3), (-2.1, -3.2, -4.7, -6.1), (1.0, 1.0, 1.0, 1.0)]
 )
-_COLUMNS = np.vstack([_POINTS.T, np.ones(len(_POINTS))])
 _OF_OBJECT = (*{kind.split()[0]: None for kind in KINDS}, "world_from_object")
 _OF_VIEW = ("view_from_world", "rotation", "translation")
 _OF_LENS = ("clip_from", "canonical_perspective", "canonical_parallel")
+_AXES = tuple(kind for kind in KINDS if kind.startswith("rotate "))
 
 
 class Factor(NamedTuple):
@@ -41,12 +39,10 @@ class Factor(NamedTuple):
     kind: str
     matrix: Array | None
 
-    def made(self, how: Callable[[Array], Array]) -> Factor:
-        return self if self.matrix is None else self._replace(matrix=how(self.matrix))
-
 
 Factors: TypeAlias = tuple[Factor, ...]
 Change: TypeAlias = Callable[[Factors], Iterable[Factors]]
+Kinds: TypeAlias = str | tuple[str, ...]  # beginnings of the kinds of factors
 
 
 def factors_of(text: str, projection: Projection, letters: Letters) -> Factors:
@@ -63,33 +59,24 @@ def _read(text: str, projection: Projection, letters: Letters) -> Factor:
     word, inverted, _ = text.partition("^-1")
     term = equation_of(projection, letters, word).terms[0].matrix
     matrix = np.array(term.values)
-    return Factor(text, term.name + inverted, _inverse(matrix) if inverted else matrix)
+    return Factor(text, term.name + inverted, np.linalg.pinv(matrix) if inverted else matrix)
 
 
 def _of_tile(tile: Tile) -> Factor:
     return Factor(tile.text, tile.kind, Chain((tile,)).matrix)
 
 
-def _inverse(matrix: Array) -> Array:
-    return np.asarray(np.linalg.pinv(matrix))  # which a scale of 0 has, too
-
-
-def _transposed(matrix: Array) -> Array:
-    return np.asarray(matrix.T)
-
-
-def effect(chain: Factors, points: Array = _COLUMNS) -> Array:
+def effect(chain: Factors, points: Array = _POINTS) -> Array:
     """Return what a chain makes of points, (4, n) homogeneous columns."""
     with np.errstate(all="ignore"):
-        for factor in reversed(chain):
-            if factor.matrix is None:
-                w = points[3:]
-                points = points / w if factor.kind == DIVIDE else np.vstack([points[:3] / w, w])
-            elif factor.kind == VIEWPORT.name:  # it scales and shifts numbers, and w is none
-                seen = factor.matrix @ np.vstack([points[:3], np.ones_like(points[3:])])
-                points = np.vstack([seen[:3], points[3:]])
+        for _, kind, matrix in reversed(chain):
+            w = points[3:]
+            if matrix is None:
+                points = points / w if kind == DIVIDE else np.vstack([points[:3] / w, w])
+            elif kind == VIEWPORT.name:  # it scales and shifts numbers, and w is none
+                points = np.vstack([(matrix @ [*points[:3], np.ones(points.shape[1])])[:3], w])
             else:
-                points = factor.matrix @ points
+                points = matrix @ points
     return points
 
 
@@ -100,7 +87,7 @@ def same(one: Array, other: Array) -> bool:
 # --------------------------------------------------------------------------- wrong ideas
 
 
-def _past(one: str | tuple[str, ...], other: str | tuple[str, ...]) -> Change:
+def _past(one: Kinds, other: Kinds) -> Change:
     """Move a factor of one kind past one of the other, in either direction."""
 
     def change(chain: Factors) -> Iterator[Factors]:
@@ -115,51 +102,39 @@ def _past(one: str | tuple[str, ...], other: str | tuple[str, ...]) -> Change:
     return change
 
 
-def _each(kind: str | tuple[str, ...], how: Callable[[Factor], Iterable[Factors]]) -> Change:
-    """Replace each factor of a kind in turn."""
-
-    def change(chain: Factors) -> Iterator[Factors]:
-        for place, factor in enumerate(chain):
-            if factor.kind.startswith(kind):
-                for others in how(factor):
-                    yield (*chain[:place], *others, *chain[place + 1 :])
-
-    return change
+def _each(kinds: Kinds, how: Callable[[Factor], Iterable[Factors]]) -> Change:
+    """Replace each factor of some kinds in turn."""
+    return lambda chain: (
+        (*chain[:place], *others, *chain[place + 1 :])
+        for place, factor in enumerate(chain) if factor.kind.startswith(kinds)
+        for others in how(factor)
+    )  # fmt: skip
 
 
-def _retyped(kind: str, how: Callable[[tuple[float, ...]], Iterable[float]]) -> Change:
-    """Type other numbers into each tile of a kind."""
+def _retyped(kinds: Kinds, how: Callable[[tuple[float, ...]], Iterable[float]]) -> Change:
+    """Type other numbers into each tile of some kinds."""
 
     def others(factor: Factor) -> Iterator[Factors]:
         tile = Tile.read(factor.text)
         yield (_of_tile(replace(tile, numbers=tuple(how(tile.numbers)))),)
 
-    return _each(kind, others)
+    return _each(kinds, others)
 
 
-def _whole(how: Callable[[Array], Array], *, keeps: bool = False) -> Change:
-    """Change every matrix of a chain of matrices, and reverse them unless it keeps the order."""
-
-    def change(chain: Factors) -> Iterator[Factors]:
-        if all(factor.matrix is not None for factor in chain):
-            made = tuple(factor.made(how) for factor in chain)
-            yield made if keeps else made[::-1]
-
-    return change
-
-
-def _inverted(chain: Factors) -> Iterator[Factors]:
-    """Invert the view: its matrix, or the product of its factors."""
-    places = [at for at, factor in enumerate(chain) if factor.kind in _OF_VIEW]
-    if places:
-        first, end = places[0], places[-1] + 1
-        view = tuple(factor.made(_inverse) for factor in chain[first:end])
-        yield (*chain[:first], *view[::-1], *chain[end:])
-
-
-def _other_axes(factor: Factor) -> Iterator[Factors]:
+def _about_others(factor: Factor) -> Iterator[Factors]:
     tile = Tile.read(factor.text)
-    return ((_of_tile(replace(tile, kind=f"rotate {x}")),) for x in "xyz" if x != tile.kind[-1])
+    return ((_of_tile(replace(tile, kind=kind)),) for kind in _AXES if kind != tile.kind)
+
+
+def _made(chain: Factors, how: Callable[[Any], Any]) -> Factors:
+    """Change the matrices of a chain; of one with a divide, none."""
+    matrices = [factor.matrix for factor in chain if factor.matrix is not None]
+    is_whole = len(matrices) == len(chain)
+    return tuple(Factor("", "", how(matrix)) for matrix in matrices) if is_whole else chain
+
+
+def _single(kinds: Kinds, how: Callable[[Any], Any]) -> Change:
+    return _each(kinds, lambda factor: [_made((factor,), how)])
 
 
 MISTAKES: dict[str, Change] = {
@@ -182,14 +157,14 @@ MISTAKES: dict[str, Change] = {
     "move-sign": _retyped("translate", lambda numbers: (-part for part in numbers)),
     "scale-inverse": _retyped("scale", lambda numbers: (1.0 / (part or 1.0) for part in numbers)),
     "degrees": _retyped("rotate", lambda numbers: (*numbers[:-1], math.degrees(numbers[-1]))),
-    "wrong-axis": _each(("rotate x", "rotate y", "rotate z"), _other_axes),
-    "axes-columns": _each("rotation", lambda factor: [(factor.made(_transposed),)]),
-    "row-move": _each("transl", lambda factor: [(factor.made(_transposed),)]),
+    "wrong-axis": _each(_AXES, _about_others),
+    "axes-columns": _single("rotation", np.transpose),
+    "row-move": _single(("translate", "translation"), np.transpose),
     "left-out": _each("", lambda factor: [()]),
-    "inverse": _inverted,
-    "undone": _whole(_inverse),
-    "inverse-kept": _whole(_inverse, keeps=True),
-    "transposed": _whole(_transposed),
+    "inverse": _single("view_from_world", np.linalg.pinv),
+    "undone": lambda chain: [_made(chain, np.linalg.pinv)[::-1]],
+    "inverse-kept": lambda chain: [_made(chain, np.linalg.pinv)],
+    "transposed": lambda chain: [_made(chain, np.transpose)[::-1]],
     "order": lambda chain: [chain[::-1]],
 }
 """What students do to a right chain, by the names of wrong ideas; the first that fits counts."""
@@ -197,44 +172,42 @@ MISTAKES: dict[str, Change] = {
 
 def mistake(right: Factors, given: Factors) -> str | None:
     """Return the wrong idea behind a chain, empty if none explains it; None if it is right."""
-    wanted, done = effect(right), effect(given)
-    if same(done, wanted):
+    done = effect(given)
+    if same(done, effect(right)):
         return None
-    for name, change in MISTAKES.items():
-        with np.errstate(all="ignore"):
-            if any(same(effect(wrong), done) for wrong in change(right)):
-                return name
-    return ""
+    fits = (
+        name
+        for name, change in MISTAKES.items()
+        if any(same(effect(wrong), done) for wrong in change(right))
+    )
+    return next(fits, "")
 
 
 def difference(right: Factors, given: Factors) -> Refusal:
     """Say in one sentence what a wrong chain does that the right one does not."""
-    (*place, w), (*wanted, depth) = effect(given)[:, 1], effect(right)[:, 1]
+    place, wanted = (effect(chain)[:, 1] for chain in (given, right))
     if any(factor.matrix is None for factor in (*right, *given)):
-        return Refusal.saying(
-            REFUSALS["chain-ends"], written_numbers(place[:2]), written_numbers(wanted[:2])
-        )
-    if abs(w - depth) > SAME * max(1.0, abs(depth)):
-        return Refusal.saying(REFUSALS["chain-w"], _short(w), _short(depth))
-    mine, its = effect(given, np.eye(4)), effect(right, np.eye(4))
+        return _saying("chain-ends", place[:2], wanted[:2])
+    if abs(place[3] - wanted[3]) > SAME * max(1.0, abs(wanted[3])):
+        return _saying("chain-w", place[3], wanted[3])
+    mine, its = (effect(chain, np.eye(4))[:3] for chain in (given, right))
     size = SAME * max(1.0, float(np.abs(its).max()))
-    away = math.dist(mine[:3, 3], its[:3, 3])
+    axis = int(np.abs(mine - its)[:, :3].max(axis=0).argmax())
+    far, its_far, away = (math.hypot(*each[:, 3]) for each in (mine, its, mine - its))
     if away <= size:
-        axis = int(np.abs(mine - its)[:, :3].max(axis=0).argmax())
-        ends = (written_numbers(each[:3, axis]) for each in (mine, its))
-        return Refusal.saying(REFUSALS["chain-axis"], "xyz"[axis], *ends)
-    far = [math.hypot(*each[:3, 3]) for each in (mine, its)]
-    if abs(far[0] - far[1]) <= size:
-        return Refusal.saying(REFUSALS["chain-swings"], _short(away))
-    return Refusal.saying(
-        REFUSALS["chain-origin"], *(written_numbers(each[:3, 3]) for each in (mine, its))
-    )
+        return _saying("chain-axis", "xyz"[axis], mine[:, axis], its[:, axis])
+    if abs(far - its_far) <= size:
+        return _saying("chain-swings", away)
+    return _saying("chain-origin", mine[:, 3], its[:, 3])
 
 
-def written_numbers(numbers: Iterable[float]) -> str:
-    """Write numbers to four digits in brackets."""
-    return f"({', '.join(map(_short, numbers))})"
+def _saying(name: str, *parts: Any) -> Refusal:
+    written = (part if isinstance(part, str) else written_numbers(part) for part in parts)
+    return Refusal.saying(REFUSALS[name], *written)
 
 
-def _short(number: float) -> str:
-    return f"{number + 0.0 if abs(number) > 1e-9 else 0.0:.4g}"
+def written_numbers(numbers: Any) -> str:
+    """Write a number to four digits, or several in brackets."""
+    if np.ndim(numbers):
+        return f"({', '.join(map(written_numbers, numbers))})"
+    return f"{numbers if abs(numbers) > 1e-9 else 0.0:.4g}"

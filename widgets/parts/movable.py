@@ -48,9 +48,10 @@ class Grip(QToolButton):
         self._begin = -1  # the place from which the part is dragged
 
     def _place(self) -> tuple[MovableColumn, QWidget, int]:
-        part, column = self, self.parentWidget()
-        while not isinstance(column, MovableColumn):
-            part, column = column, column.parentWidget()
+        part: QWidget = self
+        while not isinstance(column := part.parentWidget(), MovableColumn):
+            assert column is not None
+            part = column
         return column, part, column.parts.index(part)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -4,12 +4,11 @@ A typed answer is the text of a chain, ``translate 3,0,0; off rotate z 30``. Eac
 right product counts, and a wrong one is known by what it does (`app.lecture.wrong_chains`).
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations
+from typing import Self
 
 import numpy as np
 
@@ -31,7 +30,7 @@ from app.lessons.blocks.question import MODEL, YOURS, MarkedQuestion
 from app.lessons.lines import Body, Items, on_line, refused
 from app.lessons.text import escaped
 from app.model.chain import FROM_OBJECT, Chain, Tile
-from app.model.limits import ONE_OF, Array
+from app.model.limits import Array
 from app.model.projection import Projection
 from app.model.refusal import REFUSALS, Refusal
 
@@ -50,11 +49,11 @@ class OrderQuestion(MarkedQuestion):
     product: str  # one of `OF`; empty for a chain without a picture of its own
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items) -> OrderQuestion:
+    def of(cls, body: Body, text: str, items: Items) -> Self:
         order, tiles = items.single("order"), items.single("tiles")
         assert order is not None
         if order.about and order.about not in OF:
-            raise refused(order.line, ONE_OF, ", ".join(OF), value=order.about)
+            raise refused(order.line, REFUSALS["one-of"], ", ".join(OF), value=order.about)
         right, given = (
             [part.strip() for part in item.text.split(";")] for item in (order, tiles or order)
         )
