@@ -12,7 +12,8 @@ from typing import Self
 
 import numpy as np
 
-from app.document.compare import ComparedPicture, Held
+from app.document.compare import ComparedPicture
+from app.document.document import Document
 from app.lecture.typed_matrix import with_matrix
 from app.lecture.wrong_chains import (
     DIVIDE,
@@ -31,7 +32,6 @@ from app.lessons.lines import Body, Items, on_line, refused
 from app.lessons.text import escaped
 from app.model.chain import FROM_OBJECT, Chain, Tile
 from app.model.limits import Array
-from app.model.projection import Projection
 from app.model.refusal import REFUSALS, Refusal
 
 OF = {"object": FROM_OBJECT, "view": "view_from_world", "projection": "clip_from_view"}
@@ -66,67 +66,67 @@ class OrderQuestion(MarkedQuestion):
             chain="; ".join(right), tiles=tuple(mixed), product=order.about,
         )  # fmt: skip
 
-    def factors(self, here: Here, typed: str) -> Factors:
-        document = here.document
-        with on_line(self.right_line):
-            return factors_of(typed, document.projection, document.view.letters)
+    def factors(self, here: Here, typed: str = "") -> Factors:
+        """Read a typed chain, or the right one; a `Refusal` of ``answer``, or of the line."""
+        known = here.document.projection, here.document.view.letters
+        try:
+            return factors_of(typed or self.chain, *known)
+        except Refusal as error:
+            if typed:
+                raise Refusal("answer", error.value, error.bound, *error.limits) from error
+            with on_line(self.right_line):
+                raise
 
     def variant(self, here: Here, seed: int) -> Variant:
         """Return the question with the object in its place, by a matrix that tells no order."""
         if self.product == "object":
-            cells = effect(self.factors(here, self.chain), np.eye(4)).ravel().tolist()
+            cells = effect(self.factors(here), np.eye(4)).ravel().tolist()
             text = f"object.chain=matrix {','.join(map(repr, cells))}"
             here = here.varied(State(self.line, ((self.line, text),)), here.given)
         return Variant(seed, {}, self, here)
 
     def mark(self, here: Here, typed: str) -> Verdict:
-        right = self.factors(here, self.chain)
-        try:
-            given = factors_of(typed, here.document.projection, here.document.view.letters)
-        except Refusal as error:
-            raise Refusal("answer", error.value, error.bound, *error.limits) from error
+        right, given = self.factors(here), self.factors(here, typed or " ")
         name = mistake(right, given)
         if name is None:
             return Verdict(True, says=self.why)
-        idea, own = here.idea(name), here.document
+        idea = here.idea(name)
         title, says, state = (idea.title, idea.says, idea.state) if idea else ("", "", None)
-        wrong = self._with_product(own.projection, effect(given, np.eye(4)))
-        compared = None
-        if wrong is not None:
-            state = replace(own, projection=wrong)
-            pictures = (
-                ComparedPicture(YOURS, held=Held(wrong, own.settings)),
-                ComparedPicture(MODEL, live=True),
-            )
-            compared = replace(
-                own, view=replace(own.view, compare=pictures, dividers=(), large="image")
-            )
+        shown, compared = self._with_product(here.document, given), None
+        if shown is not None:
+            wrong = ComparedPicture(YOURS, held=shown.state)
+            view = replace(shown.view, compare=(wrong, ComparedPicture(MODEL, live=True)))
+            compared = replace(here.document, view=replace(view, dividers=(), large="image"))
         return Verdict(
-            False, name, says, state, remark=difference(right, given), beside=compared, title=title
+            False, name, says, shown or state, remark=difference(right, given), beside=compared,
+            title=title,
         )  # fmt: skip
 
-    def _with_product(self, projection: Projection, cells: Array) -> Projection | None:
-        """Return a projection with a wrong product; None if the model does not allow it."""
+    def _with_product(self, own: Document, chain: Factors) -> Document | None:
+        """Return the state with a wrong product; None if the model does not allow it."""
+        cells, projection = effect(chain, np.eye(4)), own.projection
         try:
             if self.product == "object":
-                return replace(projection, placement=Chain((Tile("matrix", tuple(cells.ravel())),)))
+                placement = Chain((Tile("matrix", tuple(cells.ravel())),))
+                return replace(own, projection=replace(projection, placement=placement))
             if self.product:
-                return with_matrix(projection, OF[self.product], cells.tolist(), whole=False)
+                name, rows = OF[self.product], cells.tolist()
+                return replace(own, projection=with_matrix(projection, name, rows, whole=False))
         except Refusal:
             pass
         return None
 
-    def printed(self, numbers: Sequence[str]) -> str:
-        return " · ".join(numbers)
-
     def posed(self) -> str:
         return "\n".join([self.text, "", *(f"- `{tile}`" for tile in self.tiles)])
 
-    def with_answer(self, answer: str, *, others: bool = True) -> str:
-        return f"{self.text}\n\n**{answer}**" if answer else self.text
+    def printed(self, numbers: Sequence[str]) -> str:
+        return " · ".join(numbers)
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return self.printed(self.chain.split("; "))
+
+    def with_answer(self, answer: str, *, others: bool = True) -> str:
+        return f"{self.text}\n\n**{answer}**" if answer else self.text
 
     def own_answer(self, typed: str) -> str:
         return f"**{escaped(self.printed(typed.split('; ')))}**"
@@ -135,31 +135,30 @@ class OrderQuestion(MarkedQuestion):
         return self.chain
 
     def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
-        right, named = self.factors(here, self.chain), set[str]()
+        right, named = self.factors(here), set[str]()
         for wrong in permutations(right):
-            name = mistake(right, wrong)
-            if name and name not in named and (idea := here.idea(name)) is not None:
+            name = mistake(right, wrong) or ""
+            if name not in named and (idea := here.idea(name)) is not None:
                 named.add(name)
                 yield idea.title, self.printed([factor.text for factor in wrong])
 
     def solution(self, here: Here) -> str:
         """Return what each factor makes of a point, from the right."""
-        chain = self.factors(here, self.chain)
         point = np.array([_VIEWED if self.product == "projection" else _MADE]).T
         lines = [f"- ${_place(point)}$"]
-        for factor in reversed(chain):
+        for factor in reversed(self.factors(here)):
             point = effect((factor,), point)
             lines.append(f"- {escaped(factor.text)}: ${_place(point)}$")
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:
-        right = self.factors(here, self.chain)
+        right = self.factors(here)
         if same(effect(self.factors(here, "; ".join(self.tiles))), effect(right)):
             raise refused(self.right_line, REFUSALS["order-any"])
         stages = {each.name: each.matrix for each in here.document.projection.all_stages}
-        divide = factors_of(DIVIDE, here.document.projection, here.document.view.letters)
-        own = (*divide, Factor("", "", stages[OF.get(self.product, FROM_OBJECT)]))
-        if self.product and not same(effect((*divide, *right)), effect(own)):
+        own = Factor("", "", stages[OF.get(self.product, FROM_OBJECT)])
+        divide = Factor("", DIVIDE, None)  # of the lens only the picture counts
+        if self.product and not same(effect((divide, *right)), effect((divide, own))):
             raise refused(self.right_line, REFUSALS["other-product"], OF[self.product])
 
     def check(self, here: Here, trial: Trial) -> None:
@@ -169,5 +168,5 @@ class OrderQuestion(MarkedQuestion):
 
 
 def _place(point: Array) -> str:
-    numbers = [float(part) for part in point[:, 0]]
-    return written_numbers(numbers[:3] if abs(numbers[3] - 1.0) < 1e-9 else numbers)
+    w = float(point[3, 0])
+    return written_numbers(point[: 3 if abs(w - 1.0) < 1e-9 else 4, 0])

@@ -23,35 +23,24 @@ class _TileRow(QWidget):
 
     def __init__(self, text: str) -> None:
         super().__init__()
-        words = text.split()
-        kind = next((name for n in (2, 1) if (name := " ".join(words[:n])) in KINDS), "")
-        self._head = kind or text
-        named = {
-            DIVIDE: self.tr("Divide by w"), DIVIDE_XYZ: self.tr("x, y, z divided by w"),
-            **{word: stage_title(stage) for word, stage in USUAL.items()},
-        }  # fmt: skip
-        title = (
-            stage_title(KINDS[kind].factor)
-            if kind
-            else named.get(text) or "\u200b" + f"${latex_called(text)}$".replace("^-1", "^{-1}")
-        )
+        self._head, numbers = text, ""
+        tex = latex_called(text).replace("^-1", "^{-1}")
+        title = f"\u200b${tex}$"  # not alone in its line, where it would be centred
+        if text.startswith(tuple(KINDS)):
+            self._head = max((kind for kind in KINDS if text.startswith(kind)), key=len)
+            title, numbers = stage_title(KINDS[self._head].factor), text[len(self._head) :].strip()
+        elif text in USUAL:
+            title = stage_title(USUAL[text])
+        elif text in (DIVIDE, DIVIDE_XYZ):
+            title = self.tr("Divide by w") if text == DIVIDE else self.tr("x, y, z divided by w")
         self.switch = QCheckBox()
-        self.switch.setAccessibleName(spoken_text(title))
-        self.switch.setChecked(True)
         set_tip(self.switch, self.tr("Whether the product has this tile"))
-        self.field = QLineEdit(" ".join(words[len(kind.split()) :]) if kind else "")
-        self.field.setAccessibleName(spoken_text(title))
-        self.field.setHidden(not self.field.text())
-        self.grip = Grip(spoken_text(title))
-        in_row(
-            self.grip,
-            self.switch,
-            (LessonText(title), 1),
-            (self.field, 1),
-            on=self,
-            margins=(0, 0, 0, 0),
-            gap=4,
-        )
+        self.field = QLineEdit(numbers)
+        self.field.setHidden(not numbers)
+        for part in (self.switch, self.field):
+            part.setAccessibleName(spoken_text(title))
+        parts = Grip(spoken_text(title)), self.switch, (LessonText(title), 1), (self.field, 1)
+        in_row(*parts, on=self, margins=(0, 0, 0, 0), gap=4)
 
     @property
     def text(self) -> str:
@@ -80,7 +69,7 @@ class OrderView(MarkedAnswerView):
 
     @property
     def first(self) -> QWidget | None:
-        return self.rows[0].grip
+        return self.rows[0].switch
 
     def check(self) -> None:
         """Say whether the product is right."""
@@ -91,7 +80,7 @@ class OrderView(MarkedAnswerView):
         texts = [part.strip() for part in typed.split(";")]
         self.column.show_parts([_TileRow(text.removeprefix("off ")) for text in texts])
         for row, text in zip(self.rows, texts, strict=True):
-            row.switch.setChecked(not text.startswith("off "))
+            row.switch.setChecked(text[:4] != "off ")
             row.field.returnPressed.connect(self.check)
 
     def _close(self) -> None:
