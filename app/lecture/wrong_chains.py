@@ -66,6 +66,10 @@ def _of_tile(tile: Tile) -> Factor:
     return Factor(tile.text, tile.kind, Chain((tile,)).matrix)
 
 
+def tiles_of(chain: Chain) -> Factors:
+    return tuple(map(_of_tile, chain.on))
+
+
 def effect(chain: Factors, points: Array = _POINTS) -> Array:
     """Return what a chain makes of points, (4, n) homogeneous columns."""
     with np.errstate(all="ignore"):
@@ -194,6 +198,8 @@ def difference(right: Factors, given: Factors) -> Refusal:
     size = SAME * max(1.0, float(np.abs(its).max()))
     axis = int(np.abs(mine - its)[:, :3].max(axis=0).argmax())
     far, its_far, away = (math.hypot(*each[:, 3]) for each in (mine, its, mine - its))
+    if np.abs(mine - its).max() <= size:
+        return _saying("chain-same")
     if away <= size:
         return _saying("chain-axis", "xyz"[axis], mine[:, axis], its[:, axis])
     if abs(far - its_far) <= size:

@@ -133,6 +133,28 @@ def test_a_tile_is_dragged_to_another_place(window: MainWindow) -> None:
     assert [card.kind for card in editor.cards] == ["translate", "rotate z", "mirror x"]
 
 
+def test_both_orders_are_seen_at_once_and_one_sentence_says_what_differs(
+    window: MainWindow,
+) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90")
+    world = window.panes["world"]
+    drag(editor, 0, 1)
+    assert world.drawing.former == Chain.read("translate 3,0,0; rotate z 90")
+    assert "swings about the origin, and ends 4.243 units" in editor.first.text()
+    both = pixels(window)
+    world.request("former", None)
+    settle()
+    assert (pixels(window) != both).any(), "the first order is pale beside the second"
+    drag(editor, 0, 1)
+    assert world.drawing.former == Chain.read("rotate z 90; translate 3,0,0")
+    enter(row_of(window, "translate_x"), "2")
+    settle()
+    assert world.drawing.former is None and "bottom" in editor.first.text()
+    editor = build(window, "translate 3,0,0; translate 0,1,0")
+    drag(editor, 0, 1)
+    assert editor.first.text() == "Both orders do the same."
+
+
 @pytest.mark.undrawn
 def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> None:
     editor = build(window, "off scale 1e20,1,1; scale 1e20,1,1")

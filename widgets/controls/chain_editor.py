@@ -17,6 +17,7 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import written
 from app.lecture.notation import object_product
+from app.lecture.wrong_chains import difference, tiles_of
 from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile
 from app.model.parameters import TILES
 from app.model.refusal import Refusal, format_value
@@ -114,6 +115,7 @@ class ChainEditor(QWidget, RowHolder):
     """The tiles of the object, a menu for more, and their product."""
 
     edited = Signal(object)  # the user made this `Chain`
+    compared = Signal(object)  # the `Chain` before a tile was moved; None for none any more
     highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
 
     def __init__(self) -> None:
@@ -121,7 +123,7 @@ class ChainEditor(QWidget, RowHolder):
         self._chain, self._reach = NOT_MOVED, 10.0
         self.rows: dict[str, Row] = {}
         self.tiles = MovableColumn(GAP_PX)
-        self.tiles.moved.connect(lambda place, to: self._adopt(self._chain.moved(place, to)))
+        self.tiles.moved.connect(self._move)
         text, tip = self.tr("Add a tile"), self.tr("It acts last: left of the others")
         self.add = tool_button(text, tip, name=text)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -138,9 +140,7 @@ class ChainEditor(QWidget, RowHolder):
         self.product = TypesetLabel()
         self.product.shrinks = True
         self.refusal = RefusalLabel()
-        self.first = PlainLabel(
-            self.tr("The tile at the bottom acts first."), objectName="paneNote"
-        )
+        self.first = PlainLabel(objectName="paneNote", wordWrap=True)
         bar = in_row(self.letters, self.vectors, FREE)
         parts = self.add, self.refusal, self.tiles, self.first, self.product, bar
         in_column(*parts, on=self, margins=(0, 0, 0, 0))
@@ -159,6 +159,8 @@ class ChainEditor(QWidget, RowHolder):
             return
         self._chain = chain
         self.refusal.show_text("")
+        self.compared.emit(None)
+        self.first.setText(self.tr("The tile at the bottom acts first."))
         if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
             self._build(chain)
         self._show_tiles()
@@ -194,6 +196,21 @@ class ChainEditor(QWidget, RowHolder):
             self.refusal.show_text(refusal(said))
 
         self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
+
+    def _move(self, place: int, to: int) -> None:
+        """Move a tile; show where the object was before, and say what differs."""
+        before = self._chain
+
+        def refuse(said: str) -> None:
+            self._build(before)
+            self._show_tiles()
+            self.refusal.show_text(refusal(said))
+
+        self._attempt(lambda: before.moved(place, to), refuse)
+        if self._chain != before:
+            self.compared.emit(before)
+            said = difference(*map(tiles_of, (before, self._chain)))
+            self.first.setText(sentence(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
         place = self.cards.index(card)
