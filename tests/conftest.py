@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import functools
 import gc
+import importlib
 import inspect
 import itertools
 import os
@@ -66,6 +68,19 @@ def pytest_configure(config: pytest.Config) -> None:
         environment = stack.enter_context(screens(count))
         os.environ.clear()
         os.environ.update(environment)
+
+
+def pytest_collection(session: pytest.Session) -> None:
+    """Let every second process import the tests backwards.
+
+    In a fresh checkout pytest rewrites the assertions of each file: so each process does half.
+    """
+    config = session.config
+    if config.args_source == pytest.Config.ArgsSource.TESTPATHS and _worker[-1:] in (*"1357",):
+        for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
+            name = ".".join(path.relative_to(config.rootpath).with_suffix("").parts)
+            with contextlib.suppress(Exception):  # pytest says so when it comes to the file
+                importlib.import_module(name)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -228,8 +243,9 @@ LACKING = {
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Run first what takes longest alone; skip what this system cannot do, and say what that is."""
     items.sort(key=lambda item: item.path.name != "test_quality.py")
-    lacking = re.compile(LACKING.get(sys.platform, "(?!)"))
-    for item in items:
-        text = inspect.getsource(item.function) if isinstance(item, pytest.Function) else ""
-        if (named := lacking.search(text)) and "sys.platform" not in text:
+    lacking = LACKING.get(sys.platform)
+    source_of = functools.cache(inspect.getsource)  # once for all cases of a test
+    for item in items if lacking else ():
+        text = source_of(item.function) if isinstance(item, pytest.Function) else ""
+        if (named := re.search(lacking, text)) and "sys.platform" not in text:
             item.add_marker(pytest.mark.skip(reason=f"needs {named[0]}"))
