@@ -183,16 +183,19 @@ def make_window(
     """Open main windows; after the test all are closed and no interactor survives.
 
     Edges stay as they are while one drags, and labels do not fade, unless a test is marked as
-    `smooth`.
+    `smooth`: then windows are smaller.
     """
     from app.document.document import Document
     from app.scenes.scene import load
     from tests.support.opened import close, opened
     from widgets.panes import adaptive
+    from widgets.window import main_window
     from widgets.window.settings import Settings
 
     is_smooth = request.node.get_closest_marker("smooth") is not None
-    if not is_smooth:
+    if is_smooth:  # quickly drawn
+        monkeypatch.setattr(main_window, "AT_FIRST_PX", (main_window.FOLDS_BELOW_PX, 560))
+    else:
         monkeypatch.setattr(adaptive, "AT_REST", "none")
     windows: list[Any] = []
 
