@@ -11,8 +11,6 @@ The caller prevents overflow and underflow: products of operands must stay betwe
 for the low parts to exist.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from functools import cache, lru_cache

@@ -1,7 +1,5 @@
 """Matrices of rationals: products, inverse, rank and determinant without any rounding."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

@@ -19,12 +19,12 @@ from app.commands.arguments import (
     set_letters,
     with_values,
 )
-from app.commands.options import SUMMARIES, Parser, check_file
+from app.commands.options import SUMMARIES, Parser, check_file, choose_language
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
-from app.model.projection import LARGEST_IMAGE_PX, WHOLE_PIXELS
-from app.model.refusal import Refusal
+from app.model.projection import LARGEST_IMAGE_PX
+from app.model.refusal import REFUSALS, Refusal
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -38,6 +38,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str]) -> int:
+    choose_language(arguments)
     try:
         if arguments and arguments[0] in SUMMARIES:
             with importing():
@@ -63,7 +64,9 @@ def _window(arguments: Sequence[str]) -> int:
         check_out("--screenshot", options.screenshot)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
-            raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
+            raise CliError(
+                f"--size {name} = {side}: {REFUSALS['whole-pixels'].format(LARGEST_IMAGE_PX)}."
+            )
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
     if lesson and options.set:
@@ -87,7 +90,7 @@ def _window(arguments: Sequence[str]) -> int:
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if options.screenshot is None else Path(options.screenshot)
     window_options = application.Options(
-        options.theme, options.size, screenshot, options.canvas, is_bare, letters
+        options.theme, options.size, screenshot, options.canvas, is_bare, letters, options.language
     )
     try:
         if lesson:

@@ -1,7 +1,5 @@
 """The check of pictures by the rules of composition: each step of a lesson or talk, as drawn."""
 
-from __future__ import annotations
-
 import math
 from collections import Counter
 from collections.abc import Callable, Iterator, Sequence
@@ -73,7 +71,7 @@ def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:
     return {pane: (round(share * SLIDE_PX[0]), SLIDE_HIGH_PX) for pane in panes}
 
 
-def faults_in(picture: ComposedPicture, screen_px: int | None) -> Iterator[tuple[str, str]]:
+def faults_in(picture: "ComposedPicture", screen_px: int | None) -> Iterator[tuple[str, str]]:
     """Yield what is wrong with a picture: its kind, and a sentence with its numbers.
 
     `screen_px` is the height of the screen that a class looks at; None for a window.

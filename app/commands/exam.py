@@ -1,23 +1,17 @@
 """``lesson print``: tests on paper, one file for each variant, and their key."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import re
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
-from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.terminal import CliError, interrupt, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of
 from app.lessons.lesson import read
 from app.lessons.practice import PlacedExercise, exercises_of
-
-if TYPE_CHECKING:
-    from widgets.program.exam import Numbered
 
 MOST_TESTS = 500  # more would fill a disk by mistake
 
@@ -27,11 +21,11 @@ def print_tests(options: argparse.Namespace) -> int:
     for option in ("topics", "seeds", "out"):
         if not getattr(options, option):
             raise CliError(f"lesson print needs --{option}.")
-    topics = _topics(options.topics)
+    topics, letters = _topics(options.topics), set_letters(options)
     seeds, digits = _seeds(options.seeds)
     posed, left_out = list[tuple[str, PlacedExercise]](), list[str]()
     for topic, path in topics.items():
-        course = Course(read(path))
+        course = Course(read(path, letters=letters))
         exercises = list(exercises_of(course))
         on_paper = [each for each in exercises if each.exercise.is_on_paper]
         if not on_paper:

@@ -1,7 +1,5 @@
 """``export figure.html``: a page for phones, with a slider if ``--sweep`` makes several states."""
 
-from __future__ import annotations
-
 import os
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Sequence
@@ -45,8 +43,8 @@ def write(
     out: str,
     told: Callable[[Sequence[Document]], Iterable[Document]],
     states: Sequence[Document],
-    scene: Scene,
-    alone: Callable[[Document, str], Figure],
+    scene: "Scene",
+    alone: "Callable[[Document, str], Figure]",
 ) -> str:
     """Write the page of states, which `told` yields; return a warning if it is large.
 
@@ -76,7 +74,7 @@ def write(
     )
 
 
-def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
+def _values(options: Namespace, states: Sequence[Document], scene: "Scene") -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
     if options.orbit is not None:
         turns_deg = [options.orbit * k / (len(states) - 1) for k in range(len(states))]

@@ -1,7 +1,5 @@
 """Lengths on paper: how they are typed, and how many pixels of a figure they are."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ A name is a plain id: ``eye``, ``near``, ``P'``, ``y_p``. A view has a list of i
 (`View.names`) or uses the list of its scene.
 """
 
-from __future__ import annotations
-
 from app.document.document import Document
 from app.document.view import EVERYTHING, View
 from app.lecture.camera_frame import STEPS

@@ -11,8 +11,6 @@ Such a matrix is projective, and everything that VTK computes from bounds is use
 actors give no bounds, the renderer has no cullers, and the drawings set the clipping ranges.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from functools import lru_cache

@@ -7,8 +7,6 @@ the average can be shown: it becomes finer with each. Those of two eyes are put
 together, and averaged only to smooth their edges.
 """
 
-from __future__ import annotations
-
 import math
 import time
 from dataclasses import replace

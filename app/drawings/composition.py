@@ -4,8 +4,6 @@ A picture is drawn as for a figure. Its labels say where they are; what lies und
 fills the pane, is read off the pixels of the same picture without labels.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace
@@ -55,7 +53,7 @@ class PlacedText(NamedTuple):
     high: float
     em: float
 
-    def overlaps(self, other: PlacedText) -> bool:
+    def overlaps(self, other: "PlacedText") -> bool:
         return (
             self.left < other.right - 0.5
             and other.left < self.right - 0.5

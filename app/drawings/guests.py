@@ -1,7 +1,5 @@
 """A figure's world in pyvista, in world coordinates; pyvista is no dependency of the program."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

@@ -6,8 +6,6 @@ versions, they are set anew. Both are copies of what `app.lecture.typesetting` a
 `app.drawings.label` make.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import logging

@@ -4,8 +4,6 @@ A label is written as formulas are elsewhere (`app.lecture.typesetting`), and Ag
 texture.
 """
 
-from __future__ import annotations
-
 import math
 import weakref
 from functools import lru_cache
@@ -19,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkTexturedActor2D
 
 from app.drawings.style import Style, rgb
+from app.languages import with_comma
 from app.lecture.typesetting import line_of, piece_of
 
 Pixels = NDArray[np.uint8]
@@ -160,7 +159,7 @@ _ON_IMAGE: Any = numpy_to_vtk(  # type: ignore[no-untyped-call]
 class LabelActor(vtkTexturedActor2D):
     """The actor of a label, by which a window's labels are found."""
 
-    label: weakref.ref[SceneLabel]
+    label: "weakref.ref[SceneLabel]"
 
 
 class SceneLabel:
@@ -186,8 +185,8 @@ class SceneLabel:
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self._text, self._tone = text, style.tone(colour)
-        self.size_px = size_px(text, self.em, **self._how)
+        self._text, self._tone = with_comma(text), style.tone(colour)
+        self.size_px = size_px(self._text, self.em, **self._how)
         """Width and height of the letters without halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
@@ -219,6 +218,7 @@ class SceneLabel:
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
+        text = with_comma(text)
         if text != self._text:
             self._text = text
             self.size_px = size_px(text, self.em, **self._how)

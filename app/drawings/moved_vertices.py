@@ -4,8 +4,6 @@ All drawings of a scene share its faces; what is moved is a copy, of a few verti
 on the vertices and moves with them: `PLACE` holds where each one was.
 """
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """How a pane's own camera looks at the world: what is seen where."""
 
-from __future__ import annotations
-
 import math
 from typing import Any, NamedTuple, TypeAlias
 
@@ -183,14 +181,14 @@ class Pose(NamedTuple):
     distance: float
     slope: float  # tangent of half the angle of view; 0 for a parallel camera
 
-    def is_near(self, other: Pose) -> bool:
+    def is_near(self, other: "Pose") -> bool:
         """Whether another pose shows the same, but for rounding."""
         numbers, others = (
             np.hstack([pose.focus, pose.axes.ravel(), *pose[2:]]) for pose in (self, other)
         )
         return bool(np.allclose(numbers, others, rtol=1e-6, atol=1e-9))
 
-    def towards(self, other: Pose, part: float) -> Pose:
+    def towards(self, other: "Pose", part: float) -> "Pose":
         """Return the pose at a part of the way to another one, 0 to 1."""
         turn = other.axes.T @ self.axes
         cosine = max(-1.0, min(1.0, (float(np.trace(turn)) - 1.0) / 2.0))

@@ -7,8 +7,6 @@ from the eye in the world, parallel to z in the NDC cube. A disc is hollow if th
 the view volume. A point without a picture (w <= 0) has no disc: a mirrored one would be a lie.
 """
 
-from __future__ import annotations
-
 import math
 from abc import abstractmethod
 from collections.abc import Sequence
@@ -106,7 +104,7 @@ class Probes(Layer):
 
 
 class WorldProbes(Probes):
-    _state: WorldState
+    _state: "WorldState"
 
     def marks(self) -> list[ProbeMark]:
         projection, origin = self._state.projection, self._state.origin
@@ -146,7 +144,7 @@ class WorldProbes(Probes):
 
 
 class StageProbes(Probes):
-    _state: StageState
+    _state: "StageState"
 
     def marks(self) -> list[ProbeMark]:
         projection, sight = self._state.seen_projection, self._state.sight
@@ -180,7 +178,7 @@ class StageProbes(Probes):
 
 
 class ImageProbes(Probes):
-    _state: ImageState
+    _state: "ImageState"
 
     def marks(self) -> list[ProbeMark]:
         marks: list[ProbeMark] = []

@@ -21,8 +21,6 @@ own has 32, of fixed point or of a float, of which a float32 shader fills 24: th
 formats of 32 bits are spread over it by their logarithm, as many as there are.
 """
 
-from __future__ import annotations
-
 import math
 import weakref
 from collections.abc import Callable, Iterable

@@ -1,7 +1,5 @@
 """Colours that a photocopy keeps apart: faces that meet differ in lightness, not in hue alone."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

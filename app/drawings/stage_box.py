@@ -4,8 +4,6 @@ The volume is one box under the stage's matrix: at NDC a cube, or half of one in
 [0, 1]; elsewhere a pyramid, or the flat frame of the picture.
 """
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterable, Mapping

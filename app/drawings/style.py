@@ -5,8 +5,6 @@ background the pale ones are darkened until a line of them is visible (3:1). Tex
 `tone`, with a contrast of at least 4.5:1; near and far never differ by colour alone.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -50,7 +48,7 @@ class Style:
         """Opacities of the near and the far plane; on paper 15 apart in L* on white."""
         return (0.36, 0.08) if self.on_paper else (0.3, 0.16)
 
-    def enlarged(self, factor: float) -> Style:
+    def enlarged(self, factor: float) -> "Style":
         """Enlarge text and lines: for a projector's back row, or a finer screen."""
         return replace(self, line_width=self.line_width * factor, font_size=self.font_size * factor)
 

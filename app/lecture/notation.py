@@ -7,8 +7,6 @@ plane coordinates are negative, its w is z, and its z goes from 1 at near to -1 
 come from `Projection.stages`; only their signs may change.
 """
 
-from __future__ import annotations
-
 import itertools
 import re
 from collections.abc import Callable, Mapping, Sequence
@@ -23,7 +21,6 @@ from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
 from app.lecture.letters import (
     FROM_SHEARED,
-    MATRIX_NAMES,
     SHEARED,
     Letters,
     base_of,
@@ -116,7 +113,7 @@ class WrittenMatrix(NamedTuple):
     formulas: Formulas  # in our own names; see `written`
     fields: tuple[tuple[tuple[str, ...], ...], ...]
     """The fields of the document that change the cell (`app.lecture.dependence`)."""
-    factors: tuple[WrittenMatrix, ...] = ()  # in the product's order; empty if there is only one
+    factors: "tuple[WrittenMatrix, ...]" = ()  # in the product's order; empty if there is only one
     product: tuple[str, ...] = ()  # the stages whose product this matrix is, in that order
     note: str = ""  # as in `Stage`
     called: str = ""  # the lecture's name and chain: ``P_obl = P_ort H``; empty if it has none
@@ -180,13 +177,13 @@ def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
     return PipelineStep(SHEARED, (factors[-1],)), PipelineStep(FROM_SHEARED, tuple(factors[:-1]))
 
 
-def _names(lens: _WrittenForm, letters: Letters) -> dict[str, str]:
+def _names(lens: "_WrittenForm", letters: Letters) -> dict[str, str]:
     """Return a lecture's names of the matrices of a lens."""
     base, _, names = lettering(letters)
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, base).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
     texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
-    is_named = names.get("clip_from_view") == MATRIX_NAMES.get(base, {}).get("clip_from_view")
+    is_named = names.get("clip_from_view") == lettering(base).matrices.get("clip_from_view")
     if base == "002" and is_named and not lens.table.steps:
         texts["clip_from_view"] = "P"
     elif base == "002" and is_named and _steps(lens.table, base):
@@ -337,7 +334,7 @@ def _spelled(formula: str, lens: Formulas) -> str:
 
 @lru_cache(maxsize=64)
 def _fields(
-    lens: _WrittenForm, letters: Letters, state: ProjectionState, kinds: tuple[str, ...]
+    lens: "_WrittenForm", letters: Letters, state: ProjectionState, kinds: tuple[str, ...]
 ) -> _FieldTable:
     """Return `WrittenMatrix.fields` by the keys of `_formulas`.
 
@@ -370,7 +367,7 @@ def _fields(
 # --------------------------------------------------------------------------- lecture 002's signs
 
 
-def _signs(lens: _WrittenForm, letters: Letters) -> Callable[[str, int, int], int]:
+def _signs(lens: "_WrittenForm", letters: Letters) -> Callable[[str, int, int], int]:
     """Return the function that gives the sign of a lecture's cell relative to ours."""
     if letters != "002" or not lens.table.steps:
         return lambda key, i, j: 1

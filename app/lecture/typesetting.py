@@ -7,8 +7,6 @@ letters is upright. What stands between dollar signs is TeX. mathtext takes a mi
 formula, so a running number is set sign by sign: each sign is read only once.
 """
 
-from __future__ import annotations
-
 import importlib.util
 import logging
 import pathlib
@@ -30,7 +28,7 @@ ALONE = 1.3  # size of a label that is only a letter, relative to a word
 AMONG_WORDS = 1.12  # size of a letter beside words: STIX looks smaller than DejaVu Sans
 WIDEST = 400  # largest width of a formula, in em
 _EM = 100.0
-SET: dict[str, Outline] = {}
+SET: "dict[str, Outline]" = {}
 """What has been set: formulas by their TeX, words behind a line feed. At most `MOST_SET`."""
 MOST_SET = 400
 _ONE_READER = threading.RLock()

@@ -4,28 +4,26 @@ The documents are made from the file alone, in its order: a step is the same to 
 whatever the user did in the window meanwhile.
 """
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from app import languages
 from app.document import files
 from app.document.document import Document, is_mesh
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
-from app.lessons.blocks.block import BESIDE, Asked, Idea, State, path_of
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.blocks.block import Asked, Idea, State, path_of
+from app.lessons.lesson import CONTENT, Lesson, Step, read
 from app.lessons.lines import on_line, refused
 from app.lessons.quantities import Quantities
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
-CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
 _ALONG = {"frame_step": "panel", "probes": "pinned", "compare": "dividers"}
 """Fields of the view that are set together with another one."""
 
@@ -79,7 +77,7 @@ class Course:
     def file(self) -> Path | None:
         return self.lesson.path
 
-    def at(self, place: int) -> AtStep:
+    def at(self, place: int) -> "AtStep":
         return AtStep(self, place)
 
     @property
@@ -181,16 +179,16 @@ class Course:
             document = files.read(path)
         except Refusal as error:
             why = str(error).rstrip(".")
-            raise refused(state.document_line, files.UNREADABLE, why) from error
+            raise refused(state.document_line, REFUSALS["files-unreadable"], why) from error
         for file in (document.scene if is_mesh(document.scene) else "", document.mesh):
             if file and not self._is_beside(file):
-                raise refused(state.document_line, BESIDE, value=os.path.basename(file))
+                raise refused(state.document_line, REFUSALS["beside"], value=os.path.basename(file))
         return document
 
     def _beside(self, name: str, line: int) -> str:
         path = os.path.normpath(self.folder / name)
         if not self._is_beside(path):
-            raise refused(line, BESIDE, value=name)
+            raise refused(line, REFUSALS["beside"], value=name)
         return path
 
     def _is_beside(self, path: str) -> bool:
@@ -234,7 +232,7 @@ class AtStep:
             scene_of(document)
         return document
 
-    def varied(self, state: State | None, given: Mapping[str, float]) -> AtStep:
+    def varied(self, state: State | None, given: Mapping[str, float]) -> "AtStep":
         own = self.document if state is None else self.shown_by(state)
         return AtStep(self.course, self.place, own, given)
 
@@ -260,7 +258,7 @@ def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:
 # --------------------------------------------------------------------------- wrong ideas
 
 
-@cache
+@languages.cached
 def ideas() -> Course:
     """Return the wrong ideas that the program knows; each is a step of one file."""
     return Course(read(CONTENT / "ideas.md"))

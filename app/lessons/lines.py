@@ -4,8 +4,6 @@ A body is a text, then lines ``key: value``, or choices ``- [x] text``. An inden
 the value above it; such lines below a choice or a wrong value may have their own keys.
 """
 
-from __future__ import annotations
-
 import contextlib
 import difflib
 import re
@@ -16,12 +14,6 @@ from app.lessons.quantities import Condition, read_formula
 from app.model import numerals
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Bound, Refusal
-
-UNEXPECTED = REFUSALS["unexpected"]
-INDENTED = REFUSALS["indented"]
-LACKS = REFUSALS["lacks"]
-ONLY_ONCE = REFUSALS["only-once"]
-LONG_LINE = REFUSALS["long-line"]
 
 LONGEST_LINE = 4000  # most characters of a line, also with the indented lines that continue it
 
@@ -94,7 +86,7 @@ class LineItem(NamedTuple):
     about: str
     text: str
     line: int
-    below: Sequence[LineItem] = ()
+    below: "Sequence[LineItem]" = ()
 
     def formula(self) -> Formula:
         with on_line(self.line, self.key):
@@ -111,7 +103,7 @@ class Items(tuple[LineItem, ...]):
         """Return the item of a key; refuse a second one."""
         same = self.every(key)
         if len(same) > 1:
-            raise refused(same[1].line, ONLY_ONCE, key)
+            raise refused(same[1].line, REFUSALS["only-once"], key)
         return same[0] if same else None
 
     def text(self, key: str) -> str:
@@ -138,7 +130,7 @@ class Items(tuple[LineItem, ...]):
         sentences = *own, *((each.line, each.text) for each in below)
         for line, text in sentences:
             if not text:
-                raise refused(line, LACKS, "a text")
+                raise refused(line, REFUSALS["lacks"], "a text")
         return sentences
 
 
@@ -170,11 +162,11 @@ class Body(NamedTuple):
             elif choices and text.startswith(("-", "*")):
                 raise refused(number, REFUSALS["no-choice"], value=text.strip()[:60])
             elif text.strip():
-                bound = INDENTED if indented else UNEXPECTED
+                bound = REFUSALS["indented"] if indented else REFUSALS["unexpected"]
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
         asked = "\n".join(question).strip()
         if not asked:
-            raise refused(self.line, LACKS, "a question or a task")
+            raise refused(self.line, REFUSALS["lacks"], "a question or a task")
         return asked, Items(items)
 
 
@@ -192,7 +184,7 @@ def _continued(
     if has_own and key and key[1] in _BELOW:
         return last._replace(below=[*last.below, LineItem(key[1], "", key[3].strip(), number)])
     if _mistyped(text, (*_BELOW, *keys)):
-        bound = UNEXPECTED if has_own else INDENTED
+        bound = REFUSALS["unexpected"] if has_own else REFUSALS["indented"]
         raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
     if last.below:
         further = last.below[-1]

@@ -9,8 +9,6 @@
 The card beside the pictures and the talk's band show what a player holds.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -47,7 +45,7 @@ class Progress:
 class PlayedBlock:
     """A question or a task as a student answers it."""
 
-    def __init__(self, player: Player, at: AtStep, block: Asked) -> None:
+    def __init__(self, player: "Player", at: AtStep, block: Asked) -> None:
         self._player, self._at, self.block = player, at, block
         self._key = f"{player.step.name}/{block.name}"
         self.is_test = player.is_test
@@ -248,7 +246,7 @@ class Player:
         self._reached[left], self.revealed = self.revealed, 0
         self.blocks, self._rest, self.posed = [], [], None
 
-    def read_again(self, course: Course, place: int) -> Player:
+    def read_again(self, course: Course, place: int) -> "Player":
         """Return the player of the changed file, with what the window shows beside its steps."""
         player = Player(course, place)
         player.arrived, player._beside = self.arrived, self._beside

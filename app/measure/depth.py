@@ -3,8 +3,6 @@
 Nothing is rasterised: this module encodes surfaces at known distances as the formats define it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -23,9 +21,6 @@ from app.precision.levels import Prediction
 PAIRS = 10_000  # number of pairs of neighbours at even distances from near to far (N. Reed, 2015).
 FARTHEST = 1e4  # the pairs' largest distance for an infinite far, in units of near
 _EDGES = 4  # edges of a surface's code and the next two: wide and narrow codes may alternate
-
-NOTHING_APART = MEASURE["nothing-apart"]
-BEYOND = MEASURE["beyond"]
 
 
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
@@ -54,7 +49,9 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         values = _shares(buffer)
         use = {"depth_format": format_, "depth_mapping": mapping}
         if not lens.near < distance < lens.far:
-            choices.append(ChartPoint(name, memory, memory, None, None, values, BEYOND, use))
+            choices.append(
+                ChartPoint(name, memory, memory, None, None, values, MEASURE["beyond"], use)
+            )
             continue
         predicted = float(buffer.gap(distance))
         gap = smallest_gap(buffer, distance)
@@ -91,7 +88,11 @@ def gaps(
             continue
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         told = Prediction(gap, gap) if math.isfinite(gap) else None
-        answers[name] = told, Prediction(predicted, predicted), "" if told else NOTHING_APART
+        answers[name] = (
+            told,
+            Prediction(predicted, predicted),
+            "" if told else MEASURE["nothing-apart"],
+        )
     return answers
 
 

@@ -1,7 +1,5 @@
 """Run the requested trades and sweeps one after the other."""
 
-from __future__ import annotations
-
 import json
 import os
 import platform

@@ -1,7 +1,5 @@
 """Sweeps: the errors of every precision, and of VTK's own camera, over the range of a parameter."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -126,7 +124,7 @@ def sweep(
     points_world: Array,
     values: Sequence[float],
     watch: Watch = unwatched,
-    at: Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None = None,
+    at: "Callable[[str, Projection, Array, float], Mapping[str, Answer]] | None" = None,
 ) -> Sweep:
     """Measure something at every value of a parameter, with the scene's points (n, 3).
 
@@ -152,7 +150,7 @@ def sweep(
     return swept
 
 
-def _curve(answers: Sequence[Answer]) -> ErrorCurve:
+def _curve(answers: "Sequence[Answer]") -> ErrorCurve:
     measured, predicted, notes = zip(*answers, strict=True) if answers else ((), (), ())
 
     def column(parts: Sequence[Prediction | None], name: str) -> tuple[float | None, ...]:

@@ -1,7 +1,5 @@
 """Formulas as text in one line, with stacked fractions, and in LaTeX, in a lecture's symbols."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 

@@ -6,8 +6,6 @@ The divide by the lens's w turns it into the vanishing point of all lines in thi
 Everything is computed in rationals and rounded once.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction

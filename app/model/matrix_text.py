@@ -5,8 +5,6 @@ brackets, separators, labels and names. A text is read only if every part of it 
 function such as ``cos(0.3)`` is refused, not taken for 0.3. The time is linear in the text.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Sequence
@@ -16,8 +14,6 @@ from app.model.refusal import REFUSALS, Refusal, shown_name
 SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 4x4
 
 LONGEST = 20_000  # most characters of a text that may be a matrix
-
-NOT_FINITE = REFUSALS["matrix-text-not-finite"]
 
 
 def read_matrix(
@@ -184,7 +180,7 @@ class _MatrixTextReader:
             if kind == "word" and token[0] in "\"'" and _QUOTED.fullmatch(token):
                 kind, token = "number", token[1:-1]
             if kind == "not_finite":
-                raise _refused(NOT_FINITE, token)
+                raise _refused(REFUSALS["matrix-text-not-finite"], token)
             if sign and kind not in ("number", "blank"):
                 raise _not_read(sign)
             if word and kind not in ("names", "open", "blank"):
@@ -241,7 +237,7 @@ class _MatrixTextReader:
         except ZeroDivisionError:
             raise _not_read(text) from None
         if not math.isfinite(number):
-            raise _refused(NOT_FINITE, text[:40])
+            raise _refused(REFUSALS["matrix-text-not-finite"], text[:40])
         self.lines[-1].append(number)
         self.count += 1
         self.places.append("".join(re.findall("[0-9]", label[-8:])))

@@ -4,8 +4,6 @@
 other scripts are not.
 """
 
-from __future__ import annotations
-
 import math
 import re
 

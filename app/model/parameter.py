@@ -12,8 +12,6 @@ setting or kind of projection::
 lupdate reads no Markdown: `tests/texts.py` makes a source for it.
 """
 
-from __future__ import annotations
-
 import math
 import numbers
 from collections.abc import Callable, Mapping
@@ -22,7 +20,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from app.model.limits import ONE_OF, Vector, finite, finite_vector, within
+from app.model.limits import Vector, finite, finite_vector, within
 from app.model.refusal import REFUSALS, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
@@ -31,7 +29,6 @@ Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
 Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
 CLOSE = 1e-7  # relative to a number, or its slider's length: a nearer number is the chosen one
-YES_OR_NO = REFUSALS["yes-or-no"]
 PARTS: dict[str, Part] = {
     "lens": "lens", "camera": "camera", "image": "image_size", "": "depth", "object": "placement",
 }  # fmt: skip
@@ -134,7 +131,7 @@ class Parameter:
         whole: Any = getattr(projection, self.part)
         return replace(projection, **{self.part: replace(whole, **{self.name: value})})
 
-    def component(self, axis: int) -> Parameter:
+    def component(self, axis: int) -> "Parameter":
         """Return one component of a vector as a number: ``eye_x``."""
 
         def write(projection: Any, value: Any) -> Any:
@@ -158,12 +155,12 @@ class Parameter:
         """The value in the setting's type; a `Refusal` for another kind, or out of bounds."""
         if isinstance(self.default, bool):
             if not isinstance(value, bool):
-                raise Refusal(self.path, value, YES_OR_NO)
+                raise Refusal(self.path, value, REFUSALS["yes-or-no"])
             return value
         if isinstance(self.default, str):
             known = [name for name, _ in self.choices]
             if value not in known:
-                raise Refusal(self.path, value, ONE_OF, ", ".join(known))
+                raise Refusal(self.path, value, REFUSALS["one-of"], ", ".join(known))
             return str(value)
         if isinstance(self.default, tuple):
             return finite_vector(self.path, value)

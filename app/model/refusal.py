@@ -5,16 +5,16 @@ marked with `QT_TRANSLATE_NOOP`, which lupdate finds. The widgets translate a te
 it in.
 """
 
-from __future__ import annotations
-
 import difflib
 import json
 import math
 import numbers
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, NewType, cast
 
+from app import languages
 from app.strangers import printable
 
 Bound = NewType("Bound", str)
@@ -42,8 +42,9 @@ def _sentences() -> dict[str, dict[str, str]]:
 SENTENCES = _sentences()
 """The texts of the page, by section and name."""
 REFUSALS = cast(Mapping[str, Bound], SENTENCES["Refusal"])
-DESCRIPTION, MEASURE, HEALTH = (SENTENCES[name] for name in ("Description", "Measure", "Health"))
-THE_DOCUMENT = REFUSALS["the-document"]
+DESCRIPTION, MEASURE, HEALTH, MATRIX = (
+    SENTENCES[name] for name in ("Description", "Measure", "Health", "Matrix")
+)
 SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
@@ -71,17 +72,17 @@ class Refusal(ValueError):
     @classmethod
     def in_document(
         cls, bound: Bound, *limits: object, field: str = "", value: object = ..., file: str = ""
-    ) -> Refusal:
+    ) -> "Refusal":
         """Refuse a document or a file; the value is written as in the document."""
         return cls(field, value, bound, *limits, file=file)
 
     @classmethod
-    def saying(cls, template: Bound, *parts: object) -> Refusal:
+    def saying(cls, template: Bound, *parts: object) -> "Refusal":
         """Refuse with a template that is the whole sentence."""
         return cls("", ..., template, *parts)
 
     def __str__(self) -> str:
-        return self.sentence()
+        return self.sentence(partial(languages.translate, context="Refusal"))
 
     def sentence(
         self,
@@ -105,7 +106,7 @@ class Refusal(ValueError):
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
-            return f"{file or translate(THE_DOCUMENT)} {bound}."
+            return f"{file or translate(REFUSALS['the-document'])} {bound}."
         place = f"{file}: " if file else ""
         if self.value is ...:
             return f"{place}{self.field} {bound}."

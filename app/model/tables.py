@@ -4,15 +4,13 @@ A step's matrix is stated once, as the lectures write it, and evaluated in ratio
 shown), in letters (the formulas shown) and in float64.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import Rationals, eliminate
 from app.model.formula import EXACT, Arithmetic, Formula, parse
-from app.model.limits import INVERTIBLE, Array, read_only
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.limits import Array, read_only
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 Table: TypeAlias = tuple[tuple[Formula, ...], ...]  # a (4, 4) matrix of formulas
 
@@ -46,7 +44,9 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
     """The inverse of a matrix of rationals, or a `Refusal` that names the field."""
     rank, _, inverted = eliminate(matrix)
     if inverted is None:
-        raise Refusal(field, tuple(map(tuple, rounded(matrix).tolist())), INVERTIBLE, rank)
+        raise Refusal(
+            field, tuple(map(tuple, rounded(matrix).tolist())), REFUSALS["invertible"], rank
+        )
     return inverted
 
 

@@ -12,8 +12,6 @@ pixel. The lines are few: they are clipped in homogeneous coordinates to a small
 pixel.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import Any, NamedTuple
@@ -71,7 +69,7 @@ class Probe:
     direction: Vector | None = None
 
     @classmethod
-    def of(cls, number: int, row: Row) -> Probe:
+    def of(cls, number: int, row: Row) -> "Probe":
         """The probe at homogeneous coordinates from `app.model.infinity.homogeneous`."""
         x, y, z, w = row
         return cls(number, direction=(x, y, z)) if w == 0.0 else cls(number, (x, y, z))
@@ -255,7 +253,7 @@ class PickSurface:
                 return int(numbers[i]), float(order[i])
         return None
 
-    def hides(self, sight: Sight, stop: Stop) -> bool:
+    def hides(self, sight: Sight, stop: "Stop") -> bool:
         """Whether a face hides one of the surface's vertices."""
         face = self.pick(sight, stop.spot, 0.0)
         return face is not None and _in_front(face.order, stop.order)

@@ -3,8 +3,6 @@
 Whatever a pane does to the scene, a world point becomes a pixel by one projective 4x4 and a divide.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
@@ -35,20 +33,20 @@ class Sight(NamedTuple):
     limits: Array
 
     @classmethod
-    def of(cls, projection: Projection) -> Sight:
+    def of(cls, projection: Projection) -> "Sight":
         """The sight of the image itself, between near and far."""
         clip, axes = projection.passage.stated_in
         rows = projection.image_from_ndc @ clip
         rows[2], limits = projection.passage.order
         return cls(np.array(projection.camera.eye), rows @ axes, limits @ axes)
 
-    def scaled(self, pixels_from_pixels: ArrayLike) -> Sight:
+    def scaled(self, pixels_from_pixels: ArrayLike) -> "Sight":
         """The sight in other pixels, by an affine (3, 3) matrix of x, y, 1."""
         rows = self.rows.copy()
         rows[[0, 1, 3]] = np.asarray(pixels_from_pixels) @ self.rows[[0, 1, 3]]
         return self._replace(rows=rows)
 
-    def of_object(self, projection: Projection, origin: Vector) -> Sight:
+    def of_object(self, projection: Projection, origin: Vector) -> "Sight":
         """The same sight, for points of the object: ``rows (p - origin, 1)``."""
         if projection.placement.is_identity:
             return self

@@ -7,8 +7,6 @@ Algorithms, 3.3). The bound knows the points and how the formats round, but not 
 With w known within e_w, a quotient x/w is known within ``(e_x + |x/w| e_w) / (w - e_w)``.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,8 +17,8 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import Rationals, nearest
-from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
-from app.model.refusal import Refusal
+from app.model.projection import Array, Projection, Vector, checked_points
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
@@ -58,7 +56,7 @@ class Hardware:
         ):
             value = getattr(self, field)
             if not isinstance(value, str) or value not in known:
-                raise Refusal(field, value, ONE_OF, ", ".join(known))
+                raise Refusal(field, value, REFUSALS["one-of"], ", ".join(known))
 
     @property
     def bytes_per_vertex(self) -> float:

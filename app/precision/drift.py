@@ -10,8 +10,6 @@ by the Frobenius norm of the residual B - R A. Exact turns change no norm, so th
 the distance between the axes and the true ones.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The part of a user's mesh that a phenomenon computes with: its longest edges and triangles."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -25,7 +23,7 @@ SUBJECT_SURFACE = 3_000
 """Most triangles of a mesh whose pixels are computed; larger ones are reduced."""
 
 
-def own_mesh(surface: PolyMesh, origin: Vector, pixels: bool) -> OwnMesh:
+def own_mesh(surface: "PolyMesh", origin: Vector, pixels: bool) -> OwnMesh:
     """Return the longest edges and the triangles with the longest sides; all for `pixels`."""
     points = np.asarray(surface.points)
     offsets, corners = cells_of(surface.GetPolys())
@@ -95,13 +93,13 @@ def _largest(values: NDArray[np.floating], count: int) -> Ints:
     return np.asarray(which[np.argsort(-values[which], kind="stable")])
 
 
-def values_of(array: vtkDataArray) -> NDArray[Any]:
+def values_of(array: "vtkDataArray") -> NDArray[Any]:
     from vtkmodules.util.numpy_support import vtk_to_numpy
 
     return np.asarray(vtk_to_numpy(array))  # type: ignore[no-untyped-call]
 
 
-def cells_of(cells: vtkCellArray) -> tuple[Ints, Ints]:
+def cells_of(cells: "vtkCellArray") -> tuple[Ints, Ints]:
     """Return offsets and corners of a VTK cell array."""
     cells.ConvertTo64BitStorage()
     offsets = values_of(cells.GetOffsetsArray())

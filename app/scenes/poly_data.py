@@ -1,7 +1,5 @@
 """The meshes that a scene gives to VTK, which is imported when the first of them is drawn."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
@@ -38,7 +36,7 @@ class LaterMesh:
 
 def poly_data(
     points: NDArray[np.floating], offsets: NDArray[Any], corners: NDArray[Any], rgb: Colours
-) -> PolyMesh:
+) -> "PolyMesh":
     """Make a mesh for VTK that keeps the digits of the points."""
     from app.scenes.poly_mesh import PolyMesh, cells_from
 
@@ -64,7 +62,7 @@ def line_set(lines: Coloured) -> LaterMesh:
     return LaterMesh(lines[0].reshape(-1, 3), np.arange(0, ends.size + 1, 2), ends, lines[1])
 
 
-def dot_set(points: NDArray[np.floating], rgb: Colours) -> PolyMesh | None:
+def dot_set(points: NDArray[np.floating], rgb: Colours) -> "PolyMesh | None":
     """Make dots for VTK; None without any."""
     from app.scenes.poly_mesh import PolyMesh
 

@@ -4,8 +4,6 @@
 shows cameras like every other control.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import partial
@@ -14,9 +12,9 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from app.model.limits import NOT_PARALLEL, within
-from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
-from app.model.refusal import Refusal
+from app.model.limits import within
+from app.model.projection import LARGEST, Camera, Vector
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.labels import WarningLabel
@@ -77,7 +75,7 @@ class Motion:
         clock_s = math.acos(min(max(down, -1.0), 1.0)) / (2.0 * math.pi) * PERIOD_S
         return clock_s if rising else PERIOD_S - clock_s
 
-    def at(self, height: float, *, rising: bool = True) -> Motion:
+    def at(self, height: float, *, rising: bool = True) -> "Motion":
         """Return the walk that begins where it is closest to a height."""
         return replace(self, clock_s=self.clock_at(height, rising=rising))
 
@@ -257,13 +255,13 @@ class AnimationBar(QWidget, Playing):
 
     def _why(self, error: Refusal) -> str:
         """Say why the walk stopped, without the numbers of a camera that nobody chose."""
-        if error.bound == NOT_THE_EYE and self._motion.look == "level":
+        if error.bound == REFUSALS["not-the-eye"] and self._motion.look == "level":
             if self._start is not None and self._start.eye[1] < self._start.target[1]:
                 return self.tr("The camera is straight below the target and cannot look level.")
             return self.tr("The camera stands straight above the target and cannot look level.")
-        if error.bound == NOT_THE_EYE:
+        if error.bound == REFUSALS["not-the-eye"]:
             return self.tr("The camera is at the target and cannot look at it.")
-        if error.bound == NOT_PARALLEL:
+        if error.bound == REFUSALS["not-parallel"]:
             return self.tr("The camera would look along its own up vector.")
         return sentence(error)
 

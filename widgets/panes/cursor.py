@@ -12,8 +12,6 @@ The cursor stands on a thing, not on a pixel: it moves with the thing when the m
 pane is turned. It disappears when the focus leaves the pane, and costs nothing while it is hidden.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ As in VTK's QVTKOpenGLNativeWidget, which has no Python: VTK draws into framebuf
 Qt's context, and the result is copied into the widget's framebuffer.
 """
 
-from __future__ import annotations
-
 import ctypes
 import time
 from contextlib import suppress

@@ -9,8 +9,6 @@ A drag is a gesture, and so is a burst of wheel steps. A line lies beside the th
 window's message bar would move the panes away from the mouse.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
@@ -21,10 +19,11 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
 from app.drawings.drawing import Taken
+from app.languages import listed
 from app.model.limits import OTHER_SIDE, vector
 from app.model.parameter import Settings
-from app.model.projection import NOT_THE_EYE, Array, Projection, Vector
-from app.model.refusal import Refusal, six_digits
+from app.model.projection import Array, Projection, Vector
+from app.model.refusal import REFUSALS, Refusal, six_digits
 from app.picking.handles import (
     Change,
     Handle,
@@ -248,7 +247,7 @@ class Manipulation(Gestures, QObject):
         if drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
 
-    def _start(self, drag: _Drag) -> None:
+    def _start(self, drag: "_Drag") -> None:
         self._finish()
         self._drag = drag
         drag.pane.hand.keep_view()
@@ -277,7 +276,7 @@ class Manipulation(Gestures, QObject):
                 drag.reached += step
         self._show_line(drag.pane, sentence(six_digits(error)))
 
-    def _refusal_of(self, drag: _Drag, away: QPointF, shift: bool) -> Refusal | None:
+    def _refusal_of(self, drag: "_Drag", away: QPointF, shift: bool) -> Refusal | None:
         """Drag by so many pixels, or return why the model cannot."""
         right_px, down_px = away.x(), away.y()
         if drag.taken is not None:
@@ -293,7 +292,7 @@ class Manipulation(Gestures, QObject):
         shift_px = drag.pane.drawing.image_shift(right_px, down_px)
         return self._attempt(partial(panned, drag.start, shift_px))
 
-    def _drag_point(self, drag: _Drag, held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
+    def _drag_point(self, drag: "_Drag", held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
         assert drag.taken is not None
         before, sight = vector(held.point), drag.taken.sight
         value: Vector | float | None
@@ -416,7 +415,7 @@ def _seen_from(change: Change, error: Refusal) -> Refusal:
     value = change.get(side)
     if isinstance(value, float):
         return seen_from(side, "", value, error)
-    if error.bound == NOT_THE_EYE and "eye" in change:
+    if error.bound == REFUSALS["not-the-eye"] and "eye" in change:
         return seen_from("eye", "", 0.0, error)
     return error
 
@@ -432,5 +431,5 @@ def _value(grip: Grip) -> Vector | float:
 
 def _shown(value: Any) -> str:
     if isinstance(value, tuple):
-        return f"({', '.join(read_text(part) for part in value)})"
+        return f"({listed(map(read_text, value))})"
     return read_text(value)

@@ -1,7 +1,5 @@
 """Gestures: edits that belong together and are undone in one step."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
@@ -21,7 +19,7 @@ class Gestures(Beside):
     gesture_finished = Signal()
     gesture_abandoned = Signal()  # Esc was pressed: undo this gesture's changes; it ends now
 
-    def pass_on(self, source: Gestures) -> None:
+    def pass_on(self, source: "Gestures") -> None:
         """Forward another object's gestures too."""
         source.gesture_started.connect(self.gesture_started)
         source.gesture_finished.connect(self.gesture_finished)

@@ -3,8 +3,6 @@
 The shapes in `content/icons.md` are those of Lucide (lucide.dev, ISC licence).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from functools import cache
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Labels that mark, shorten or balance their text."""
 
-from __future__ import annotations
-
 from bisect import bisect_left
 
 from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt

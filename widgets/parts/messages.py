@@ -18,16 +18,9 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
+from app.languages import with_comma
 from app.lecture.letters import Letters, in_letters
-from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    NOT_THE_EYE,
-    NOT_THE_TARGET,
-    OTHER_SIDE,
-    THREE_NUMBERS,
-)
+from app.model.limits import OTHER_SIDE
 from app.model.parameter import Parameter, read_sections
 from app.model.parameters import TITLES
 from app.model.refusal import REFUSALS, Refusal, format_value
@@ -60,9 +53,6 @@ _NAMES = read_sections(Path(__file__).with_name("content") / "names.md")
 SPACES, FACTORS = _NAMES["Space"].named, _NAMES["Factor"].named
 
 # Refusals of controls only: the text is not a number.
-A_NUMBER = REFUSALS["messages-a-number"]
-A_NUMBER_LIKE = REFUSALS["a-number-like"]
-A_NUMBER_OR_INFINITY = REFUSALS["a-number-or-infinity"]
 
 FEW = 4  # significant digits of a displayed number
 
@@ -125,17 +115,17 @@ def figure_text(value: float, digits: int = 6) -> str:
     if math.isinf(value) or value == 0.0 or 1e-3 <= abs(value) < 10.0 ** max(5, digits):
         text = number_text(value) if math.isinf(value) else f"{value + 0.0:.{digits}g}"
         if "e" not in text:
-            return text.replace("-", "−")
+            return with_comma(text.replace("-", "−"))
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     factor = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    text = power if factor in ("1", "-1") else f"{factor.lstrip('-')}·{power}"
+    text = power if factor in ("1", "-1") else f"{with_comma(factor.lstrip('-'))}·{power}"
     return f"−{text}" if value < 0.0 else text
 
 
 def read_text(value: float, digits: int = FEW) -> str:
     """Write a number for display: with four digits, or with all of them."""
-    return number_text(value) if all_digits.now else figure_text(value, digits)
+    return with_comma(number_text(value)) if all_digits.now else figure_text(value, digits)
 
 
 def of_phenomena(text: str, letters: Letters | None = None) -> str:
@@ -167,7 +157,7 @@ def limits_text(low: float, high: float) -> str:
     """State the limits of a number; an infinite limit is omitted."""
     return "; ".join(
         translated(bound).format(number_text(limit))
-        for bound, limit in ((AT_LEAST, low), (AT_MOST, high))
+        for bound, limit in ((REFUSALS["at-least"], low), (REFUSALS["at-most"], high))
         if math.isfinite(limit)
     )
 
@@ -180,7 +170,7 @@ def of_measurements(text: str) -> str:
 def sentence(error: Exception) -> str:
     """Write a refusal in the window's language; other errors are not translated."""
     if isinstance(error, Refusal):
-        return error.sentence(translated, field_name, _value_text)
+        return with_comma(error.sentence(translated, field_name, _value_text))
     return str(error)
 
 
@@ -193,10 +183,10 @@ def seen_from(field: str, name: str, value: float, error: Refusal) -> Refusal:
     side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
     if field == side:
         return Refusal(field, value, bound, _value_text(error.value))
-    if field == "eye" and error.bound == NOT_THE_EYE:
-        return Refusal("eye", error.value, NOT_THE_TARGET)
-    if error.bound == THREE_NUMBERS:
-        return Refusal(name, value, FINITE_NUMBER)
+    if field == "eye" and error.bound == REFUSALS["not-the-eye"]:
+        return Refusal("eye", error.value, REFUSALS["not-the-target"])
+    if error.bound == REFUSALS["three-numbers"]:
+        return Refusal(name, value, REFUSALS["finite-number"])
     return error
 
 

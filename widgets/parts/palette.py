@@ -1,7 +1,5 @@
 """The window's colours and sizes: light or dark, and larger for a class."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from string import Template
 

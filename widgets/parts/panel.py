@@ -15,8 +15,6 @@ A widget under the mouse or with the focus marks its subject, and marks `NOTHING
 latest mark counts; when it is removed, the previous one counts again.
 """
 
-from __future__ import annotations
-
 import time
 from abc import abstractmethod
 from collections.abc import Callable, Hashable
@@ -121,7 +119,7 @@ class ShownData:
     illustration: Illustration | None
 
     @classmethod
-    def of(cls, document: Document, scene: Scene) -> ShownData:
+    def of(cls, document: Document, scene: Scene) -> "ShownData":
         """Make the snapshot of a document with its loaded scene."""
         return cls(document, scene, scene.illustration(document.projection, document.settings))
 
@@ -134,7 +132,7 @@ class ShownData:
         colours = inks(self.document, self.scene, self.illustration)
         return {name: getattr(style, colour) for name, colour in colours.items()}
 
-    def changed_since(self, before: ShownData | None) -> Changed:
+    def changed_since(self, before: "ShownData | None") -> Changed:
         """Return the parts that differ from an earlier snapshot, if there was one."""
         if before is None:
             return EVERYTHING

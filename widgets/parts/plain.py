@@ -6,8 +6,6 @@ program; `tests/house/test_plain_text.py` checks it. Our own HTML is a `Markup`,
 texts that are filled in.
 """
 
-from __future__ import annotations
-
 import html
 import re
 import sys
@@ -32,7 +30,7 @@ class Markup(str):
     __slots__ = ()
 
     @classmethod
-    def of(cls, template: str, *parts: str) -> Markup:
+    def of(cls, template: str, *parts: str) -> "Markup":
         """Fill the braces of an HTML template with plain texts."""
         return cls(template.format(*map(html.escape, parts)))
 

@@ -1,7 +1,5 @@
 """Slider scales: the mapping between a slider's positions and values."""
 
-from __future__ import annotations
-
 import math
 from abc import ABC, abstractmethod
 from dataclasses import dataclass
@@ -74,7 +72,7 @@ class Linear(Scale):
     parts: int = 10
 
     @classmethod
-    def about(cls, centre: float, reach: float) -> Linear:
+    def about(cls, centre: float, reach: float) -> "Linear":
         """Go from ``centre - reach`` to ``centre + reach`` in 200 to 500 steps."""
         rough = 2.0 * reach / 500.0
         power = 10.0 ** math.floor(math.log10(rough))

@@ -6,8 +6,6 @@ A number alone, in a matrix, or behind an equals sign has the font of the text b
 drawn while something is dragged, and Qt keeps the pictures of its digits.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -91,7 +89,7 @@ class Typeset:
         """Distance of the line below the middle."""
         return (self.ascent - self.descent) / 2.0
 
-    def at(self, x: float, y: float) -> Typeset:
+    def at(self, x: float, y: float) -> "Typeset":
         """Return a copy that is moved to the right and down, with the same width."""
         return Typeset(
             self.width, self.ascent - y, self.descent + y, self.letters.translated(x, y),

@@ -6,8 +6,6 @@ Run as a program, this module prints the answer as JSON: ``doctor`` runs it in a
 which a broken driver may crash.
 """
 
-from __future__ import annotations
-
 import atexit
 import json
 import os

@@ -7,8 +7,6 @@
     Arrangement (the view) --'
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from PySide6.QtCore import QObject

@@ -1,7 +1,5 @@
 """What cards over the whole window share: how they close, and their keys."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal, SignalInstance

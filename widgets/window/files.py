@@ -1,7 +1,5 @@
 """Open and save scenes and documents, without losing unsaved work."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable
 from contextlib import AbstractContextManager

@@ -1,7 +1,5 @@
 """Export what the panes show: into a file, or to the clipboard."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
@@ -20,7 +18,7 @@ from app.drawings.figure import Figure
 from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.panes.canvas import release_context
-from widgets.parts.messages import MessageBar, sentence, translated
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -34,7 +32,7 @@ MOST_IN_PREVIEW = 200_000
 """Triangles and points of a scene that is drawn anew for each change of the dialog."""
 
 
-def image_of(pixels: Pixels) -> QImage:
+def image_of(pixels: "Pixels") -> QImage:
     height, width, _ = pixels.shape
     form = QImage.Format.Format_RGB888
     return QImage(pixels.tobytes(), width, height, 3 * width, form).copy()
@@ -69,7 +67,7 @@ class Pictures(QObject):
         """Return a figure of what the window shows, in its language."""
         document = self._seen()
         scene = self._scene(document.scene, document.mesh)
-        return Figure(document, scene, words=self._words, translate=translated, **choices)
+        return Figure(document, scene, words=self._words, **choices)
 
     def export_dialog(self) -> None:
         from widgets.window.export_dialog import ExportDialog
@@ -119,13 +117,13 @@ class Pictures(QObject):
             lambda: self._copy(self._draw(figure.pixels)), self.tr("Copied the picture")
         )
 
-    def _png(self, pixels: Pixels) -> bytes:
+    def _png(self, pixels: "Pixels") -> bytes:
         """Return the file of a picture, with the document."""
         from app.drawings.figure_files import png_bytes
 
         return png_bytes(pixels, picture_json(self._seen()))
 
-    def _copy(self, pixels: Pixels) -> None:
+    def _copy(self, pixels: "Pixels") -> None:
         png = self._png(pixels)
         data = QMimeData()
         data.setImageData(QImage.fromData(png))
@@ -172,7 +170,7 @@ def preview(figure: Figure, room: QSize, tell: ReportProgress) -> QPixmap:
     return QPixmap.fromImage(image_of(replace(figure, scale=scale).pixels(tell)))
 
 
-def _pixels(image: QImage) -> Pixels:
+def _pixels(image: QImage) -> "Pixels":
     image = image.convertToFormat(QImage.Format.Format_RGBA8888)
     size = image.height(), image.width(), 4
     return np.frombuffer(image.constBits(), np.uint8).reshape(size).copy()

@@ -5,8 +5,6 @@ In a scene whose setting is a point to be `clicked`, a click in the image moves 
 The lecturer's pointer is a probe without a number, which follows the mouse.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from functools import partial

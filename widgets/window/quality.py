@@ -7,8 +7,6 @@
     panes --timed--> Cost --> the cost of a step in the status line
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace

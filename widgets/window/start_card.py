@@ -1,7 +1,5 @@
 """The start card: the scenes as pictures, the lessons, recent files, and a two-minute tour."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Speed and accuracy: every trade of a renderer as a picture, with what it saves and costs."""
 
-from __future__ import annotations
-
 import logging
 import traceback
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Choices, exactly one right; ``predict`` must be answered before the step goes on."""
 
-from __future__ import annotations
-
 import contextlib
 import re
 from collections.abc import Callable, Iterator
@@ -12,7 +10,7 @@ from typing import Any, ClassVar
 from app.lessons import marking
 from app.lessons.blocks.block import REVEALED, Here, Verdict, state_in
 from app.lessons.blocks.question import CHECKS, LETTERS, RIGHT, Question, Reply
-from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
+from app.lessons.lines import Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
@@ -28,12 +26,12 @@ class Choice(Reply):
     text: str
 
     @classmethod
-    def read(cls, item: LineItem) -> Choice:
+    def read(cls, item: LineItem) -> "Choice":
         """Read a choice: its text, then its formula and its idea in either order."""
         idea = _IDEA.search(item.text)
         text, _, behind = _IDEA.sub("", item.text).partition(" := ")
         if not text.strip():
-            raise refused(item.line, LACKS, "a text")
+            raise refused(item.line, REFUSALS["lacks"], "a text")
         formulas: tuple[Formula, ...] = ()
         if behind.strip():
             with on_line(item.line, ":="):
@@ -59,7 +57,7 @@ class Choices(Question):
     replies: tuple[Choice, ...]
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items, **more: Any) -> Choices:
+    def of(cls, body: Body, text: str, items: Items, **more: Any) -> "Choices":
         choices = tuple(map(Choice.read, items.every("choice")))
         if len(choices) < 2 or sum(each.right for each in choices) != 1:
             raise refused(body.line, REFUSALS["one-right"])

@@ -1,7 +1,5 @@
 """``matrix:`` in an ``answer``: a matrix or a vector, each of whose numbers is marked by itself."""
 
-from __future__ import annotations
-
 import operator
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -25,9 +23,6 @@ Part = TypeVar("Part")
 MOST = 4  # most rows, and most columns
 
 
-NONE = REFUSALS["none"]
-
-
 @dataclass(frozen=True, kw_only=True)
 class MatrixQuestion(MarkedQuestion):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
@@ -42,7 +37,7 @@ class MatrixQuestion(MarkedQuestion):
     """Row and column of the first cell in the matrix that these are a part of, from 1."""
 
     @classmethod
-    def of(cls, body: Body, text: str, items: Items) -> MatrixQuestion:
+    def of(cls, body: Body, text: str, items: Items) -> "MatrixQuestion":
         right = items.single("matrix")
         assert right is not None
         rows, columns, formulas = _cells(right)
@@ -97,7 +92,7 @@ class MatrixQuestion(MarkedQuestion):
         if all(turned[place] for place in wrong):
             return Refusal.saying(REFUSALS["some-signs"])
         if not any(cells):
-            return Refusal.saying(NONE)
+            return Refusal.saying(REFUSALS["none"])
         rows = {place // self.columns + 1 for place in wrong}
         columns = {place % self.columns + 1 for place in wrong}
         if len(wrong) == 1 and self.rows > 1 and self.columns > 1:

@@ -4,8 +4,6 @@
 minutes; ``test``: sample answers of a step, and their expected verdicts.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -20,7 +18,7 @@ from app.lessons.blocks.block import (
     Trial,
     read_state,
 )
-from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
+from app.lessons.lines import Body, number_in, refused
 from app.model.refusal import REFUSALS
 
 
@@ -36,7 +34,7 @@ class ShownState(Block):
         content.state = self.state
 
     @classmethod
-    def read(cls, body: Body) -> ShownState:
+    def read(cls, body: Body) -> "ShownState":
         return cls(line=body.line, state=read_state(body.lines, body.line))
 
 
@@ -54,15 +52,15 @@ class Note(Block):
         content.note = SpeakerNote(self.line, self.text, self.minutes)
 
     @classmethod
-    def read(cls, body: Body) -> Note:
+    def read(cls, body: Body) -> "Note":
         minutes, lines, first = None, [], 0
         for number, text in body.lines:
             if text.strip().startswith("minutes:"):
                 if minutes is not None:
-                    raise refused(number, ONLY_ONCE, "minutes")
+                    raise refused(number, REFUSALS["only-once"], "minutes")
                 minutes = number_in(text.partition(":")[2].strip(), number, 0, 1000)
             elif re.match(r"\s*min\w*\s*[:=]\s*\d", text, re.IGNORECASE):
-                raise refused(number, UNEXPECTED, "minutes", value=text.strip()[:60])
+                raise refused(number, REFUSALS["unexpected"], "minutes", value=text.strip()[:60])
             else:
                 lines.append(text)
                 first = first or (number if text.strip() else 0)
@@ -84,7 +82,7 @@ class Samples(Block):
         content.samples += self.samples
 
     @classmethod
-    def read(cls, body: Body) -> Samples:
+    def read(cls, body: Body) -> "Samples":
         samples = (_sample(text, number) for number, text in body.lines if text.strip())
         return cls(line=body.line, samples=tuple(samples))
 

@@ -5,8 +5,6 @@ with the readout and the diagrams beside the panes. `picture` computes marks of 
 other module holds one phenomenon.
 """
 
-from __future__ import annotations
-
 from types import MappingProxyType
 
 from app.scenes.phenomena import (

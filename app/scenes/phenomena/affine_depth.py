@@ -5,8 +5,6 @@ linear in 1/w, too. ``z' = A z + B`` (lecture 000, (9)) also takes near and far 
 cube, but it is linear in w: a segment becomes a bow. ``A + B/z`` (000, (12); 002) is linear in 1/w.
 """
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from typing import NamedTuple
@@ -43,7 +41,7 @@ class Inside(NamedTuple):
     w: Array
     cut: NDArray[np.bool_]
 
-    def of(self, chosen: NDArray[np.bool_]) -> Inside:
+    def of(self, chosen: NDArray[np.bool_]) -> "Inside":
         return Inside(self.rows[chosen], self.ndc[chosen], self.w[chosen], self.cut[chosen])
 
 

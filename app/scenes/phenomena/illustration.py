@@ -10,8 +10,6 @@ is made anew at every change, from the arguments alone, so that panes, panel, fi
 show the same. `marks` defines what is drawn, `words` the texts, readout and diagrams.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -210,7 +208,7 @@ class Phenomenon(Appearance):
     own_mesh_crosses: bool = False
 
     @classmethod
-    def of(cls, words: PhenomenonWords, **computed: Any) -> Phenomenon:
+    def of(cls, words: PhenomenonWords, **computed: Any) -> "Phenomenon":
         """The phenomenon of a content file, with what is computed."""
         shown = {name: _READ[name](text) for name, text in words.shown.items()}
         return cls(words, **shown, **computed)

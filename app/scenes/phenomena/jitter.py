@@ -11,8 +11,6 @@ All else is alike. What the stored numbers lose is known, the roundings after it
 of both bounds at most.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 from functools import partial
 from typing import NamedTuple

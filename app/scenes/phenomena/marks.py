@@ -10,8 +10,6 @@ Colours are names of `app.drawings.style.Style`, such as ``"accent"``, or ``"#rr
 world coordinates in the world pane, NDC in the NDC pane and pixels in the image pane.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
@@ -87,7 +85,7 @@ class Marks:
     texts: tuple[Text, ...] = ()
 
     @classmethod
-    def of(cls, *marks: Mark) -> Marks:
+    def of(cls, *marks: "Mark") -> "Marks":
         """Sort marks by kind; within a kind they keep their order."""
         by_kind: dict[type, list[Any]] = {Polyline: [], Face: [], Dot: [], Text: []}
         for mark in marks:

@@ -9,8 +9,6 @@ The origin moves away from the eye along (1, 1, 1), and nothing else: coordinate
 there. The world shows each point where the arithmetic puts it, its error enlarged by a factor.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from fractions import Fraction
@@ -18,10 +16,10 @@ from functools import partial
 
 import numpy as np
 
-from app.model.limits import NO_POINT, vector
+from app.model.limits import vector
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Camera, Perspective, Projection, Vector
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.unprojecting import (
     THERE,
     check_pixel,
@@ -109,7 +107,7 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
         check_pixel(projection, pixel)
     except Refusal as error:
         most = dict(zip("xy", projection.image_size, strict=True)).get(error.field, 1)
-        key = "nowhere" if error.bound == NO_POINT else "outside"
+        key = "nowhere" if error.bound == REFUSALS["no-point"] else "outside"
         return WORDS.phrase(key, error.field, float(str(error.value)), float(most))
     return None
 

@@ -25,8 +25,6 @@ The window translates these texts in the context "phenomena". lupdate reads no M
 `tests/texts.py` makes a source for it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -80,7 +78,7 @@ class Reading:
         value: float | tuple[float, ...] | str | None,
         unit: str = "",
         why: Phrase | None = None,
-    ) -> Reading:
+    ) -> "Reading":
         """A line with a note only if it has no value, or none that is finite."""
         if isinstance(value, float) and not math.isfinite(value):
             value = None

@@ -9,8 +9,6 @@
 `restore` shows a block with an earlier answer as the student left it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 
@@ -103,7 +101,7 @@ class BlockView(QFrame):
         self._column.setContentsMargins(0, 0, 0, 0)
 
     @property
-    def aims(self) -> BlockView | None:
+    def aims(self) -> "BlockView | None":
         """Return the view of a question about a place that is asked, or has just been answered."""
         return None
 
