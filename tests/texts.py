@@ -12,6 +12,7 @@ import argparse
 import json
 from pathlib import Path
 
+from app.bootstrap import ROOT
 from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.lecture.kinds import KINDS
 from app.model.lenses import LENSES, FreeMatrix
@@ -72,6 +73,22 @@ def sentence_texts() -> list[tuple[str, set[str]]]:
     ]
 
 
+def wording_texts() -> list[tuple[str, set[str]]]:
+    """The texts of the pages of `Wording`, each of which belongs to a module beside its folder."""
+    from widgets.parts.wording import SENTENCES, Wording
+
+    texts = []
+    for module in sorted((ROOT / "widgets").rglob("*.py")):
+        if "Wording(__file__)" in module.read_text(encoding="utf-8"):
+            wording = Wording(str(module))
+            context, *headings = wording.sections
+            of_page = {heading.partition(" {#")[0] for heading in headings} - {SENTENCES}
+            for each in wording.sections.values():
+                of_page.update(each.text, *(text.split(" | ") for text in each.named.values()))
+            texts.append((context, of_page))
+    return texts
+
+
 def source() -> str:
     """Python that marks them all."""
     from widgets.panels.frame_panel import STEP_TEXTS
@@ -94,6 +111,7 @@ def source() -> str:
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
             *sentence_texts(),
+            *wording_texts(),
         )
         for text in sorted(texts)
     )
