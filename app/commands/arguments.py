@@ -19,14 +19,12 @@ from app import bootstrap, python_packages, system_packages
 from app.commands.options import check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
-from app.document.files import UNREADABLE, blamed_on, read_letters
+from app.document.files import blamed_on, read_letters
 from app.document.settings import open_with, set_values
 from app.document.view import View
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.lesson import is_lesson
-from app.model.limits import NOT_THE_TARGET
-from app.model.projection import NOT_THE_EYE
-from app.model.refusal import Refusal, nearest
+from app.model.refusal import REFUSALS, Refusal, nearest
 from app.scenes.phenomena import PHENOMENA
 
 if TYPE_CHECKING:
@@ -82,7 +80,7 @@ def place_of(course: Course, step: str | None) -> int:
 
 def state_at(course: Course, place: int) -> Document:
     """Return a step's document; a refusal names the lesson's file."""
-    with blamed_on(course.lesson.path, UNREADABLE):
+    with blamed_on(course.lesson.path, REFUSALS["files-unreadable"]):
         return course.shown(place).document
 
 
@@ -113,10 +111,16 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
         return set_values(document, assignments)
     except Refusal as error:
         # The model says "target must differ from the eye" whichever of the two was set.
-        if error.bound != NOT_THE_EYE or "camera.eye" not in texts or error.field in texts:
+        if (
+            error.bound != REFUSALS["not-the-eye"]
+            or "camera.eye" not in texts
+            or error.field in texts
+        ):
             raise
         eye = error.value
-        raise Refusal.in_document(NOT_THE_TARGET, field="camera.eye", value=eye) from error
+        raise Refusal.in_document(
+            REFUSALS["not-the-target"], field="camera.eye", value=eye
+        ) from error
 
 
 def _texts(assignments: Iterable[str]) -> dict[str, str]:

@@ -22,15 +22,13 @@ from app.commands.terminal import BAD_INPUT, CANNOT_DRAW, CliError, print_error,
 from app.document.document import is_mesh
 from app.document.files import (
     LARGEST_PICTURE,
-    UNREADABLE,
-    UNWRITABLE,
     blamed_on,
     content_of,
     extract,
     write_bytes_atomically,
 )
 from app.lessons.lesson import is_lesson
-from app.model.refusal import Refusal, nearest, shown_name
+from app.model.refusal import REFUSALS, Refusal, nearest, shown_name
 from app.strangers import decode, open_regular, printable
 
 LARGEST_LIST = 2**20  # most bytes of a list: some ten thousand figures
@@ -91,7 +89,7 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
 def _lines(options: argparse.Namespace) -> Iterator[ListedFigure]:
     source, ending = options.batch, options.format or "png"
     if os.path.isdir(source):
-        with blamed_on(source, UNREADABLE):
+        with blamed_on(source, REFUSALS["files-unreadable"]):
             paths = [os.path.join(source, name) for name in sorted(os.listdir(source))]
         paths = list(filter(_is_drawn, paths))
         if not paths:
@@ -157,7 +155,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
 
 
 def _of_list(source: str) -> Iterator[ListedFigure]:
-    with blamed_on(source, UNREADABLE):
+    with blamed_on(source, REFUSALS["files-unreadable"]):
         content = content_of(source, LARGEST_LIST)
     text, note = decode(content)
     if note:
@@ -242,7 +240,7 @@ def _asked(
 
 
 def _make(folder: str) -> None:
-    with blamed_on(folder, UNWRITABLE):
+    with blamed_on(folder, REFUSALS["unwritable"]):
         try:
             os.makedirs(folder, exist_ok=True)
         except FileExistsError as error:

@@ -23,8 +23,8 @@ from app.commands.options import SUMMARIES, Parser, check_file
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
-from app.model.projection import LARGEST_IMAGE_PX, WHOLE_PIXELS
-from app.model.refusal import Refusal
+from app.model.projection import LARGEST_IMAGE_PX
+from app.model.refusal import REFUSALS, Refusal
 
 
 def main(argv: list[str] | None = None) -> int:
@@ -63,7 +63,9 @@ def _window(arguments: Sequence[str]) -> int:
         check_out("--screenshot", options.screenshot)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
-            raise CliError(f"--size {name} = {side}: {WHOLE_PIXELS.format(LARGEST_IMAGE_PX)}.")
+            raise CliError(
+                f"--size {name} = {side}: {REFUSALS['whole-pixels'].format(LARGEST_IMAGE_PX)}."
+            )
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
     if lesson and options.set:

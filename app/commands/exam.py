@@ -5,7 +5,7 @@ import os
 import re
 from collections.abc import Sequence
 
-from app.commands.arguments import check_drawing, check_out, importing
+from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.terminal import CliError, interrupt, write_out
 from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
@@ -21,11 +21,11 @@ def print_tests(options: argparse.Namespace) -> int:
     for option in ("topics", "seeds", "out"):
         if not getattr(options, option):
             raise CliError(f"lesson print needs --{option}.")
-    topics = _topics(options.topics)
+    topics, letters = _topics(options.topics), set_letters(options)
     seeds, digits = _seeds(options.seeds)
     posed, left_out = list[tuple[str, PlacedExercise]](), list[str]()
     for topic, path in topics.items():
-        course = Course(read(path))
+        course = Course(read(path, letters=letters))
         exercises = list(exercises_of(course))
         on_paper = [each for each in exercises if each.exercise.is_on_paper]
         if not on_paper:

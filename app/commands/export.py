@@ -21,13 +21,10 @@ from app.commands.arguments import (
 from app.commands.options import Parser, choices
 from app.commands.terminal import CliError, print_error
 from app.document.document import Document
-from app.document.files import (
-    UNWRITABLE,
-    blamed_on,
-)
+from app.document.files import blamed_on
 from app.document.view import PANES
 from app.lessons.lesson import is_lesson
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 if TYPE_CHECKING:
     from app.drawings.figure import Figure
@@ -107,7 +104,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     if names:
         write_frames(names, figures, order, _with_progress)
     else:
-        with blamed_on(out, UNWRITABLE):
+        with blamed_on(out, REFUSALS["unwritable"]):
             once, fps = options.loop == "once", sweep.speed(options)
             write_film(out, figures, order, fps, once, _with_progress)
     return next(filter(None, warnings), "")
@@ -188,7 +185,7 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
         if size[0] % 2 or size[1] % 2:
             odd = "x".join(map(str, size))
             raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {odd}; set --size.")
-        with blamed_on(out, UNWRITABLE):
+        with blamed_on(out, REFUSALS["unwritable"]):
             program()
 
 
@@ -203,7 +200,7 @@ def _figure(
     options: argparse.Namespace, scene: "Scene", document: Document, pane: str = ""
 ) -> "Figure":
     """Return the figure of all panes, or of one; a refusal names the option that it is about."""
-    from app.drawings.figure import TEXT, Figure
+    from app.drawings.figure import Figure
 
     panes = [pane] if pane else sweep.panes(options)
     try:
@@ -215,7 +212,9 @@ def _figure(
     except Refusal as error:
         asked = "width" if options.width else "size" if options.size else ""
         of_size = asked and str(error).startswith(("width", "height"))
-        text = str(error).replace("text size =", "--text-size =", int(error.bound == TEXT))
+        text = str(error).replace(
+            "text size =", "--text-size =", int(error.bound == REFUSALS["text"])
+        )
         raise CliError(f"{f'--{asked} ' if of_size else ''}{text}") from error
 
 

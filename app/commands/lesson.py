@@ -3,13 +3,15 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from app.commands.arguments import set_letters
 from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
 from app.commands.options import Parser, one_of
 from app.commands.results import results
 from app.commands.terminal import CliError, write_out
+from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
-from app.lessons.course import Course, contained, file_of, ideas
+from app.lessons.course import contained, file_of, ideas
 from app.lessons.lesson import read
 from app.lessons.names import page
 from app.model.refusal import counted
@@ -22,6 +24,8 @@ def run(arguments: Sequence[str]) -> int:
     one_of("lesson", what, ("check", "list", "names", "print", "results"))
     if options.csv and what != "results":
         raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")
+    if options.letters and what not in ("check", "print"):
+        raise CliError(f"--letters: is an option of lesson check and print, not of lesson {what}.")
     if what == "print":
         if names:
             raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
@@ -39,7 +43,7 @@ def run(arguments: Sequence[str]) -> int:
         write_out(map(_line, files))
         return 0
     report, composed = CheckReport(), Composed()
-    write_out(_checked(report, composed, files, own=not names))
+    write_out(_checked(report, composed, files, set_letters(options), own=not names))
     return 1 if report.wrong or composed.wrong else 0
 
 
@@ -52,7 +56,11 @@ def _line(file: Path) -> str:
 
 
 def _checked(
-    report: CheckReport, composed: Composed, files: Sequence[Path], own: bool
+    report: CheckReport,
+    composed: Composed,
+    files: Sequence[Path],
+    letters: Letters | None,
+    own: bool,
 ) -> Iterator[str]:
     """Yield a line for each mistake or warning, and the lines that sum them up."""
     if own:
@@ -61,12 +69,12 @@ def _checked(
         report.wrong += ideas_report.wrong
     for file in files:
         said, warned = len(report.wrong), len(report.warnings)
-        report.read(file)
+        course = report.read(file, letters=letters)
         faults = *report.wrong[said:], *report.warnings[warned:]
         yield from (f"{printable(str(error))}\n" for error in faults)
-        if len(report.wrong) == said:
+        if course is not None and len(report.wrong) == said:
             before = len(composed.wrong)
-            report.wrong += taken(composed, Course(read(file)), measure(), ())
+            report.wrong += taken(composed, course, measure(), ())
             wrong = *report.wrong[said:], *composed.wrong[before:]
             yield from (f"{printable(str(fault))}\n" for fault in wrong)
     yield f"{report}\n"

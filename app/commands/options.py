@@ -25,23 +25,6 @@ FULL_TURN = 360.0  # of an orbit, in degrees
 TEX_PT_PER = {"mm": 72.27 / 25.4, "cm": 72.27 / 2.54, "in": 72.27, "pt": 1.0}
 WIDTHS_PT = 200.0, 1500.0  # of a text or a column, for LaTeX; 72.27 of its points are an inch
 SWEEPS = ("near", "far", "fov", "distance", "up", "aspect", "gap")
-SETTABLE = (
-    "scene", "mesh", "depth", "camera.eye", "camera.target", "camera.up", "lens.kind",
-    "lens.fov_y_deg", "lens.near", "lens.far", "lens.left", "lens.right", "lens.bottom",
-    "lens.top", "lens.keep", "lens.alpha_deg", "lens.beta_deg", "lens.clip_from_view",
-    "lens.view_from_world", "lens.fov_x_deg", "lens.focal_length_mm", "lens.K", "lens.fx",
-    "lens.fy", "lens.cx", "lens.cy", "lens.focal_mm", "lens.sensor_width_mm",
-    "lens.sensor_height_mm", "camera.P", "object.chain", "object.translate", "object.rotate_deg",
-    "object.scale", "object.order", "image.width", "image.height", "quality.rung",
-    "quality.smoothing", "quality.detail", "quality.depth_format", "quality.depth_mapping",
-    "view.layout", "view.large", "view.stage", "view.frame_step", "view.panel", "view.letters",
-    "view.layers", "view.fixed", "view.names", "view.slide", "view.controls", "view.equation",
-    "view.probes", "view.compare", "view.dividers",
-)  # fmt: skip
-"""Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
-
-These two lists repeat names from modules with dependencies; a test compares them.
-"""
 
 
 class Page(NamedTuple):
@@ -66,7 +49,14 @@ def _pages() -> dict[str, Page]:
     return pages
 
 
-SUMMARIES = {name: page.summary for name, page in _pages().items() if name != "window"}
+SETTABLE = _pages()["--set"].summary.split(", ")
+"""Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
+
+The list, and `SWEEPS`, repeat names from modules with dependencies; a test compares them.
+"""
+SUMMARIES = {
+    name: page.summary for name, page in _pages().items() if name not in ("window", "--set")
+}
 
 
 def choices(command: str, option: str) -> list[str]:

@@ -17,8 +17,8 @@ from app.commands.terminal import CliError, print_error
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.numerals import plain
-from app.model.projection import FINITE_NUMBER, LARGEST
-from app.model.refusal import Refusal, counted
+from app.model.projection import LARGEST
+from app.model.refusal import REFUSALS, Refusal, counted
 from app.strangers import decode
 
 LARGEST_INPUT = 2**30  # most bytes read as points
@@ -228,7 +228,7 @@ def _point(cells: list[str], where: str, separator: str) -> Row:
     for name, cell in zip("xyzw", cells, strict=False):
         value = _number(cell, separator)
         if value is None or not math.isfinite(value):
-            raise CliError(f"{where}: {name} = {cell!r}: {FINITE_NUMBER}.")
+            raise CliError(f"{where}: {name} = {cell!r}: {REFUSALS['finite-number']}.")
         if abs(value) > LARGEST:
             raise CliError(f"{where}: {name} = {cell}: must lie within ±{LARGEST}.")
         values.append(value)

@@ -10,6 +10,7 @@ Of YAML only names with numbers, and groups of them, are read: no object is made
 
 import math
 import os
+import pathlib
 import re
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
@@ -17,7 +18,7 @@ from typing import Any, TypeAlias
 
 import numpy as np
 
-from app.document.codec import MISSING, TOO_DEEP, Path, tree_of
+from app.document.codec import Path, tree_of
 from app.document.document import Tree
 from app.model.camera import (
     rotation_from_quaternion,
@@ -27,6 +28,7 @@ from app.model.camera import (
 )
 from app.model.limits import Array, positive
 from app.model.numerals import number
+from app.model.parameter import read_sections
 from app.model.projection import Camera, Perspective, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
@@ -41,38 +43,16 @@ MOST_VALUES = 1_000_000
 DEEPEST = 20
 LONGEST_NAME = 200
 
-NO_PERSPECTIVE = REFUSALS["no-perspective"]
 
-_OTHERS = {
-    ".nvm": "VisualSFM", ".out": "Bundler", ".sfm": "Meshroom", ".blend": "Blender",
-    ".abc": "Alembic", ".fbx": "Autodesk (FBX)", ".npy": "NumPy", ".npz": "NumPy",
-    ".db": "COLMAP (its database)", ".bag": "ROS (a bag)",
-}  # fmt: skip
-_OTHER_KEYS = {
-    "sfm_data_version": "OpenMVG", "featuresFolders": "Meshroom", "shots": "OpenSfM",
-    "img_name": "Gaussian Splatting", "class_name": "Open3D",
-}  # fmt: skip
+_PAGE = read_sections(pathlib.Path(__file__).with_name("content") / "camera-files.md")
+_OTHERS, _OTHER_KEYS = _PAGE["endings"].named, _PAGE["keys"].named
+_CALLED = {ours: names.split() for ours, names in _PAGE["names"].named.items()}
+_PARAMETERS = {model: int(count) for model, count in _PAGE["models"].named.items()}
+_MODELS = (*_PARAMETERS, "PLUMB_BOB", "RADTAN", "RATIONAL_POLYNOMIAL", "NONE", "")
+_FOUR, _SIDES = ("fx", "fy", "cx", "cy"), ("width", "height")
 MOST_SKEW_PX = 0.5
 _TURNED = 3e-3  # most that a pose's axes may miss right angles: three digits are enough to be read
 _MIDDLE = 0.3, 0.7  # where an image of the right size has its principal point, in its sides
-
-_K = ("cameramatrix", "k", "m", "mtx", "intrinsics", "intrinsic", "intrinsicmatrix")
-_P = ("p", "projectionmatrix", "cameraprojectionmatrix")
-_FOUR = ("fx", "fy", "cx", "cy")
-_DISTORTION = ("d", "k1", "k2", "k3", "k4", "k5", "k6", "p1", "p2")
-_NO_PERSPECTIVE = ("isfisheye", "equirectangular", "latlong", "fthetap0", "fromna")
-_ROTATIONS = (
-    "rvec", "rvecs", "rotationvector", "rotationvectors", "r", "rotation", "rotationmatrix",
-)  # fmt: skip
-_MOVES = ("t", "tvec", "tvecs", "translation", "translationvector", "translationvectors")
-_POSES = ("extrinsic", "extrinsics", "extrinsicmatrix", "rt")
-_SIZES = (("w", "imagewidth", "width"), ("h", "imageheight", "height"))
-_PARAMETERS = {
-    "SIMPLE_PINHOLE": 3, "PINHOLE": 4, "SIMPLE_RADIAL": 4, "RADIAL": 5, "OPENCV": 8,
-    "FULL_OPENCV": 12,
-}  # fmt: skip
-"""The perspective models of COLMAP, which also transforms.json names, and their parameters."""
-_MODELS = (*_PARAMETERS, "PLUMB_BOB", "RADTAN", "RATIONAL_POLYNOMIAL", "NONE", "")
 
 
 # --------------------------------------------------------------------------- the file
@@ -151,22 +131,22 @@ def _seen(
     for name, (key, node) in group.items():
         value = " ".join(map(str, _tokens(node)))
         is_model = name in ("cameramodel", "distortionmodel") and value.upper() not in _MODELS
-        if is_model or (name in _NO_PERSPECTIVE and value.upper() != "FALSE"):
-            raise Refusal.in_document(NO_PERSPECTIVE, field=key, value=value)
+        if is_model or (name in _CALLED["no perspective"] and value.upper() != "FALSE"):
+            raise Refusal.in_document(REFUSALS["no-perspective"], field=key, value=value)
         is_distortion = name.startswith("dist") and not name.endswith("model")
-        if (is_distortion or name in _DISTORTION) and any(_numbers(group, [name])):
+        if (is_distortion or name in _CALLED["distortion"]) and any(_numbers(group, [name])):
             raise Refusal.in_document(REFUSALS["distorted"], field=key, value=value)
-    size = _numbers(group, ("imagesize", "cameraresolution", "resolution"), 2)
-    size = size or [side for names in _SIZES for side in _numbers(group, names, 1)]
+    size = _numbers(group, _CALLED["size"], 2)
+    size = size or [side for name in _SIDES for side in _numbers(group, _CALLED[name], 1)]
     sides: Any = tuple(int(side) if side.is_integer() else side for side in size)
     image = sides if len(sides) == 2 else projection.image_size
-    k: Any = _numbers(group, _K, 9, 4)
+    k: Any = _numbers(group, _CALLED["K"], 9, 4)
     focal = [_focal(group, axis, side) for axis, side in zip("xy", image, strict=True)]
     is_angle = not k and not any(name in group for name in ("flx", "fly", *_FOUR[:2]))
     centre = [_numbers(group, [name], 1) for name in _FOUR[2:]]
     if not k:
         if not any(focal):
-            raise Refusal.in_document(MISSING, field="fl_x")
+            raise Refusal.in_document(REFUSALS["missing"], field="fl_x")
         fx, fy = (focal[0] or focal[1])[0], (focal[1] or focal[0])[0]
         middle = zip(centre, image, strict=True)
         k = [fx, fy, *(at[0] - half if at else (side - 1) / 2.0 for at, side in middle)]
@@ -254,24 +234,24 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
 def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
     group = _group({**tree, **frame})
     if not (cells := _numbers(group, ["transformmatrix"], 16, 12)):
-        raise Refusal.in_document(MISSING, field="transform_matrix")
+        raise Refusal.in_document(REFUSALS["missing"], field="transform_matrix")
     return _seen(group, np.reshape(cells, (-1, 4))[:3], 0.5, projection)
 
 
 def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
     """Yield the views of OpenCV's calibrations; a stereo pair has the names M1, D1 and M2, D2."""
     whole = _group(tree)
-    sizes = {key: whole[key] for names in _SIZES for key in names if key in whole}
+    sizes = {key: whole[key] for name in _SIDES for key in _CALLED[name] if key in whole}
     for suffix in ("", "1", "2"):
         # k1 and p1 are no matrices, but distortion.
         ours = whole if not suffix else [k for k in whole if k[-1:] == suffix and k[0] not in "kp"]
         group = {**sizes, **{key.removesuffix(suffix): whole[key] for key in ours}}
-        if any(key in group for key in _K) or {*_FOUR} <= group.keys():
+        if any(key in group for key in _CALLED["K"]) or {*_FOUR} <= group.keys():
             poses = [] if suffix else _poses(group)
             for count, pose in enumerate(poses or [None], 1):
                 words = (name, suffix, f"{count}" if len(poses) > 1 else "")
                 yield " ".join(filter(None, words)), partial(_seen, group, pose, 0.0)
-        elif not suffix and (cells := _numbers(group, _P, 12)):
+        elif not suffix and (cells := _numbers(group, _CALLED["P"], 12)):
             yield name, partial(seen_through, np.reshape(cells, (3, 4)))
     for key, part in tree.items():
         if isinstance(part, dict) and levels:
@@ -280,11 +260,11 @@ def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
 
 def _poses(group: Group) -> list[Array]:
     """Return the poses of the views of a camera; none if the file has none."""
-    rows = np.reshape(_numbers(group, _POSES, 16, 12)[:12], (-1, 4))
+    rows = np.reshape(_numbers(group, _CALLED["pose"], 16, 12)[:12], (-1, 4))
     pairs = [(rows[:, :3].ravel().tolist(), rows[:, 3].tolist())] if len(rows) else []
     poses = _numbers(group, ["extrinsicparameters"])
     pairs += [(poses[i : i + 3], poses[i + 3 : i + 6]) for i in range(0, len(poses) - 5, 6)]
-    moves, turns = _numbers(group, _MOVES), _numbers(group, _ROTATIONS)
+    moves, turns = (_numbers(group, _CALLED[name]) for name in ("move", "rotation"))
     # A camera_info of ROS has a rectification R.
     if not pairs and (moves or (turns and "p" not in group)):
         count = max(1, len(moves) // 3)
@@ -319,7 +299,7 @@ def _yaml(text: str) -> Tree:
             levels.pop()
             indent, outer, name = levels[-1]
         if len(levels) > DEEPEST:
-            raise Refusal.in_document(TOO_DEEP, DEEPEST)
+            raise Refusal.in_document(REFUSALS["too-deep"], DEEPEST)
         if not isinstance(outer[name], dict):
             outer[name] = {}
         outer[name][match[2]] = [(match[3] or "").partition(" #")[0]]
@@ -393,7 +373,7 @@ def _of_camera(line: Line, pose: Array | None, projection: Projection) -> Projec
     where, parts = line[0], line[1].split()
     model = "".join(parts[1:2])
     if model not in _PARAMETERS:
-        raise Refusal.in_document(NO_PERSPECTIVE, field=where, value=model)
+        raise Refusal.in_document(REFUSALS["no-perspective"], field=where, value=model)
     values = _numbers({"": (where, parts[2:])}, [""], _PARAMETERS[model] + 2)
     if model in ("SIMPLE_PINHOLE", "SIMPLE_RADIAL", "RADIAL"):  # with one focal length
         values.insert(2, values[2])

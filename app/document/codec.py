@@ -14,20 +14,12 @@ from dataclasses import fields, is_dataclass, replace
 from functools import partial
 from typing import Any, NamedTuple, TypeAlias
 
-from app.document.compare import (
-    HELD_ELSEWHERE,
-    MOST_PICTURES,
-    PARTS,
-    SOME_PICTURES,
-    ComparedPicture,
-    Held,
-)
+from app.document.compare import MOST_PICTURES, PARTS, ComparedPicture, Held
 from app.document.document import (
     CAMERA,
     IMAGE,
     OBJECT,
     QUALITY,
-    SCENE_NAME,
     VIEW,
     Document,
     Field,
@@ -39,9 +31,8 @@ from app.document.document import (
     unknown,
 )
 from app.document.view import read_view, view_tree
-from app.model.chain import A_CHAIN, Chain, FiveTiles
-from app.model.parameter import YES_OR_NO
-from app.model.projection import FINITE_NUMBER, LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection
+from app.model.chain import Chain, FiveTiles
+from app.model.projection import LENSES, Camera, FreeMatrix, Lens, Projection
 from app.model.refusal import REFUSALS, Bound, Refusal, format_value, shown_name
 from app.precision.quality import Quality
 
@@ -71,13 +62,6 @@ MOST_VALUES = 100_000
 SHORTEST = 1e-100  # shortest distance and up vector of a pane's own camera: VTK squares them
 DEEPEST = 50  # most levels of brackets in a document, far below what Python's recursion can write
 LONGEST_SHOWN = 60  # most characters of a key in a refusal
-
-MISSING = REFUSALS["missing"]
-EMPTY = REFUSALS["empty"]
-BROKEN = REFUSALS["broken"]
-FOREIGN = REFUSALS["foreign"]
-TOO_DEEP = REFUSALS["too-deep"]
-MAPPING = REFUSALS["mapping"]
 
 
 # --------------------------------------------------------------------------- text to tree
@@ -112,7 +96,7 @@ def _read_number(make: Callable[[str], float], text: str) -> float | _Refused:
 
 
 def _not_finite(text: str) -> _Refused:
-    return _Refused(FINITE_NUMBER, "", _Literal(text))
+    return _Refused(REFUSALS["finite-number"], "", _Literal(text))
 
 
 def _check_tree(value: Any, path: str, depth: int) -> None:
@@ -120,15 +104,19 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
     if isinstance(value, _Refused):
         path = _join(path, value.key) if value.key else path
         if not path:
-            raise Refusal.in_document(FOREIGN)
+            raise Refusal.in_document(REFUSALS["foreign"])
         raise Refusal.in_document(value.bound, field=path, value=value.value)
     if depth > DEEPEST:
-        raise Refusal.in_document(TOO_DEEP, DEEPEST)
+        raise Refusal.in_document(REFUSALS["too-deep"], DEEPEST)
     parts = value.items() if isinstance(value, dict) else enumerate(value)
     for key, part in parts:
         if isinstance(part, (dict, list, _Refused)):
             inner = _join(path, key) if isinstance(key, str) else f"{path}[{key}]"
-            if key == "far" and isinstance(part, _Refused) and part.bound == FINITE_NUMBER:
+            if (
+                key == "far"
+                and isinstance(part, _Refused)
+                and part.bound == REFUSALS["finite-number"]
+            ):
                 part = part._replace(bound=_bound_of_far(value.get("kind")))
             _check_tree(part, inner, depth + 1)
 
@@ -139,7 +127,7 @@ def _bound_of_far(kind: object) -> Bound:
     return (
         REFUSALS["finite-or-inf"]
         if lens is not None and lens.far_may_be_infinite
-        else FINITE_NUMBER
+        else REFUSALS["finite-number"]
     )
 
 
@@ -152,7 +140,7 @@ def tree_of(text: str, most: int = MOST_VALUES) -> Any:
     """Return what a JSON text holds, with finite numbers and no name twice, or a `Refusal`."""
     text = text.removeprefix("\ufeff")  # the byte order mark that some editors write
     if not text.strip():
-        raise Refusal.in_document(EMPTY)
+        raise Refusal.in_document(REFUSALS["empty"])
     if sum(map(text.count, ",[{")) >= most:  # before JSON's parser takes its time
         raise Refusal.in_document(REFUSALS["codec-too-many"], most)
     try:
@@ -164,9 +152,9 @@ def tree_of(text: str, most: int = MOST_VALUES) -> Any:
             parse_constant=_not_finite,
         )
     except json.JSONDecodeError as error:
-        raise Refusal.in_document(BROKEN, error.lineno, error.colno) from error
+        raise Refusal.in_document(REFUSALS["broken"], error.lineno, error.colno) from error
     except RecursionError as error:
-        raise Refusal.in_document(TOO_DEEP, DEEPEST) from error
+        raise Refusal.in_document(REFUSALS["too-deep"], DEEPEST) from error
     if isinstance(tree, (dict, list, _Refused)):
         _check_tree(tree, "", 0)
     return tree
@@ -179,7 +167,7 @@ def parse(text: str, folder: Path | None = None) -> Document:
     """
     tree = tree_of(text)
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-        raise Refusal.in_document(FOREIGN)
+        raise Refusal.in_document(REFUSALS["foreign"])
     version = _whole(_required(tree, "version"))
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
         raise Refusal.in_document(REFUSALS["version-number"], field="version", value=version)
@@ -205,13 +193,13 @@ def _whole(number: Any) -> Any:
 
 def _required(tree: Tree, key: str, section: str = "") -> Any:
     if key not in tree:
-        raise Refusal.in_document(MISSING, field=f"{section}.{key}" if section else key)
+        raise Refusal.in_document(REFUSALS["missing"], field=f"{section}.{key}" if section else key)
     return tree[key]
 
 
 def _mapping(value: Any, path: str) -> Tree:
     if not isinstance(value, dict):
-        raise Refusal.in_document(MAPPING, field=path, value=value)
+        raise Refusal.in_document(REFUSALS["mapping"], field=path, value=value)
     return value
 
 
@@ -244,7 +232,7 @@ def from_tree(tree: Tree, folder: Path | None = None) -> Document:
     """Make a document of the current version from its JSON tree, as `parse` does."""
     scene = _required(tree, "scene")
     if not isinstance(scene, str):
-        raise Refusal.in_document(SCENE_NAME, field="scene", value=scene)
+        raise Refusal.in_document(REFUSALS["scene-name"], field="scene", value=scene)
     mesh = tree.get("mesh", "")
     if folder is not None:
         if is_mesh(scene):
@@ -276,7 +264,7 @@ def _placement(values: Tree) -> Chain:
     if values:
         return FiveTiles(**values).chain
     if not isinstance(texts, list):
-        raise Refusal.in_document(A_CHAIN, field="object.chain", value=texts)
+        raise Refusal.in_document(REFUSALS["a-chain"], field="object.chain", value=texts)
     return Chain(read_tiles(texts))
 
 
@@ -285,7 +273,9 @@ def _lens(section: Any, path: str) -> Lens:
     kind = _required(_mapping(section, path), "kind", path)
     owners = LENSES | ({FreeMatrix.kind: FreeMatrix} if path == "lens" else {})
     if not isinstance(kind, str) or kind not in owners:
-        raise Refusal.in_document(ONE_OF, ", ".join(owners), field=f"{path}.kind", value=kind)
+        raise Refusal.in_document(
+            REFUSALS["one-of"], ", ".join(owners), field=f"{path}.kind", value=kind
+        )
     values = _values(section, lens_fields(kind), path)
     if "former" in values:
         values["former"] = _lens(values["former"], f"{path}.former")
@@ -296,7 +286,7 @@ def _lens(section: Any, path: str) -> Lens:
             lens: Lens = owners[kind](**values)
             return lens
         except Refusal as error:
-            if error.field == "far" and error.bound == FINITE_NUMBER:
+            if error.field == "far" and error.bound == REFUSALS["finite-number"]:
                 error.bound = _bound_of_far(kind)
             raise
 
@@ -315,7 +305,7 @@ def _pictures(value: Any, scene: str, mesh: Any) -> tuple[ComparedPicture, ...]:
     """Read the compared pictures, as `_picture_tree` writes them."""
     path = "view.compare"
     if not isinstance(value, list) or len(value) > MOST_PICTURES:
-        raise Refusal.in_document(SOME_PICTURES, MOST_PICTURES, field=path, value=value)
+        raise Refusal.in_document(REFUSALS["some-pictures"], MOST_PICTURES, field=path, value=value)
     pictures = []
     for place, part in enumerate(value):
         where = f"{path}[{place}]"
@@ -324,8 +314,8 @@ def _pictures(value: Any, scene: str, mesh: Any) -> tuple[ComparedPicture, ...]:
         for key, fits, bound in (
             ("name", isinstance(values["name"], str), REFUSALS["a-name"]),
             ("set", texts, REFUSALS["some-changes"]),
-            ("live", isinstance(values["live"], bool), YES_OR_NO),
-            ("held", isinstance(values["held"], dict), MAPPING),
+            ("live", isinstance(values["live"], bool), REFUSALS["yes-or-no"]),
+            ("held", isinstance(values["held"], dict), REFUSALS["mapping"]),
         ):
             if not fits:
                 raise Refusal.in_document(bound, field=f"{where}.{key}", value=values[key])
@@ -342,7 +332,9 @@ def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
     for key, own in (("scene", scene), ("mesh", mesh)):
         if values.get(key, own) != own:
             field = f"{path}.{key}"
-            raise Refusal.in_document(HELD_ELSEWHERE, repr(own), field=field, value=values[key])
+            raise Refusal.in_document(
+                REFUSALS["held-elsewhere"], repr(own), field=field, value=values[key]
+            )
     try:
         return from_tree(
             {key: values[key] for key in PARTS if key in values} | {"scene": scene}

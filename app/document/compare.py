@@ -18,9 +18,6 @@ from app.scenes.phenomena.words import FEW, digits_apart
 
 MOST_PICTURES = 4  # the lectures show four side by side: the cases of an edge and the eye plane
 
-SOME_PICTURES = REFUSALS["some-pictures"]
-SOME_DIVIDERS = REFUSALS["some-dividers"]
-HELD_ELSEWHERE = REFUSALS["held-elsewhere"]
 NAME_ENDS = ": "  # separates the name of a picture from its values
 PARTS = ("settings", "camera", "lens", "image", "object", "depth")
 """The parts of a document that a picture shows and may override."""
@@ -66,7 +63,7 @@ def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float
     count = len(pictures)
     live = sum(picture.live for picture in pictures)
     if count and not (2 <= count <= MOST_PICTURES and live == 1):
-        raise Refusal("compare", [picture.name for picture in pictures], SOME_PICTURES,
+        raise Refusal("compare", [picture.name for picture in pictures], REFUSALS["some-pictures"],
                       MOST_PICTURES)  # fmt: skip
     numbers = all(
         isinstance(each, (int, float)) and not isinstance(each, bool) for each in dividers
@@ -78,7 +75,7 @@ def check_pictures(pictures: Sequence[ComparedPicture], dividers: Sequence[float
         and dividers[0] >= 0.0
         and dividers[-1] <= 1.0
     ):
-        raise Refusal("dividers", list(dividers), SOME_DIVIDERS)
+        raise Refusal("dividers", list(dividers), REFUSALS["some-dividers"])
 
 
 # --------------------------------------------------------------------------- differences

@@ -15,8 +15,7 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.document.compare import Held
 from app.document.view import View
-from app.model.chain import A_CHAIN, FiveTiles, Tile
-from app.model.limits import FINITE_NUMBER, FOUR_BY_FOUR, THREE_NUMBERS, WHOLE_PIXELS
+from app.model.chain import FiveTiles, Tile
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.parameter import Settings
@@ -38,8 +37,6 @@ from app.scenes.shapes import LETTER_F
 
 MESH_ENDINGS = (".obj", ".stl", ".ply", ".gltf", ".glb")
 """A scene name with one of these endings is a mesh file; every other scene is built in."""
-
-SCENE_NAME = REFUSALS["scene-name"]
 
 
 def is_mesh(scene: str) -> bool:
@@ -74,7 +71,7 @@ class Document:
 
     def __post_init__(self) -> None:
         if not isinstance(self.scene, str) or not self.scene or "\0" in self.scene:
-            raise Refusal.in_document(SCENE_NAME, field="scene", value=self.scene)
+            raise Refusal.in_document(REFUSALS["scene-name"], field="scene", value=self.scene)
         phenomenon = PHENOMENA.get(self.scene)
         settings = phenomenon.checked(self.settings) if phenomenon else MappingProxyType({})
         object.__setattr__(self, "settings", settings)
@@ -197,7 +194,7 @@ def read_tiles(texts: Iterable[Any]) -> tuple[Tile, ...]:
     for place, text in enumerate(texts):
         try:
             if not isinstance(text, str):
-                raise Refusal("chain", text, A_CHAIN)
+                raise Refusal("chain", text, REFUSALS["a-chain"])
             tiles.append(Tile.read(text))
         except Refusal as error:
             path = f"object.chain[{place}]"
@@ -216,14 +213,16 @@ def _number_or_word(text: str) -> float | str:
 
 
 TEXT = FieldKind(str)
-NUMBER = FieldKind(number, (FINITE_NUMBER,))
+NUMBER = FieldKind(number, (REFUSALS["finite-number"],))
 NUMBER_OR_WORD = FieldKind(_number_or_word)
-PIXELS = FieldKind(number, (WHOLE_PIXELS, LARGEST_IMAGE_PX))
+PIXELS = FieldKind(number, (REFUSALS["whole-pixels"], LARGEST_IMAGE_PX))
 SWITCH = FieldKind(
     lambda text: {"true": True, "yes": True, "false": False, "no": False}.get(text, text)
 )
-VECTOR = FieldKind(lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (THREE_NUMBERS,))
-MATRIX = FieldKind(_matrix, (FOUR_BY_FOUR,))
+VECTOR = FieldKind(
+    lambda text: next(iter(_rows(text, 3, 1, 1) or ()), None), (REFUSALS["three-numbers"],)
+)
+MATRIX = FieldKind(_matrix, (REFUSALS["four-by-four"],))
 PROBES = FieldKind(lambda text: _rows(text, 3, 0, math.inf), (REFUSALS["points"],))
 PANES = FieldKind(_looks, (REFUSALS["looks"],))
 NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name.strip()])
@@ -251,7 +250,7 @@ def _fields(
 TOP = tuple(Field("", name, TEXT) for name in ("scene", "mesh", "depth"))
 FIVE = _fields("object", FiveTiles, required=False)
 """The object's fields in documents before version 3; they replace its chain."""
-OBJECT = (Field("object", "chain", FieldKind(_chain, (A_CHAIN,))), *FIVE)
+OBJECT = (Field("object", "chain", FieldKind(_chain, (REFUSALS["a-chain"],))), *FIVE)
 CAMERA = _fields("camera", Camera, required=True)
 IMAGE = tuple(Field("image", side.name, PIXELS, True, "px", True) for side in (WIDTH, HEIGHT))
 QUALITY = _fields("quality", Quality, required=False)

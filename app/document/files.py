@@ -16,7 +16,7 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
-from app.document.codec import BROKEN, EMPTY, FOREIGN, FORMAT, Path, parse, to_json
+from app.document.codec import FORMAT, Path, parse, to_json
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.lecture.letters import LONGEST_FILE, Letters, lettering
 from app.model.refusal import REFUSALS, Bound, Refusal
@@ -32,13 +32,6 @@ MOST_NAMED = 12  # most views that a refusal names
 LARGEST_PICTURE = 2**30  # most bytes read as a PNG picture
 STALE_S = 60.0  # the age at which an unfinished file counts as left by a killed program
 
-NOT_TEXT = REFUSALS["not-text"]
-TOO_LARGE = REFUSALS["files-too-large"]
-NO_FILE = REFUSALS["no-file"]
-FOLDER = REFUSALS["folder"]
-UNREADABLE = REFUSALS["files-unreadable"]
-UNWRITABLE = REFUSALS["unwritable"]
-BAD_NAME = REFUSALS["bad-name"]
 CLOUDS = frozenset({".xyz", ".pts", ".pcd", ".las", ".laz", ".e57"})
 
 
@@ -47,18 +40,18 @@ def blamed_on(path: Path, bound: Bound) -> Iterator[None]:
     """Add the file's name to what is raised, and turn operating-system errors into refusals."""
     file = os.fspath(path)
     if "\0" in file:
-        raise Refusal.in_document(BAD_NAME, file=file)
+        raise Refusal.in_document(REFUSALS["bad-name"], file=file)
     try:
         yield
     except Refusal as error:
         error.file = file
         raise
     except OSError as error:
-        if isinstance(error, FileNotFoundError) and bound == UNREADABLE:
-            raise Refusal.in_document(NO_FILE, file=file) from error
+        if isinstance(error, FileNotFoundError) and bound == REFUSALS["files-unreadable"]:
+            raise Refusal.in_document(REFUSALS["no-file"], file=file) from error
         raise Refusal.in_document(bound, error.strerror or error, file=file) from error
     except UnicodeEncodeError as error:  # half of a surrogate pair
-        raise Refusal.in_document(BAD_NAME, file=file) from error
+        raise Refusal.in_document(REFUSALS["bad-name"], file=file) from error
 
 
 # --------------------------------------------------------------------------- reading
@@ -71,13 +64,13 @@ def content_of(path: Path, largest: int) -> bytes:
     if len(content) > largest:
         is_small = largest < 2**20
         limit = f"{largest // 2**10} KiB" if is_small else f"{largest // 2**20} MiB"
-        raise Refusal.in_document(TOO_LARGE, limit)
+        raise Refusal.in_document(REFUSALS["files-too-large"], limit)
     return content
 
 
 def read_letters(path: Path) -> Letters:
     """Read a file of one's own letters; a `Refusal` names it and the line."""
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         letters, note = decode(content_of(path, 4 * LONGEST_FILE))
         log_warning(path, note)
         try:
@@ -101,7 +94,7 @@ def read(
     `Refusal` if the file does not exist, cannot be read, or is not a valid document.
     """
     file, view = split_view(path)
-    with blamed_on(file, UNREADABLE):
+    with blamed_on(file, REFUSALS["files-unreadable"]):
         content = _read_bytes(file)
         if view and (content.startswith(_PNG) or _has_mark(content)):
             raise Refusal.in_document(REFUSALS["no-views"], f"#{view}")
@@ -124,13 +117,20 @@ def read(
                     projection = cameras[_chosen(cameras, view, choose)](document.projection)
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
-                raise Refusal.in_document(TOO_LARGE, f"{LARGEST_DOCUMENT // 2**20} MiB")
+                raise Refusal.in_document(
+                    REFUSALS["files-too-large"], f"{LARGEST_DOCUMENT // 2**20} MiB"
+                )
             text, note = _decode(content)
             document = parse(text, folder)
             log_warning(path, note)
             return document
         except Refusal as error:
-            if ending == ".json" or error.bound not in (BROKEN, EMPTY, FOREIGN, NOT_TEXT):
+            if ending == ".json" or error.bound not in (
+                REFUSALS["broken"],
+                REFUSALS["empty"],
+                REFUSALS["foreign"],
+                REFUSALS["not-text"],
+            ):
                 raise
             if ending == ".png":
                 raise Refusal.in_document(REFUSALS["broken-picture"]) from error
@@ -157,7 +157,7 @@ def _views(path: str, content: bytes) -> "Views":
 
     def beside(name: str) -> str:
         other = os.path.join(os.path.dirname(path), name)
-        with blamed_on(other, UNREADABLE):
+        with blamed_on(other, REFUSALS["files-unreadable"]):
             return _decode(content_of(other, LARGEST_CAMERAS))[0] if os.path.isfile(other) else ""
 
     camera_files.refuse_others(path)
@@ -168,7 +168,7 @@ def _decode(content: bytes) -> tuple[str, str]:
     """Return the text of a file, and the note on its encoding; refuse what is no text."""
     text, note = decode(content)
     if note and re.search("[\0-\x08]", text):
-        raise Refusal.in_document(NOT_TEXT)
+        raise Refusal.in_document(REFUSALS["not-text"])
     return text, note
 
 
@@ -200,7 +200,7 @@ def holds_document(path: Path) -> bool:
 
 def _read_bytes(path: Path) -> bytes:
     if os.path.isdir(path):
-        raise Refusal.in_document(FOLDER)
+        raise Refusal.in_document(REFUSALS["folder"])
     ending = os.path.splitext(path)[1].lower()
     if ending in CLOUDS and os.path.exists(path):
         raise Refusal.in_document(REFUSALS["cloud"], ending)
@@ -263,7 +263,7 @@ def _text(body: memoryview, keyword: bytes) -> str | None:
 
 def write(document: Document, path: Path) -> None:
     """Write a document to its file, as `write_bytes_atomically` does."""
-    with blamed_on(path, UNWRITABLE):
+    with blamed_on(path, REFUSALS["unwritable"]):
         folder = os.path.dirname(os.path.realpath(path))
     write_bytes_atomically(path, to_json(document, folder).encode())
 
@@ -278,7 +278,7 @@ def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False
     cannot be written; an old file is unchanged.
     """
     finish = (lambda unfinished, _: os.unlink(unfinished)) if is_trial else os.replace
-    with blamed_on(path, UNWRITABLE):
+    with blamed_on(path, REFUSALS["unwritable"]):
         target = os.path.realpath(path)
         mode = _mode_to_keep(target)
         folder = os.path.dirname(target)
@@ -308,7 +308,7 @@ def _mode_to_keep(target: str) -> int | None:
     except FileNotFoundError:
         return None
     if stat.S_ISDIR(mode):
-        raise Refusal.in_document(FOLDER)
+        raise Refusal.in_document(REFUSALS["folder"])
     if not stat.S_ISREG(mode):  # it would wait for a reader, or overwrite a disk
         raise Refusal.in_document(REFUSALS["not-regular"])
     if not os.access(target, os.W_OK):  # replacing it would bypass its owner's write protection

@@ -7,8 +7,8 @@ from collections.abc import Collection, Iterable, Sequence
 from dataclasses import replace
 from typing import Any, TypeAlias
 
-from app.document.codec import LONGEST_SHOWN, MISSING, Path, document_paths, from_tree, to_tree
-from app.document.compare import NAME_ENDS, SOME_DIVIDERS, ComparedPicture
+from app.document.codec import LONGEST_SHOWN, Path, document_paths, from_tree, to_tree
+from app.document.compare import NAME_ENDS, ComparedPicture
 from app.document.document import (
     ANGLES,
     CALIBRATED,
@@ -36,10 +36,6 @@ from app.model.refusal import (
     shown_name,
 )
 from app.scenes.phenomena import PHENOMENA
-
-UNKNOWN = REFUSALS["unknown"]
-OTHER_LENS = REFUSALS["other-lens"]
-CONTRADICTS = REFUSALS["contradicts"]
 
 Values: TypeAlias = dict[str, Any]
 MEASURES = {field.path: field for field in (*CALIBRATED, *ANGLES)}
@@ -157,7 +153,7 @@ def _through(document: Document, texts: dict[str, str], kind: str) -> Document:
     cells = _read(CAMERA_P, texts.pop(CAMERA_P.path))
     for path in [*texts, *(["lens.kind"] if kind else [])]:
         if path.startswith(("camera.", "lens.kind")) or any(path in each for each in _DECIDING):
-            raise Refusal.in_document(CONTRADICTS, CAMERA_P.path, field=path)
+            raise Refusal.in_document(REFUSALS["contradicts"], CAMERA_P.path, field=path)
     sizes = [f"{path}={text}" for path, text in texts.items() if path.startswith("image.")]
     document = set_values(document, sizes)
     with document_paths():
@@ -178,7 +174,7 @@ def _measured(
     for rivals in _RIVALS:
         given = [[path for path in paths if path in {*texts, *others}] for paths in rivals]
         if len(both := list(filter(None, given))) > 1:
-            raise Refusal.in_document(CONTRADICTS, both[1][0], field=both[0][0])
+            raise Refusal.in_document(REFUSALS["contradicts"], both[1][0], field=both[0][0])
     values: Values = {MEASURES[path].name: _read(MEASURES[path], texts[path]) for path in texts}
     projection = document.projection
     by_angle = any(field.path in texts for field in ANGLES)
@@ -186,7 +182,9 @@ def _measured(
         name for name, lens in LENSES.items() if (lens.symmetric if by_angle else lens.central)
     ]
     if projection.lens.kind not in lenses:
-        raise Refusal.in_document(OTHER_LENS, ", ".join(lenses), field=next(iter(texts)))
+        raise Refusal.in_document(
+            REFUSALS["other-lens"], ", ".join(lenses), field=next(iter(texts))
+        )
     with document_paths("lens"):
         for angle in (FOV_X, FOCAL_LENGTH):
             if angle.name in values:
@@ -197,7 +195,7 @@ def _measured(
             centre = values.get("cx", now.cx), values.get("cy", now.cy)
             projection = projection.with_intrinsics(values.get("K", (*focal, *centre)))
     if kind == "perspective" != projection.lens.kind:
-        raise Refusal.in_document(CONTRADICTS, next(iter(texts)), field="lens.kind")
+        raise Refusal.in_document(REFUSALS["contradicts"], next(iter(texts)), field="lens.kind")
     return _with_lens(replace(document, projection=projection), kind)
 
 
@@ -207,7 +205,7 @@ def _focal_px(values: Values, image: tuple[int, int], now: Intrinsics) -> tuple[
     sides = "sensor_width_mm", "sensor_height_mm"
     if values.keys() & {"focal_mm", *sides}:
         if "focal_mm" not in values:
-            raise Refusal.in_document(MISSING, field="lens.focal_mm")
+            raise Refusal.in_document(REFUSALS["missing"], field="lens.focal_mm")
         focal_mm = positive("focal_mm", values["focal_mm"])
         if not values.keys() & {*sides}:
             raise Refusal("focal_mm", focal_mm, REFUSALS["no-sensor"])
@@ -227,7 +225,7 @@ def _check_slide(document: Document, paths: Collection[str]) -> None:
         known = [STRIP, *controls_of(document.scene)]
         for name in view.controls:
             if name not in known:
-                raise Refusal("controls", name, UNKNOWN, nearest(name, known))
+                raise Refusal("controls", name, REFUSALS["unknown"], nearest(name, known))
     if "view.equation" in paths and view.equation:
         equation_of(document.projection, view.letters, view.equation, document.settings)
 
@@ -259,7 +257,7 @@ def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
     section, _, key = path.rpartition(".")
     others = [kind for kind in kinds() if key in {each.name for each in lens_fields(kind)}]
     if section in ("lens", "") and others and f"lens.{key}" not in paths:
-        return Refusal.in_document(OTHER_LENS, ", ".join(others), field=shown)
+        return Refusal.in_document(REFUSALS["other-lens"], ", ".join(others), field=shown)
     if section == "settings" and not any(known.startswith("settings.") for known in paths):
         scenes = [
             name
@@ -276,7 +274,7 @@ def _unknown_path(path: str, paths: Sequence[str]) -> Refusal:
         begun = of_part in (section, "") and named.startswith(last)
         return max(whole, difflib.SequenceMatcher(None, last, named).ratio()) + whole / 100 + begun
 
-    return Refusal.in_document(UNKNOWN, max(paths, key=likeness), field=shown)
+    return Refusal.in_document(REFUSALS["unknown"], max(paths, key=likeness), field=shown)
 
 
 # --------------------------------------------------------------------------- compared pictures
@@ -301,7 +299,7 @@ def _beside(document: Document, pictures: str | None, dividers: str | None) -> D
     if dividers is not None:
         with document_paths("view"):
             if (places := numbers(dividers)) is None:
-                raise Refusal("dividers", dividers, SOME_DIVIDERS)
+                raise Refusal("dividers", dividers, REFUSALS["some-dividers"])
             document = replace(document, view=replace(document.view, dividers=tuple(places)))
     return document
 

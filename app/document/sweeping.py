@@ -6,7 +6,6 @@ from typing import NamedTuple
 
 from app.document.document import Document, fields_of
 from app.model.numerals import numbers
-from app.model.projection import ONE_OF
 from app.model.refusal import REFUSALS, Refusal
 
 EASES = ("linear", "log", "smooth")
@@ -49,7 +48,7 @@ def swept(
     numbers stay whole.
     """
     if ease not in EASES:
-        raise Refusal("ease", ease, ONE_OF, ", ".join(EASES))
+        raise Refusal("ease", ease, REFUSALS["one-of"], ", ".join(EASES))
     fields = fields_of(start.scene, start.projection.lens.kind)
     whole = {field.path for field in fields if field.whole}
 
@@ -83,7 +82,7 @@ def order(frames: int, loop: str) -> list[int]:
     There and back, neither the first nor the last state comes twice in a row.
     """
     if loop not in LOOPS:
-        raise Refusal("loop", loop, ONE_OF, ", ".join(LOOPS))
+        raise Refusal("loop", loop, REFUSALS["one-of"], ", ".join(LOOPS))
     is_back = loop == "back-and-forth"
     if not 2 <= frames <= MOST_FRAMES:
         raise Refusal.saying(REFUSALS["some-frames"], frames, MOST_FRAMES)

@@ -9,21 +9,13 @@ from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from typing import Any
 
-from app.document.compare import SOME_DIVIDERS, ComparedPicture, check_pictures
+from app.document.compare import ComparedPicture, check_pictures
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
 from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
-from app.model.limits import (
-    LARGEST_IMAGE_PX,
-    ONE_OF,
-    Row,
-    finite_vector,
-    keep_checked,
-    real,
-    within,
-)
+from app.model.limits import LARGEST_IMAGE_PX, Row, finite_vector, keep_checked, real, within
 from app.model.projection import Camera
 from app.model.refusal import REFUSALS, Bound, Refusal
 from app.picking.picking import Probe
@@ -43,13 +35,6 @@ MOST_ON_SLIDE = 2  # most pictures of a slide, and most controls below it
 MOST_PROBES = 6  # most probes: more cannot be compared at a glance
 MOST_NAMES = 7  # most names of a view: a picture with more of them has no point
 EVERYTHING = ("*",)  # the names of a view that names everything
-
-ONE_OR_NONE = REFUSALS["one-or-none"]
-SOME_OF = REFUSALS["some-of"]
-SOME_SLIDES = REFUSALS["some-slides"]
-SOME_CONTROLS = REFUSALS["some-controls"]
-SOME_PROBES = REFUSALS["some-probes"]
-PROBE_NUMBERS = REFUSALS["probe-numbers"]
 
 
 @dataclass(frozen=True)
@@ -83,23 +68,25 @@ class View:
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
     def __post_init__(self) -> None:
-        _check_name("layout", self.layout, LAYOUTS, ONE_OF)
-        _check_name("large", self.large, PANES, ONE_OR_NONE)
-        _check_name("frame_step", self.frame_step, STEPS, ONE_OF)
-        _check_name("panel", self.panel or "", PANELS, ONE_OR_NONE)
+        _check_name("layout", self.layout, LAYOUTS, REFUSALS["one-of"])
+        _check_name("large", self.large, PANES, REFUSALS["one-or-none"])
+        _check_name("frame_step", self.frame_step, STEPS, REFUSALS["one-of"])
+        _check_name("panel", self.panel or "", PANELS, REFUSALS["one-or-none"])
         lettering(self.letters)  # or a `Refusal`
-        _check_name("fixed", self.fixed or "", FIXED, ONE_OR_NONE)
+        _check_name("fixed", self.fixed or "", FIXED, REFUSALS["one-or-none"])
         if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
             raise Refusal(
                 "stage", self.stage, REFUSALS["a-stage"], ", ".join(STAGES), -MOST_TILES, IMAGE
             )
         if not self.layers <= set(LAYERS):
-            raise Refusal("layers", sorted(self.layers, key=str), SOME_OF, ", ".join(LAYERS))
+            raise Refusal(
+                "layers", sorted(self.layers, key=str), REFUSALS["some-of"], ", ".join(LAYERS)
+            )
         _check_names(self.names)
         self._check_slide()
         numbers = [probe.number for probe in self.probes]
         if numbers != sorted(set(numbers) & set(range(1, MOST_PROBES + 1))):
-            raise Refusal("probes", numbers, SOME_PROBES, MOST_PROBES)
+            raise Refusal("probes", numbers, REFUSALS["some-probes"], MOST_PROBES)
         for probe in self.probes:
             where = f"probes[{probe.number - 1}]"
             given = [x for x in (probe.point, probe.pixel, probe.direction) if x is not None]
@@ -111,7 +98,7 @@ class View:
             else:
                 _finite_row(where, probe.row or ())
         if not all(map(_is_number, self.pinned)) or not self.pinned <= set(numbers):
-            raise Refusal("pinned", sorted(self.pinned, key=str), PROBE_NUMBERS)
+            raise Refusal("pinned", sorted(self.pinned, key=str), REFUSALS["probe-numbers"])
         check_pictures(self.compare, self.dividers)
         keep_checked(self, stage=float(self.stage), pinned=frozenset(map(int, self.pinned)))
 
@@ -119,9 +106,11 @@ class View:
         names = set(self.slide)
         if not len(names) == len(self.slide) <= MOST_ON_SLIDE or not names <= set(SLIDES):
             limits = MOST_ON_SLIDE, ", ".join(SLIDES)
-            raise Refusal("slide", ", ".join(self.slide), SOME_SLIDES, *limits)
+            raise Refusal("slide", ", ".join(self.slide), REFUSALS["some-slides"], *limits)
         if not len(set(self.controls)) == len(self.controls) <= MOST_ON_SLIDE:
-            raise Refusal("controls", ", ".join(self.controls), SOME_CONTROLS, MOST_ON_SLIDE)
+            raise Refusal(
+                "controls", ", ".join(self.controls), REFUSALS["some-controls"], MOST_ON_SLIDE
+            )
         if not isinstance(self.equation, str):
             raise Refusal("equation", self.equation, REFUSALS["an-equation"])
 
@@ -144,7 +133,7 @@ def _is_number(value: object) -> bool:
 
 
 def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) -> None:
-    if value not in names and not (value == "" and bound == ONE_OR_NONE):
+    if value not in names and not (value == "" and bound == REFUSALS["one-or-none"]):
         raise Refusal(name, value, bound, ", ".join(names))
 
 
@@ -176,7 +165,9 @@ def read_view(
         if name in _LISTS:
             given[name] = _list(name, value)
         elif name in _ONE_OR_NONE:
-            _check_name(name, value, _ONE_OR_NONE[name], ONE_OR_NONE)  # null is none of them
+            _check_name(
+                name, value, _ONE_OR_NONE[name], REFUSALS["one-or-none"]
+            )  # null is none of them
         elif name == "probes":
             given[name] = _probes(value)
         elif name == "stage" and value in STAGES:
@@ -203,7 +194,7 @@ def _list(name: str, value: Any) -> Any:
 
 def _probes(value: Any) -> tuple[Probe, ...]:
     if not isinstance(value, list) or len(value) > MOST_PROBES:
-        raise Refusal("probes", value, SOME_PROBES, MOST_PROBES)
+        raise Refusal("probes", value, REFUSALS["some-probes"], MOST_PROBES)
     return tuple(_probe(number, part) for number, part in enumerate(value, 1) if part is not None)
 
 
@@ -235,12 +226,12 @@ def _probe_places(probes: tuple[Probe, ...]) -> list[Any]:
 
 _ONE_OR_NONE = {"panel": PANELS, "fixed": FIXED}
 _LISTS: dict[str, tuple[Any, ...]] = {
-    "layers": (frozenset, Hashable, SOME_OF, ", ".join(LAYERS)),
+    "layers": (frozenset, Hashable, REFUSALS["some-of"], ", ".join(LAYERS)),
     "names": (tuple, Hashable, REFUSALS["some-names"], MOST_NAMES),
-    "pinned": (frozenset, Hashable, PROBE_NUMBERS),
-    "slide": (tuple, str, SOME_SLIDES, MOST_ON_SLIDE, ", ".join(SLIDES)),
-    "controls": (tuple, str, SOME_CONTROLS, MOST_ON_SLIDE),
-    "dividers": (tuple, object, SOME_DIVIDERS),
+    "pinned": (frozenset, Hashable, REFUSALS["probe-numbers"]),
+    "slide": (tuple, str, REFUSALS["some-slides"], MOST_ON_SLIDE, ", ".join(SLIDES)),
+    "controls": (tuple, str, REFUSALS["some-controls"], MOST_ON_SLIDE),
+    "dividers": (tuple, object, REFUSALS["some-dividers"]),
 }
 """What each list becomes, the type of its parts, and its bound; the view checks them further."""
 _AS_WRITTEN: dict[str, Callable[[Any], Any]] = {

@@ -14,9 +14,9 @@ from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
 from app.model.limits import PLANES
 from app.model.projection import Projection, Vector
-from app.model.refusal import DESCRIPTION, SENTENCES
+from app.model.refusal import DESCRIPTION, HEALTH, SENTENCES
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision
-from app.precision.risks import NO_PICTURE, risks
+from app.precision.risks import risks
 from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
@@ -90,7 +90,7 @@ def describe(
         warning = illustration.warning.sentence(lambda text: translate(text, "phenomena"))
         said.append(in_letters(warning, letters))
     cut = list(_cut(projection, scene))
-    if any(risk.template == NO_PICTURE for risk in risky):  # which says more
+    if any(risk.template == HEALTH["no-picture"] for risk in risky):  # which says more
         cut = [each for each in cut if each[0] != DESCRIPTION["beyond"]]
     return Description(
         title,

@@ -27,7 +27,7 @@ from app.drawings.describing import Description, Translate, describe, in_english
 from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
-from app.model.projection import LARGEST_IMAGE_PX, ONE_OF
+from app.model.projection import LARGEST_IMAGE_PX
 from app.model.refusal import REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene
@@ -58,10 +58,8 @@ _TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
 
-SCALED_WIDTH = REFUSALS["scaled-width"]
-TEXT = REFUSALS["text"]
 _SIDES = (
-    (REFUSALS["width"], SCALED_WIDTH, REFUSALS["length-wide"]),
+    (REFUSALS["width"], REFUSALS["scaled-width"], REFUSALS["length-wide"]),
     (REFUSALS["height"], REFUSALS["scaled-height"], REFUSALS["length-high"]),
 )
 
@@ -114,7 +112,7 @@ class Figure:
         for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
             value = getattr(self, name)
             if not isinstance(value, str) or value not in known:
-                raise Refusal(name, value, ONE_OF, ", ".join(known))
+                raise Refusal(name, value, REFUSALS["one-of"], ", ".join(known))
         if isinstance(self.panes, str) or not self.panes:
             raise Refusal.saying(REFUSALS["no-panes"], repr(self.panes), ", ".join(PANES))
         for pane in self.panes:
@@ -125,7 +123,9 @@ class Figure:
         side = LARGEST_PX if self.panes == ("equation",) else self._side
         least, most = (side * 72.0 / DPI for side in (_LEAST_TEXT_PX, _LARGEST_TEXT * side))
         if self.text_pt is not None and not least <= self.text_pt <= most:  # NaN fails too
-            raise Refusal.saying(TEXT, format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}")
+            raise Refusal.saying(
+                REFUSALS["text"], format_value(self.text_pt), f"{least:.3g}", f"{most:.3g}"
+            )
 
     def _check_size(self) -> None:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
@@ -221,12 +221,20 @@ class Figure:
 
             size, shapes = self.shapes()
             return rastered(shapes, size, self.scale)[..., : 4 if self.transparent else 3]
-        watch = _Watch(progress, len(self.panes))
-        whole = self._as_wide(
+        _, whole = self._wide_pixels(_Watch(progress, len(self.panes)), seen)
+        return self._cropped(whole) if self._is_cropped else whole
+
+    def boxed(self) -> Figure:
+        """Return it in a box in which what is seen is as wide as asked for."""
+        return self._wide_pixels(_Watch(None, len(self.panes)))[0]
+
+    def _wide_pixels(
+        self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
+    ) -> tuple[Figure, Pixels]:
+        return self._as_wide(
             lambda figure: figure._whole(watch, seen),
             lambda pixels: float(np.ptp(self._seen(pixels)[0])) / self.scale,
         )
-        return self._cropped(whole) if self._is_cropped else whole
 
     @property
     def _is_cropped(self) -> bool:
@@ -252,8 +260,10 @@ class Figure:
         line = np.full((line_px(style), *whole.shape[1:]), ground, dtype=np.uint8)
         return np.concatenate([whole, titled(line, self.note, style, centred=False)])
 
-    def _as_wide(self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]) -> Drawn:
-        """Draw it in a box so large that what is seen in it is as wide as asked for."""
+    def _as_wide(
+        self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]
+    ) -> tuple[Figure, Drawn]:
+        """Draw it in a box in which what is seen is as wide as asked for; return both."""
         figure, drawn = self, draw(self)
         for _ in range(_TRIES):
             if self.width is None or self._has_own_size:
@@ -264,7 +274,7 @@ class Figure:
             across, up = figure.full_size.px
             figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
             drawn = draw(figure)
-        return drawn
+        return figure, drawn
 
     def _seen(self, whole: Pixels) -> list[tuple[int, int]]:
         """Where a picture is not empty: from which column to which, and from which row."""
@@ -297,23 +307,14 @@ class Figure:
         The size is exactly the one asked for; what lies beyond is for the writer to cut off. A
         `Refusal` for too many shapes, else as for `pixels`.
         """
-        from app.drawings.compared_figures import line_of_text
         from app.drawings.vectors import Area, box_of, moved
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
-        shapes = self._as_wide(
-            lambda figure: [
-                moved(shape, *place)
-                for part, place in figure._parts(1.0, watch)
-                for shape in part.shapes(self.hidden, watch)
-            ],
+        _, shapes = self._as_wide(
+            lambda figure: [*figure._whole_shapes(watch)],
             lambda shapes: float(np.ptp((box_of(shapes, background) or (0.0,) * 4)[::2])),
         )
         width, height = self.full_size.px
-        if self.note:
-            style = self._style(1.0)
-            low = height - line_px(style) / 2.0
-            shapes.append(line_of_text(self.note, style.font_size / 2.0, low, style, -1))
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:
             width, height = self.width, box[3] - box[1]
@@ -327,6 +328,18 @@ class Figure:
             page = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
             shapes.insert(0, Area([page], rgb(background), 1.0))
         return (width, height), shapes
+
+    def _whole_shapes(self, watch: _Watch) -> Iterator[Shape]:
+        """Its shapes before it is cropped."""
+        from app.drawings.compared_figures import line_of_text
+        from app.drawings.vectors import moved
+
+        for part, place in self._parts(1.0, watch):
+            yield from (moved(shape, *place) for shape in part.shapes(self.hidden, watch))
+        if self.note:
+            style = self._style(1.0)
+            low = self.full_size.px[1] - line_px(style) / 2.0
+            yield line_of_text(self.note, style.font_size / 2.0, low, style, -1)
 
     def _parts(self, scale: float, watch: _Watch) -> Iterator[tuple[Any, tuple[int, int]]]:
         """Yield what each pane shows, with its left and top."""
@@ -433,7 +446,6 @@ class Figure:
         """
         from app.drawings.figure_files import write_shapes
         from app.drawings.off_screen import check_off_screen
-        from app.drawings.vectors import TOO_MANY
 
         name = os.fspath(path)
         if not name.lower().endswith(ENDINGS):
@@ -446,7 +458,7 @@ class Figure:
         try:
             size, shapes = self.shapes(lambda part: tell(part / 2.0))
         except Refusal as error:
-            if error.bound != TOO_MANY:
+            if error.bound != REFUSALS["too-many"]:
                 raise
             png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
             limits = (*error.limits, png)

@@ -8,13 +8,7 @@ from typing import Any
 
 from app.document.compare import DifferenceWriter, names_in, values_in
 from app.document.document import Document
-from app.document.files import (
-    LARGEST_PICTURE,
-    UNWRITABLE,
-    blamed_on,
-    content_of,
-    write_bytes_atomically,
-)
+from app.document.files import LARGEST_PICTURE, blamed_on, content_of, write_bytes_atomically
 from app.document.naming import seen_from
 from app.document.settings import set_values
 from app.document.sweeping import checked_speed, order, parse_sweeps, swept
@@ -60,15 +54,15 @@ def steady(
     """Return figures whose labels are placed on all of them together; see `film_labels`."""
     from app.drawings.film_labels import placed_in_film
 
-    sizes = {each.size_px for each in figures}
-    if (
-        len(figures) < 2
-        or len(sizes) > 1
-        or figures[0].width is not None
-        or figures[0].panes == ("equation",)
-    ):
+    if len(figures) < 2 or figures[0].panes == ("equation",):
+        return list(figures)
+    if figures[0].width is not None:
+        figures = [each.boxed() for each in figures]
+    elif len({each.size_px for each in figures}) > 1:
         return list(figures)
     frames = [[part.wanted() for part in each.pictures()] for each in figures]
+    if len({part.ground.em for frame in frames for part in frame}) > 1:
+        return list(figures)  # some are drawn finer than others
     panes = [
         placed_in_film(frame, is_round=is_round, fades=fades) for frame in zip(*frames, strict=True)
     ]
@@ -120,7 +114,7 @@ def sweep_film(
     if show_value:
         notes = shown_values(states, shown.scene, [sweep.path for sweep in parsed])
         figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
-    with blamed_on(path, UNWRITABLE):
+    with blamed_on(path, REFUSALS["unwritable"]):
         write_film(path, steady(figures), sequence, speed, loop == "once")
 
 

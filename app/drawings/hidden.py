@@ -26,8 +26,6 @@ MOST_SPLITS = 200  # more than as many as there are faces
 MOST_CROSSINGS, MOST_CUTS = 50_000, 1_500_000  # of faces, and of parts of tangled ones
 _GRID_PX, _MOST_SQUARES, _AT_ONCE = 64.0, 16, 50_000
 
-TANGLED = REFUSALS["tangled"]
-
 
 def _measure(face: ScreenCell) -> bool:
     """Set a face's plane and box; False if it is seen from its edge."""
@@ -218,7 +216,7 @@ def in_order(
                 crossing.setdefault(first, []).append(last)
                 count += 1
                 if count > MOST_CROSSINGS + most_faces:
-                    raise Refusal.in_document(TANGLED, field="scene")
+                    raise Refusal.in_document(REFUSALS["tangled"], field="scene")
         if count > most_faces:
             tangled = {*crossing}.union(*crossing.values())
             for i in tangled:
@@ -351,7 +349,7 @@ def visible(
         watch()
         ends.append((face, _without(face, before.before(face.points), work)))
         if tangled and next(work, None) is None:
-            raise Refusal.in_document(TANGLED, field="scene")
+            raise Refusal.in_document(REFUSALS["tangled"], field="scene")
     if any(len(rings) > _MOST_PARTS for _, rings in ends) and not tangled:
         ends = []
     taken = {id(face) for face, _ in ends}

@@ -25,12 +25,11 @@ import numpy as np
 
 from app.document.lengths import Size
 from app.drawings.figure import PANE_PX, Figure
-from app.drawings.hidden import TANGLED
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
-from app.drawings.vectors import TOO_MANY, PixelShape, Shape
+from app.drawings.vectors import PixelShape, Shape
 from app.lecture.typesetting import font_file
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
 
 LARGEST = 500_000  # most bytes of a page that opens at once where the network is slow
@@ -122,7 +121,7 @@ def drawn(figure: Figure, said: str) -> PagePane:
     try:
         return PagePane(*figure.shapes(), said)
     except Refusal as error:
-        if error.bound not in (TOO_MANY, TANGLED):
+        if error.bound not in (REFUSALS["too-many"], REFUSALS["tangled"]):
             raise
     size_px = figure.full_size.px
     pixels = replace(figure, scale=_SHARPER).pixels()

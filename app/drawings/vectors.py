@@ -33,7 +33,6 @@ from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 
 MOST_DOTS = 5_000  # most dots of a cloud that are circles; pixels show a larger one
 MOST_CELLS = 50_000  # most cells of a figure: viewers become slow above this
-TOO_MANY = REFUSALS["too-many"]
 
 _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1.4, 2.0)]
 """The widths of ISO 128 in pixels, each half of the one after the next."""
@@ -225,7 +224,7 @@ def _refuse_too_many(actors: Iterable[Any]) -> None:
     inputs = (actor.GetMapper().GetInput() for actor in actors if not _is_cloud(actor))
     count = sum(each.GetNumberOfCells() for each in inputs)
     if count > MOST_CELLS:
-        raise Refusal.in_document(TOO_MANY, count, MOST_CELLS, field="scene")
+        raise Refusal.in_document(REFUSALS["too-many"], count, MOST_CELLS, field="scene")
 
 
 def _shown_in(renderer: Any) -> tuple[list[Any], list[Any]]:

@@ -1,7 +1,7 @@
 """What the lectures call quantities, points, axes and matrices, and a file of one's own letters.
 
-Our own letters are the keys; `app.model.parameters` has that of each parameter. A file changes some
-letters of a lecture::
+The lectures' letters are on the page ``content/letters.md``. Our own are the keys;
+`app.model.parameters` has that of each parameter. A file changes some letters of a lecture::
 
     base = "004"        # the lecture; own without it
     [parameters]
@@ -15,13 +15,14 @@ letters of a lecture::
 import re
 from collections.abc import Mapping, Sequence
 from functools import cache, lru_cache
+from pathlib import Path
 from typing import NamedTuple, TypeAlias
 
 from app.lecture.highlight import OBJECT_AXES
 from app.model import formula_text
-from app.model.chain import FROM_OBJECT, MOST_TILES
+from app.model.chain import MOST_TILES
 from app.model.formula import ARROW, parse
-from app.model.limits import ONE_OF
+from app.model.parameter import read_sections
 from app.model.refusal import REFUSALS, Refusal, nearest
 
 Letters: TypeAlias = str
@@ -30,101 +31,26 @@ Letters: TypeAlias = str
 LETTERS: tuple[Letters, ...] = ("own", "000", "001", "002", "003", "004")
 """The program's own (axes as in lecture 004, planes as in 003), and those of five lectures."""
 LONGEST_FILE = 10_000  # most characters of a file of letters
-NOT_KNOWN = REFUSALS["not-known"]
-
-_OURS = {
-    "fov": "fov", "aspect": "aspect", "alpha": "\u03b1", "beta": "β",
-    "axis_u": f"u{ARROW}", "axis_v": f"v{ARROW}", "axis_n": f"n{ARROW}", "eye": f"e{ARROW}",
-    **{
-        f"{stem}{n}_{part}": f"{letter}_{n}{part}"
-        for stem, letter, parts in (
-            ("move", "t", "xyz"), ("turn", "φ", "xyza"), ("size", "s", "xyz"),
-            ("about", "a", "xyz"), ("shear", "h", ("xy", "xz", "yx", "yz", "zx", "zy")),
-        )
-        for part in parts
-        for n in ("", *range(2, MOST_TILES + 1))
-    },
-    "eye_x": "e_x", "eye_y": "e_y", "eye_z": "e_z", "theta_h": "θ_h", "theta_v": "θ_v",
-    "near_distance": "n", "far_distance": "f", "divided_z": "\u2212A \u2212 B / z",
-    "eye_plane": "w = 0", "pixel_x": "x", "pixel_y": "y", "near_in_cube": "\u22121",
-}  # fmt: skip
-_EYE_P = {"eye": f"P{ARROW}", "eye_x": "x_p", "eye_y": "y_p", "eye_z": "z_p"}
-_SYMBOLS: dict[str, dict[str, str]] = {
-    "own": _OURS,
-    "000": {
-        **_OURS,
-        "l": "x_min", "r": "x_max", "b": "y_min", "t": "y_max", "n": "z_min", "f": "z_max",
-        "near_distance": "z_min", "far_distance": "z_max",
-        "fitted_l": "x_1", "fitted_r": "x_2", "fitted_b": "y_1", "fitted_t": "y_2",
-    },
-    "001": {
-        **_OURS, **_EYE_P, "axis_n": f"w{ARROW}", "n_x": "w_x", "n_y": "w_y", "n_z": "w_z",
-        "fov": "θ_v", "fov_x": "θ_h", "eye_point": "P",
-    },
-    "002": {
-        **_OURS, "l": "x_l", "r": "x_r", "b": "y_b", "t": "y_t", "n": "z_n", "f": "z_f",
-        "near_distance": "\u2212z_n", "far_distance": "\u2212z_f",
-        "divided_z": "A + B / z", "near_in_cube": "1",
-    },
-    "003": {  # e is its focal length
-        **_OURS, **_EYE_P, **{f"object_{x}": f"O_{x}" for x in "xyz"},
-        "fov": "β", "fov_x": "\u03b1",
-    },
-    "004": {
-        **_OURS, "eye": "T_0", "eye_x": "x_0", "eye_y": "y_0", "eye_z": "z_0", "up": f"V{ARROW}",
-        "eye_point": "T\u2080", "target_point": "T\u2081",
-        "eye_plane": "z = 0", "pixel_x": "u", "pixel_y": "v",
-    },
-}  # fmt: skip
 
 SHEARED, FROM_SHEARED = "sheared_from_view", "clip_from_sheared"
 """Lecture 002's steps of an oblique or off-axis lens: H first."""
 
-MATRIX_NAMES: dict[str, dict[str, str]] = {
-    "001": {
-        "canonical_perspective_from_view": "M_persp",
-        "canonical_parallel_from_canonical_perspective": "M_pp",
-        "depth_range_from_canonical_parallel": "M_z",
-        "clip_from_depth_range": "{w} I",  # the lecture's own w is 1 at far
-    },
-    "000": {"clip_from_view": "P"},
-    "002": {
-        FROM_OBJECT: "M",
-        "view_from_world": "V",
-        SHEARED: "H",
-        FROM_SHEARED: "P_{kind}",
-        "clip_from_view": "P_{kind}",
-    },
-    "003": {
-        FROM_OBJECT: "M_O\u2192W",
-        "view_from_world": "M_W\u2192E",
-        "clip_from_view": "M_projection",
-    },
-    "004": {"view_from_world/rotation": "R", "view_from_world/translation": "P"},
+_PAGE = read_sections(Path(__file__).with_name("content") / "letters.md")
+_TILES = {name: text.split() for name, text in _PAGE["tiles"].named.items()}
+_OURS = _PAGE["own"].named | {
+    f"{stem}{n}_{part}": f"{letter}_{n}{part}"
+    for stem, letter, *parts in _TILES.values()
+    for n in ("", *range(2, MOST_TILES + 1))
+    for part in parts
 }
-"""The lectures' names of matrices and factors; lecture 002 names projections by kind."""
-
-PARAMETERS: dict[str, tuple[str, ...]] = {
-    "left": ("l",), "right": ("r",), "bottom": ("b",), "top": ("t",),
-    "near": ("n", "near_distance"), "far": ("f", "far_distance"), "fov": ("fov", "theta_v"),
-    "fov_x": ("fov_x", "theta_h"), "aspect": ("aspect", "a"), "focal": ("e",),
-    "alpha": ("alpha",), "beta": ("beta",), "width": ("W",), "height": ("H",),
-}  # fmt: skip
+_PARAMETERS = {name: text.split() for name, text in _PAGE["parameters"].named.items()}
 """What a file calls the parameters, and our own letters for them."""
-_TILES = {
-    "translate": "move", "rotate": "turn", "scale": "size", "about": "about", "shear": "shear",
-}  # fmt: skip
 _KNOWN: dict[str, Sequence[str]] = {
     "": ("base",),
-    "parameters": (*PARAMETERS, *_TILES),
+    "parameters": (*_PARAMETERS, *_TILES),
     "vectors": ("eye", "target", "up", "u", "v", "n"),
-    "matrices": (
-        FROM_OBJECT, "view_from_world", "canonical_perspective_from_view",
-        "canonical_parallel_from_canonical_perspective", "depth_range_from_canonical_parallel",
-        "clip_from_depth_range", "clip_from_view", "clip_from_world", "image_from_ndc",
-        "world_from_view", "view_from_world/rotation", "view_from_world/translation",
-    ),
-}  # fmt: skip
+    "matrices": _PAGE["matrices"].items,
+}
 """The names that each section of a file may have; before the first section, the lecture."""
 GREEK = "\u03b1β\u03b3δεθλμπρ\u03c3φω"  # noqa: RUF001 -- those of panes and figures
 _LONGEST = 12
@@ -147,20 +73,21 @@ class Lettering(NamedTuple):
 def lettering(letters: Letters) -> Lettering:
     """Return the letters of a lecture or a file; a `Refusal` names the line and the bound."""
     if letters in LETTERS:
-        return Lettering(letters, _SYMBOLS[letters], MATRIX_NAMES.get(letters, {}))
+        of_lecture, named = _PAGE[letters], _PAGE[f"{letters}, matrices"]
+        return Lettering(letters, _OURS | of_lecture.named, named.named)
     is_text = isinstance(letters, str) and not {"=", "\n"}.isdisjoint(letters)
     if not is_text or len(letters) > LONGEST_FILE:
         raise Refusal(
             "letters", letters, REFUSALS["some-letters"], ", ".join(LETTERS), LONGEST_FILE
         )
     given = _sections(letters)
-    base = given[""].get("base", "own")
-    symbols, matrices = dict(_SYMBOLS[base]), given["matrices"]
+    base, symbols, matrices = lettering(given[""].get("base", "own"))
+    symbols = {**symbols}
     for name, letter in given["parameters"].items():
         symbols |= _of_parameter(name, letter, base)
     for name, letter in given["vectors"].items():
         symbols |= _of_vector(name, letter)
-    return Lettering(base, symbols, {**MATRIX_NAMES.get(base, {}), **matrices})
+    return Lettering(base, symbols, {**matrices, **given["matrices"]})
 
 
 def _sections(text: str) -> dict[str, dict[str, str]]:
@@ -173,27 +100,26 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
             raise Refusal(place, line.strip(), REFUSALS["a-line"])
         section, name = match["section"] or section, match["name"]
         if section not in _KNOWN:
-            raise Refusal(place, section, NOT_KNOWN, nearest(section, _KNOWN))
+            raise Refusal(place, section, REFUSALS["not-known"], nearest(section, _KNOWN))
         if name is None:
             continue
         if name not in _KNOWN[section]:
-            raise Refusal(place, name, NOT_KNOWN, nearest(name, _KNOWN[section]))
+            raise Refusal(place, name, REFUSALS["not-known"], nearest(name, _KNOWN[section]))
         letter, places[section, name] = match["letter"], f"{place}: {name}"
         if not section and letter not in LETTERS:
-            raise Refusal(f"{place}: {name}", letter, ONE_OF, ", ".join(LETTERS))
+            raise Refusal(f"{place}: {name}", letter, REFUSALS["one-of"], ", ".join(LETTERS))
         if section and (len(letter) > _LONGEST or not _A_LETTER.fullmatch(letter)):
             raise Refusal(f"{place}: {name}", letter, REFUSALS["a-letter"], GREEK, _LONGEST)
         given[section][name] = letter
-    base = given[""].get("base", "own")
-    symbols = _SYMBOLS[base]
+    base, symbols, matrices = lettering(given[""].get("base", "own"))
     of_lecture = {
-        "parameters": {name: symbols.get(ours[0], ours[0]) for name, ours in PARAMETERS.items()
+        "parameters": {name: symbols.get(ours[0], ours[0]) for name, ours in _PARAMETERS.items()
                        if base == "003" or name != "focal"},
         "vectors": {name: its for name, its in _frame(symbols).items() if name != "e"},
-        "matrices": MATRIX_NAMES.get(base, {}),
+        "matrices": matrices,
     }  # fmt: skip
     for (section, name), place in places.items():
-        held = of_lecture.get(section, {}) | given[section]
+        held = {**of_lecture.get(section, {}), **given[section]}
         for other in held:
             if other != name and held[other] == held[name]:
                 raise Refusal(place, held[name], REFUSALS["once"], other)
@@ -207,13 +133,13 @@ def base_of(letters: Letters) -> Letters:
 
 def _of_parameter(name: str, letter: str, base: Letters) -> dict[str, str]:
     if name in _TILES:  # t_x, and t_2x of the second one
-        tile = re.compile(rf"{_TILES[name]}\d*_")
+        tile = re.compile(rf"{_TILES[name][0]}\d*_")
         return {
             ours: _component(letter, its.partition("_")[2])
             for ours, its in _OURS.items() if tile.match(ours)
         }  # fmt: skip
     minus = "\u2212" if base == "002" else ""  # its planes are at negative z
-    return {ours: f"{minus * ours.endswith('_distance')}{letter}" for ours in PARAMETERS[name]}
+    return {ours: f"{minus * ours.endswith('_distance')}{letter}" for ours in _PARAMETERS[name]}
 
 
 def _of_vector(name: str, letter: str) -> dict[str, str]:

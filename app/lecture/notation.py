@@ -21,7 +21,6 @@ from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
 from app.lecture.letters import (
     FROM_SHEARED,
-    MATRIX_NAMES,
     SHEARED,
     Letters,
     base_of,
@@ -184,7 +183,7 @@ def _names(lens: "_WrittenForm", letters: Letters) -> dict[str, str]:
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, base).get("clip_from_depth_range", _IDENTITY)[3][3], letters)
     texts = {name: called.format(kind=kind, w=w) for name, called in names.items()}
-    is_named = names.get("clip_from_view") == MATRIX_NAMES.get(base, {}).get("clip_from_view")
+    is_named = names.get("clip_from_view") == lettering(base).matrices.get("clip_from_view")
     if base == "002" and is_named and not lens.table.steps:
         texts["clip_from_view"] = "P"
     elif base == "002" and is_named and _steps(lens.table, base):

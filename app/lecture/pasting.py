@@ -7,7 +7,6 @@ from typing import NamedTuple
 import numpy as np
 
 from app.lecture.typed_matrix import (
-    FOR_ROWS,
     MatrixProperty,
     Write,
     convention,
@@ -20,13 +19,7 @@ from app.lecture.typed_matrix import (
 from app.model.lenses.answers import Intrinsics
 from app.model.limits import Array, finite_matrix
 from app.model.projection import Projection
-from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
-
-OF_A_CAMERA = QT_TRANSLATE_NOOP("Matrix", "eye ({0}), looks along ({1})")
-IS_TURNED = QT_TRANSLATE_NOOP(
-    "Matrix", "its lens is used, looking along −z; change the sign of its view matrix in row {0}"
-)
-IS_UPRIGHT = QT_TRANSLATE_NOOP("Matrix", "its lens is used, with y up")
+from app.model.refusal import MATRIX, REFUSALS, Refusal
 
 
 class Pasted(NamedTuple):
@@ -61,9 +54,9 @@ def pasted(
             shown = with_matrix(replace(projection, depth=reading.depth), name, cells_of_lens)
         said = convention(reading, projection, write)
         if reading.z < 0:
-            said.append(MatrixProperty(IS_TURNED, ("3" if reading.y > 0 else "2, 3",)))
+            said.append(MatrixProperty(MATRIX["is-turned"], ("3" if reading.y > 0 else "2, 3",)))
         elif reading.y < 0:
-            said.append(MatrixProperty(IS_UPRIGHT))
+            said.append(MatrixProperty(MATRIX["is-upright"]))
         possible.append(Pasted(shown, said))
     return possible or [Pasted(with_matrix(projection, name, cells), [])]
 
@@ -80,15 +73,18 @@ def _views(projection: Projection, rows: Sequence[Sequence[float]], write: Write
         shown = with_matrix(projection, "view_from_world", cells)
         ahead = (-shown.camera.frame[2] + 0.0).tolist()
         eye, along = (", ".join(write(part) for part in p) for p in (shown.camera.eye, ahead))
-        said = [MatrixProperty(OF_A_CAMERA, (eye, along)), *rounded_view(shown, cells, write)]
-        said = [MatrixProperty(FOR_ROWS), *said] if turned is not matrix else said
+        said = [
+            MatrixProperty(MATRIX["of-a-camera"], (eye, along)),
+            *rounded_view(shown, cells, write),
+        ]
+        said = [MatrixProperty(MATRIX["for-rows"]), *said] if turned is not matrix else said
         possible.append(Pasted(shown, said))
     if possible:
         return possible
     is_for_rows = bool(matrix[3, :3].any()) and not matrix[:3, 3].any()
     cells = finite_matrix("view_from_world", (matrix.T if is_for_rows else matrix).tolist())
     shown = with_matrix(projection, "view_from_world", cells)
-    return [Pasted(shown, [MatrixProperty(FOR_ROWS)] if is_for_rows else [])]
+    return [Pasted(shown, [MatrixProperty(MATRIX["for-rows"])] if is_for_rows else [])]
 
 
 def _affine(matrix: Array, projection: Projection) -> Array:

@@ -23,8 +23,8 @@ from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
 from app.model.limits import DEPTH_RANGES, Cells, DepthRange, finite_matrix
 from app.model.parameters import ALPHA, BETA, BOTTOM, FAR, FOV_Y, LEFT, NEAR, RIGHT, TOP
-from app.model.projection import LENSES, ONE_OF, Camera, FreeMatrix, Lens, Projection, Vector
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.projection import LENSES, Camera, FreeMatrix, Lens, Projection, Vector
+from app.model.refusal import MATRIX, REFUSALS, Refusal
 from app.model.tables import evaluated
 
 Write: TypeAlias = Callable[[float], str]  # writes a number in a sentence
@@ -49,7 +49,7 @@ def shown(projection: Projection, name: str) -> Cells:
         "clip_from_view": projection.direct_stages[0],
     }
     if name not in stages:
-        raise Refusal("matrix", name, ONE_OF, ", ".join(EDITABLE))
+        raise Refusal("matrix", name, REFUSALS["one-of"], ", ".join(EDITABLE))
     return finite_matrix(name, (stages[name].matrix + 0.0).tolist())
 
 
@@ -341,54 +341,13 @@ def _short(number: Fraction, room: Fraction) -> float:
 
 # --------------------------------------------------------------------------- properties
 
-AFFINE = QT_TRANSLATE_NOOP("Matrix", "affine: w is {0} everywhere")
-NOT_AFFINE = QT_TRANSLATE_NOOP("Matrix", "not affine: w depends on {0}")
-SINGULAR = QT_TRANSLATE_NOOP("Matrix", "singular (rank {0}): the frustum cannot be drawn")
-MIRRORED_VIEW = QT_TRANSLATE_NOOP(
-    "Matrix", "mirrored: it turns right-handed space into left-handed (determinant {0})"
-)
-MIRRORED_CLIP = QT_TRANSLATE_NOOP(
-    "Matrix", "mirrored: as if left and right, top and bottom, or near and far were exchanged"
-)
-NOT_RIGID = QT_TRANSLATE_NOOP(
-    "Matrix", "not rigid: it changes lengths or angles, so that no camera has it"
-)
-W_VANISHES = QT_TRANSLATE_NOOP(
-    "Matrix", "w vanishes where {0} = 0: the divide sends these points to infinity"
-)
-W_IS_NOT_POSITIVE = QT_TRANSLATE_NOOP("Matrix", "w is {0} everywhere: there is no picture")
-ALL_BEHIND = QT_TRANSLATE_NOOP(
-    "Matrix", "w is negative all over the view volume: there is no picture"
-)
-THROUGH_INFINITY = QT_TRANSLATE_NOOP(
-    "Matrix", "the view volume reaches infinity: the frustum cannot be drawn"
-)
 
-ROUNDED_TO_FLOAT32 = QT_TRANSLATE_NOOP("Matrix", "rows are orthonormal to {0}: rounded to float32")
-ROUNDED_TO_DIGITS = QT_TRANSLATE_NOOP(
-    "Matrix", "rows are orthonormal to {0}: rounded to {1} digits"
-)
-NEAREST_IS_USED = QT_TRANSLATE_NOOP(
-    "Matrix", "the nearest camera is used; it moves the picture by at most {0} px"
-)
-NEAREST = QT_TRANSLATE_NOOP("Matrix", "the nearest camera would move the picture by at most {0} px")
-FOR_ROWS = QT_TRANSLATE_NOOP("Matrix", "rows and columns are exchanged: its transpose is meant")
 CONVENTIONS = {
-    (1, 1): QT_TRANSLATE_NOOP(
-        "Matrix", "looks along −z, y up; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
-    ),
-    (1, -1): QT_TRANSLATE_NOOP(
-        "Matrix", "left-handed: looks along +z, y up; z from {0} at near to {1} at far; {2}, near"
-        " {3}, far {4}",
-    ),
-    (-1, 1): QT_TRANSLATE_NOOP(
-        "Matrix", "looks along −z, the picture's y down; z from {0} at near to {1} at far; {2},"
-        " near {3}, far {4}",
-    ),
-    (-1, -1): QT_TRANSLATE_NOOP(
-        "Matrix", "looks along +z, y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}"
-    ),
-}  # fmt: skip
+    (1, 1): MATRIX["looks-backward"],
+    (1, -1): MATRIX["left-handed"],
+    (-1, 1): MATRIX["picture-down"],
+    (-1, -1): MATRIX["looks-forward"],
+}
 """By the signs of a `MatrixReading`'s y and z."""
 
 
@@ -424,7 +383,7 @@ def properties(projection: Projection, name: str, write: Write = few) -> list[Ma
 def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[MatrixProperty]:
     rank, determinant, _ = eliminate(matrix)
     if rank < 4:
-        return [MatrixProperty(SINGULAR, (str(rank),)), *_of_last_row(matrix[3], write)]
+        return [MatrixProperty(MATRIX["singular"], (str(rank),)), *_of_last_row(matrix[3], write)]
     lens: Any = projection.lens
     described = readings(lens.clip_from_view, projection.image_size, projection.depth, lens.former)
     stated: list[MatrixProperty] = []
@@ -433,12 +392,12 @@ def _of_clip(projection: Projection, matrix: Rationals, write: Write) -> list[Ma
     z_near, z_far = projection.depth_range
     # Right-handed view space becomes left-handed if near maps to less than far.
     if (determinant > 0) == (z_near < z_far):
-        stated.append(MatrixProperty(MIRRORED_CLIP))
+        stated.append(MatrixProperty(MATRIX["mirrored-clip"]))
     if projection.frustum_sign < 0 and any(matrix[3][:3]):
-        stated.append(MatrixProperty(ALL_BEHIND))
+        stated.append(MatrixProperty(MATRIX["all-behind"]))
     # A view matrix without an inverse is a property of its own.
     if projection.frustum_sign == 0 and eliminate(projection.exact_from_eye[0]).rank == 4:
-        stated.append(MatrixProperty(THROUGH_INFINITY))
+        stated.append(MatrixProperty(MATRIX["through-infinity"]))
     return stated + _of_last_row(matrix[3], write)
 
 
@@ -455,12 +414,12 @@ def rounded_view(projection: Projection, cells: Cells, write: Write = few) -> li
     if camera is None:
         return []
     rounding = nearest.rounding
-    how = ROUNDED_TO_FLOAT32 if rounding.is_float32 else ROUNDED_TO_DIGITS
+    how = MATRIX["rounded-to-float32"] if rounding.is_float32 else MATRIX["rounded-to-digits"]
     stated = [MatrixProperty(how, (write(float(f"{nearest.apart:.1g}")), str(min(rounding[:2]))))]
     px = moved_px(np.array(cells), camera, replace(projection, lens=projection.lens.former))
     if math.isfinite(px):
         is_used = camera == projection.camera and projection.has_camera
-        template = NEAREST_IS_USED if is_used else NEAREST
+        template = MATRIX["nearest-is-used"] if is_used else MATRIX["nearest"]
         stated.append(MatrixProperty(template, (write(float(f"{px:.2g}")),)))
     return stated
 
@@ -477,7 +436,7 @@ def convention(
     z_near, z_far = (write(z) for z in DEPTH_RANGES[reading.depth])
     figures = (z_near, z_far, shows, write(lens.near), write(lens.far))
     stated = [MatrixProperty(CONVENTIONS[reading.y, reading.z], figures)]
-    return [MatrixProperty(FOR_ROWS), *stated] if reading.is_transposed else stated
+    return [MatrixProperty(MATRIX["for-rows"]), *stated] if reading.is_transposed else stated
 
 
 def _of_view(projection: Projection, cells: Cells, write: Write) -> list[MatrixProperty]:
@@ -485,11 +444,11 @@ def _of_view(projection: Projection, cells: Cells, write: Write) -> list[MatrixP
     rank = eliminate(matrix).rank
     rows = [row[:3] for row in matrix[:3]]
     turning = eliminate(rows).determinant
-    stated = [MatrixProperty(SINGULAR, (str(rank),))] if rank < 4 else []
+    stated = [MatrixProperty(MATRIX["singular"], (str(rank),))] if rank < 4 else []
     if turning < 0:
-        stated.append(MatrixProperty(MIRRORED_VIEW, (write(float(turning)),)))
+        stated.append(MatrixProperty(MATRIX["mirrored-view"], (write(float(turning)),)))
     if not _is_rigid(rows):
-        stated += rounded_view(projection, cells, write) or [MatrixProperty(NOT_RIGID)]
+        stated += rounded_view(projection, cells, write) or [MatrixProperty(MATRIX["not-rigid"])]
     return stated + _of_last_row(matrix[3], write)
 
 
@@ -498,9 +457,9 @@ def _of_last_row(last: list[Fraction], write: Write) -> list[MatrixProperty]:
     linear = [name for name, part in zip("xyz", last, strict=False) if part]
     if linear:
         zero = linear[0] if sum(map(bool, last)) == 1 else _sum(last, write)
-        depends = MatrixProperty(NOT_AFFINE, (", ".join(linear),))
-        return [depends, MatrixProperty(W_VANISHES, (zero,))]
-    template = AFFINE if last[3] > 0 else W_IS_NOT_POSITIVE
+        depends = MatrixProperty(MATRIX["not-affine"], (", ".join(linear),))
+        return [depends, MatrixProperty(MATRIX["w-vanishes"], (zero,))]
+    template = MATRIX["affine"] if last[3] > 0 else MATRIX["w-is-not-positive"]
     return [MatrixProperty(template, (write(float(last[3])),))]
 
 

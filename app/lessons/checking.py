@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.document.view import PANES
+from app.lecture.letters import Letters
 from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial, path_of
 from app.lessons.course import Course, unnameable
@@ -22,10 +23,7 @@ from app.scenes.mesh import Progress, report
 MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
 MOST_WORDS = 150  # most words of a step's text or of a note: the reader also looks at the pictures
 
-TOO_LONG = REFUSALS["checking-too-long"]
-NOT_TEX = REFUSALS["not-tex"]
 
-UNCLOSED = REFUSALS["unclosed"]
 _MARK = re.compile(r"(`+|\\[$\[\]<])")
 _LINK = re.compile(
     r"!?\[[^\[\]\n]*\]\([^()\n]*(?:\([^()\n]*)?\)"
@@ -51,14 +49,15 @@ class CheckReport:
             f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong{warnings}"
         )
 
-    def read(self, path: Path, progress: Progress | None = None) -> None:
-        """Read a lesson from its file, check it, and add its faults."""
+    def read(
+        self, path: Path, progress: Progress | None = None, letters: Letters | None = None
+    ) -> Course | None:
+        """Read a lesson from its file, check it, and add its faults; return its steps, if any."""
         try:
-            lesson = read(path, self.wrong.append)
+            return self.take(read(path, self.wrong.append, letters), progress)
         except Refusal as error:
             self.wrong.append(error)
-        else:
-            self.take(lesson, progress)
+            return None
 
     def take(self, lesson: Lesson, progress: Progress | None = None) -> Course:
         self.lessons += not lesson.is_talk
@@ -120,10 +119,10 @@ def _check_texts(step: Step, trial: Trial) -> None:
         _check_signs(line, text, trial)
         for tex, problem in _problems(text):
             above = text[: text.find(tex)].count("\n")
-            trial.add_fault(refused(line + above, NOT_TEX, problem, value=tex))
+            trial.add_fault(refused(line + above, REFUSALS["not-tex"], problem, value=tex))
     words = sum(len(each.text.split()) for each in step.words)
     if words > MOST_WORDS:
-        trial.add_fault(refused(step.line, TOO_LONG, words, MOST_WORDS))
+        trial.add_fault(refused(step.line, REFUSALS["checking-too-long"], words, MOST_WORDS))
     if step.note is not None and (words := len(step.note.text.split())) > MOST_WORDS:
         trial.add_fault(refused(step.note.line, REFUSALS["long-note"], words, MOST_WORDS))
 
@@ -132,7 +131,7 @@ def _check_signs(line: int, text: str, trial: Trial) -> None:
     """Report a dollar without its partner, and what would be a link in other Markdown."""
     for number, words in enumerate(MATH.sub("", _bare(text)).split("\n"), line):
         if "$" in words:
-            trial.add_fault(refused(number, UNCLOSED, value=words.strip()[:60]))
+            trial.add_fault(refused(number, REFUSALS["unclosed"], value=words.strip()[:60]))
         link, html = _LINK.search(words), _HTML.search(words)
         if link is not None:
             trial.add_fault(refused(number, REFUSALS["no-links"], value=link[0][:60]))
@@ -163,7 +162,9 @@ def _check_asked(part: Asked, step: Step, here: Here, trial: Trial) -> None:
     """Report a solution that cannot be typeset, and an answer or a wrong idea without a sample."""
     variant = part.variant(here, 1)
     for tex, problem in _problems(variant.question.solution(variant.here)):
-        trial.add_fault(refused(variant.question.answer_line, NOT_TEX, problem, value=tex))
+        trial.add_fault(
+            refused(variant.question.answer_line, REFUSALS["not-tex"], problem, value=tex)
+        )
     tried = {sample.verdict for sample in step.samples if sample.block == part.name}
     variant.question.check_tried(tried, trial)
 

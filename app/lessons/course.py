@@ -16,11 +16,11 @@ from app.document.document import Document, is_mesh
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
-from app.lessons.blocks.block import BESIDE, Asked, Idea, State, path_of
+from app.lessons.blocks.block import Asked, Idea, State, path_of
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
 from app.lessons.quantities import Quantities
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
 CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
@@ -179,16 +179,16 @@ class Course:
             document = files.read(path)
         except Refusal as error:
             why = str(error).rstrip(".")
-            raise refused(state.document_line, files.UNREADABLE, why) from error
+            raise refused(state.document_line, REFUSALS["files-unreadable"], why) from error
         for file in (document.scene if is_mesh(document.scene) else "", document.mesh):
             if file and not self._is_beside(file):
-                raise refused(state.document_line, BESIDE, value=os.path.basename(file))
+                raise refused(state.document_line, REFUSALS["beside"], value=os.path.basename(file))
         return document
 
     def _beside(self, name: str, line: int) -> str:
         path = os.path.normpath(self.folder / name)
         if not self._is_beside(path):
-            raise refused(line, BESIDE, value=name)
+            raise refused(line, REFUSALS["beside"], value=name)
         return path
 
     def _is_beside(self, path: str) -> bool:

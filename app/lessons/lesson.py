@@ -16,23 +16,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
 from app.document.codec import Path as AnyPath
-from app.document.files import UNREADABLE, blamed_on, content_of, read_letters
+from app.document.files import blamed_on, content_of, read_letters
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Block, StepContent, TextBlock
 from app.lessons.blocks.shown import ShownState
-from app.lessons.lines import (
-    LONG_LINE,
-    LONGEST_LINE,
-    ONLY_ONCE,
-    UNEXPECTED,
-    Body,
-    Lines,
-    number_in,
-    refused,
-)
+from app.lessons.lines import LONGEST_LINE, Body, Lines, number_in, refused
 from app.lessons.text import markdown
-from app.model.limits import ONE_OF
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, log_warning, open_regular
 
@@ -45,9 +35,6 @@ LARGEST = 2 * 2**20  # largest file in bytes
 MOST_STEPS = 500  # most steps of a talk
 _MOST_READ = 20_000  # most lines of a block whose faults are all found; of a longer one, the first
 
-NOT_UTF8 = REFUSALS["not-utf8"]
-BAD_NAME = REFUSALS["lesson-bad-name"]
-UNCLOSED = REFUSALS["lesson-unclosed"]
 
 AddFault: TypeAlias = Callable[[Refusal], object]
 
@@ -111,11 +98,11 @@ def read(path: AnyPath, complain: AddFault | None = None, letters: Letters | Non
     `letters` replace those that the lesson asks for. `complain` receives the refusal of every
     faulty block and step; the lesson then lacks these.
     """
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         text, note = decode(content_of(path, LARGEST))
         lesson = parse_lesson(text, Path(path), complain, letters)
         if note and complain is not None:
-            complain(Refusal.in_document(NOT_UTF8, file=os.fspath(path)))
+            complain(Refusal.in_document(REFUSALS["not-utf8"], file=os.fspath(path)))
         else:
             log_warning(path, note)
         return lesson
@@ -132,7 +119,7 @@ class Head(NamedTuple):
 
 def head_of(path: Path) -> Head:
     """Read only the data for a list of lessons."""
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         with open_regular(path) as file:
             text, _ = decode(file.read(LARGEST))
         top, _ = _top(text.split("\n"))
@@ -153,7 +140,7 @@ def parse_lesson(
             asked = read_letters(Path(os.path.dirname(os.path.realpath(path))) / asked)
         except Refusal as error:
             line = next(at for at, each in enumerate(lines, 1) if each.startswith("letters"))
-            raise refused(line, UNREADABLE, str(error).rstrip(".")) from error
+            raise refused(line, REFUSALS["files-unreadable"], str(error).rstrip(".")) from error
     top["letters"] = asked
     return Lesson(path, steps=_steps(lines, first, path, complain), **top)
 
@@ -163,7 +150,7 @@ def _lines(text: str) -> list[str]:
     lines = text.split("\n")
     for number, line in enumerate(lines, 1):  # before a regular expression reads it
         if len(line) > LONGEST_LINE:
-            raise refused(number, LONG_LINE, len(line), LONGEST_LINE)
+            raise refused(number, REFUSALS["long-line"], len(line), LONGEST_LINE)
     return lines
 
 
@@ -186,9 +173,9 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         if line.startswith(("#", "```", "~~~")):
             raise refused(number, REFUSALS["top-unclosed"], value=line[:60])
         if not colon or key not in _TOP_KEYS:
-            raise refused(number, UNEXPECTED, ", ".join(_TOP_KEYS), value=line[:60])
+            raise refused(number, REFUSALS["unexpected"], ", ".join(_TOP_KEYS), value=line[:60])
         if key in values:
-            raise refused(number, ONLY_ONCE, key)
+            raise refused(number, REFUSALS["only-once"], key)
         values[key] = value
         _check_top(key, value, number)
     else:
@@ -353,7 +340,9 @@ class _StepReader:
         names = [part.name for part in step.asked]
         for sample in step.samples if not self._lacking else ():
             if sample.block not in names:
-                raise refused(sample.line, ONE_OF, ", ".join(names) or "none", value=sample.block)
+                raise refused(
+                    sample.line, REFUSALS["one-of"], ", ".join(names) or "none", value=sample.block
+                )
         return None if ShownState.kind in self._lacking else step
 
     def _heading(self) -> tuple[str, str, int]:
@@ -368,7 +357,7 @@ class _StepReader:
             raise refused(line, REFUSALS["no-heading"], value=text[:60])
         name = match[1].strip() if match is not None else slug(title)
         if not _NAME.fullmatch(name):
-            raise refused(line, BAD_NAME, value=name)
+            raise refused(line, REFUSALS["lesson-bad-name"], value=name)
         return name, title, line
 
     def _take(self, token: Token) -> None:
@@ -405,7 +394,7 @@ class _StepReader:
             raise refused(line, REFUSALS["no-block"], kind, near)
         cls = KINDS[kind]
         if cls.once and kind in [block.kind for block in self._blocks]:
-            raise refused(line, ONLY_ONCE, kind)
+            raise refused(line, REFUSALS["only-once"], kind)
         name = self._name(given, kind, line) if cls.needs_answer else ""
         return cls, Body(kind, name, line, self._body(token))
 
@@ -427,7 +416,7 @@ class _StepReader:
         last = self._lines[self._first + token.map[1] - 1].strip()
         closed = token.map[1] - token.map[0] >= 2 and set(last) == {token.markup[0]}
         if not closed:
-            raise refused(line, UNCLOSED if kind else REFUSALS["code-unclosed"])
+            raise refused(line, REFUSALS["lesson-unclosed"] if kind else REFUSALS["code-unclosed"])
 
     def _body(self, token: Token) -> Lines:
         assert token.map is not None
@@ -442,6 +431,6 @@ class _StepReader:
             count += 1
             name = f"{kind}-{count}"
         if not _NAME.fullmatch(name):
-            raise refused(line, BAD_NAME, value=name)
+            raise refused(line, REFUSALS["lesson-bad-name"], value=name)
         _claim(self._names, name, line)
         return name

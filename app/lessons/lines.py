@@ -15,12 +15,6 @@ from app.model import numerals
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Bound, Refusal
 
-UNEXPECTED = REFUSALS["unexpected"]
-INDENTED = REFUSALS["indented"]
-LACKS = REFUSALS["lacks"]
-ONLY_ONCE = REFUSALS["only-once"]
-LONG_LINE = REFUSALS["long-line"]
-
 LONGEST_LINE = 4000  # most characters of a line, also with the indented lines that continue it
 
 Lines = Sequence[tuple[int, str]]  # lines of a file with their numbers, from 1
@@ -109,7 +103,7 @@ class Items(tuple[LineItem, ...]):
         """Return the item of a key; refuse a second one."""
         same = self.every(key)
         if len(same) > 1:
-            raise refused(same[1].line, ONLY_ONCE, key)
+            raise refused(same[1].line, REFUSALS["only-once"], key)
         return same[0] if same else None
 
     def text(self, key: str) -> str:
@@ -136,7 +130,7 @@ class Items(tuple[LineItem, ...]):
         sentences = *own, *((each.line, each.text) for each in below)
         for line, text in sentences:
             if not text:
-                raise refused(line, LACKS, "a text")
+                raise refused(line, REFUSALS["lacks"], "a text")
         return sentences
 
 
@@ -168,11 +162,11 @@ class Body(NamedTuple):
             elif choices and text.startswith(("-", "*")):
                 raise refused(number, REFUSALS["no-choice"], value=text.strip()[:60])
             elif text.strip():
-                bound = INDENTED if indented else UNEXPECTED
+                bound = REFUSALS["indented"] if indented else REFUSALS["unexpected"]
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
         asked = "\n".join(question).strip()
         if not asked:
-            raise refused(self.line, LACKS, "a question or a task")
+            raise refused(self.line, REFUSALS["lacks"], "a question or a task")
         return asked, Items(items)
 
 
@@ -190,7 +184,7 @@ def _continued(
     if has_own and key and key[1] in _BELOW:
         return last._replace(below=[*last.below, LineItem(key[1], "", key[3].strip(), number)])
     if _mistyped(text, (*_BELOW, *keys)):
-        bound = UNEXPECTED if has_own else INDENTED
+        bound = REFUSALS["unexpected"] if has_own else REFUSALS["indented"]
         raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
     if last.below:
         further = last.below[-1]

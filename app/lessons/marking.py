@@ -26,14 +26,6 @@ _ZERO = 1e-12  # a computed value below this is 0
 _LARGEST_EXPONENT = round(math.log10(LARGEST))
 _LONGEST, _LONGEST_SHOWN = 60, 17
 
-EMPTY = REFUSALS["marking-empty"]
-NO_LETTER = REFUSALS["no-letter"]
-TOO_LARGE = REFUSALS["too-large"]
-AMBIGUOUS = REFUSALS["ambiguous"]
-TWO_ANGLES = REFUSALS["two-angles"]
-TOO_LONG = REFUSALS["marking-too-long"]
-
-SMALL = REFUSALS["small"]
 
 _DECIMAL = r"(?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)"
 _LITERAL = re.compile(rf"([-+]?)({_DECIMAL})(?:(?:e|[*x×]10\^)([-+]?[0-9]+))?")
@@ -149,12 +141,14 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     `Refusal` of ``answer`` names the part that cannot be read, or the unit that is expected.
     """
     if len(text) > _LONGEST:
-        raise Refusal("answer", text, TOO_LONG, _LONGEST)
+        raise Refusal("answer", text, REFUSALS["marking-too-long"], _LONGEST)
     plain, factor, is_angle = _without_unit(text, _with_brackets(text, _in_one_line(text)), unit)
     plain, end = plain.rstrip("."), len(plain)
     is_endless = end - len(plain) > 1
     if not plain:
-        raise Refusal.in_document(EMPTY, field="answer", value=text.strip() or ...)
+        raise Refusal.in_document(
+            REFUSALS["marking-empty"], field="answer", value=text.strip() or ...
+        )
     match = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if match is None:
         value, is_rounded, gives_angle = _value(text, plain)
@@ -163,10 +157,12 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
         last = _third_digit(value) if is_rounded else Fraction(0)
         return TypedNumber(value, DIGITS, last).times(factor)
     if _MAYBE_GROUPED.fullmatch(plain) and abs(near) >= 1000.0:
-        raise Refusal("answer", text, AMBIGUOUS, plain, f"{plain}0", plain.replace(".", ""))
+        raise Refusal(
+            "answer", text, REFUSALS["ambiguous"], plain, f"{plain}0", plain.replace(".", "")
+        )
     power = int((match[3] or "0")[:6])
     if abs(power) > _LARGEST_EXPONENT:
-        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
+        raise Refusal("answer", text, REFUSALS["too-large"], _LARGEST_EXPONENT)
     _, _, places = match[2].partition(".")
     value = Fraction(match[1] + match[2]) * Fraction(10) ** power
     digits = len(match[2].replace(".", "").lstrip("0"))
@@ -223,7 +219,9 @@ def _with_brackets(text: str, plain: str) -> str:
         if more is not None:
             inside, rest = f"{number}{plain[match.end() : end].strip()}", more[0]
             readings = f"{name}({inside}){rest}", f"{name}({inside}{rest})"
-            raise Refusal("answer", text, AMBIGUOUS, plain[match.start() : more.end()], *readings)
+            raise Refusal(
+                "answer", text, REFUSALS["ambiguous"], plain[match.start() : more.end()], *readings
+            )
         parts.append(f"{plain[at : match.start()]}{name}({number})")
         at = end
     plain = "".join(parts) + plain[at:]
@@ -232,7 +230,7 @@ def _with_brackets(text: str, plain: str) -> str:
         inside = plain[match.end() : end]
         angle = _RADIANS.sub("", _DEGREES.sub("", inside))
         if _DEGREES.search(inside) and re.search("pi|π|rad", inside):
-            raise Refusal("answer", text, TWO_ANGLES, f"{match[0]}{inside})")
+            raise Refusal("answer", text, REFUSALS["two-angles"], f"{match[0]}{inside})")
         if _RADIANS.search(inside):
             angle = f"({angle})*180/pi"
         plain = plain[: match.end()] + angle + plain[end:]
@@ -280,7 +278,7 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
     for pattern, readings in _TWO_READINGS:
         if match := pattern.search(plain):
             possible = (reading.format(*match.groups()) for reading in readings)
-            raise Refusal("answer", text, AMBIGUOUS, match[0], *possible)
+            raise Refusal("answer", text, REFUSALS["ambiguous"], match[0], *possible)
     for pattern, written in _REWRITTEN:
         plain = pattern.sub(written, plain)
     plain = _with_roots(plain)
@@ -290,22 +288,22 @@ def _value(text: str, plain: str) -> tuple[Fraction, bool, bool]:
         at = int(str(error.limits[-1])) - 1
         for word in re.findall(r"[^\W\d_]{2,}", plain[:at]):
             if word not in (*FUNCTIONS, "pi", "pow"):
-                raise Refusal("answer", text, NO_LETTER, word) from error
+                raise Refusal("answer", text, REFUSALS["no-letter"], word) from error
         rest = (
             (REFUSALS["no-number"], plain[at:]) if plain[at:] else (REFUSALS["unfinished"], plain)
         )
         raise Refusal("answer", text, *rest) from error
     for letter in formula.letters:
         if letter != "pi":
-            raise Refusal("answer", text, NO_LETTER, letter)
+            raise Refusal("answer", text, REFUSALS["no-letter"], letter)
     try:
         value: Fraction = _in_degrees(text, formula).value(_KNOWN, _TYPED)
     except KeyError as error:
-        raise Refusal("answer", text, NO_LETTER, str(error.args[0])) from error
+        raise Refusal("answer", text, REFUSALS["no-letter"], str(error.args[0])) from error
     except ZeroDivisionError as error:
         raise Refusal("answer", text, REFUSALS["over-zero"]) from error
     except OverflowError as error:
-        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT) from error
+        raise Refusal("answer", text, REFUSALS["too-large"], _LARGEST_EXPONENT) from error
     except (ValueError, TypeError) as error:
         if isinstance(error, Refusal) and error.field == "answer":
             raise
@@ -337,7 +335,7 @@ def _in_degrees(text: str, formula: Formula) -> Formula:
     parts = [_in_degrees(text, part) for part in formula.parts]
     if isinstance(formula, Call) and formula.name in OF_ANGLES and "pi" in formula.letters:
         if any(isinstance(part, Call) and part.name in _TO_ANGLES for part in formula):
-            raise Refusal("answer", text, TWO_ANGLES, formula.text)
+            raise Refusal("answer", text, REFUSALS["two-angles"], formula.text)
         one, twice = (abs(parts[0].value({"pi": times * _KNOWN["pi"]}, _TYPED)) for times in (1, 2))
         if twice > one:  # not of 180/pi
             half_turn = Quotient(Number(Fraction(180)), Letter("pi"))
@@ -368,7 +366,7 @@ def _bounded(text: str, typed: TypedNumber) -> TypedNumber:
     """Return the number if the value of a formula may be so large, or so near to 0."""
     most = Fraction(10) ** _LARGEST_EXPONENT
     if typed.value and not 1 / most <= abs(typed.value) <= most:
-        raise Refusal("answer", text, TOO_LARGE, _LARGEST_EXPONENT)
+        raise Refusal("answer", text, REFUSALS["too-large"], _LARGEST_EXPONENT)
     return typed
 
 
@@ -450,4 +448,4 @@ def remark(typed: TypedNumber, value: float) -> Refusal | None:
     away = float(max(ratio, 1 / ratio))
     if away < 1.05:
         return Refusal.saying(REFUSALS["nearly"])
-    return Refusal.saying(REFUSALS["large"] if ratio > 1 else SMALL, f"{away:.2g}")
+    return Refusal.saying(REFUSALS["large"] if ratio > 1 else REFUSALS["small"], f"{away:.2g}")

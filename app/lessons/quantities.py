@@ -52,12 +52,12 @@ from app.model.refusal import REFUSALS, Refusal
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
 
-NO_NAME = REFUSALS["no-name"]
-NO_CELL = REFUSALS["no-cell"]
-DIVIDES_BY_ZERO = REFUSALS["divides-by-zero"]
-TOO_LARGE = REFUSALS["quantities-too-large"]
-NOT_DEFINED = REFUSALS["quantities-not-defined"]
-WITHOUT_VALUE = DIVIDES_BY_ZERO, TOO_LARGE, NOT_DEFINED, REFUSALS["quantities-no-number"]
+WITHOUT_VALUE = (
+    REFUSALS["divides-by-zero"],
+    REFUSALS["quantities-too-large"],
+    REFUSALS["quantities-not-defined"],
+    REFUSALS["quantities-no-number"],
+)
 """Why a formula may have no value in some states."""
 
 WITHIN = 0.01  # tolerance of ``=`` and ``!=`` in a condition: of the larger value, or 1 if one is 0
@@ -113,7 +113,7 @@ def _called(name: str, arguments: Sequence[float]) -> float:
     try:
         return function(*arguments)
     except (ValueError, TypeError):  # outside its domain, or too many arguments
-        raise Refusal("formula", name, NOT_DEFINED) from None
+        raise Refusal("formula", name, REFUSALS["quantities-not-defined"]) from None
 
 
 def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
@@ -134,9 +134,9 @@ def _of(asked: Formula) -> Iterator[None]:
     try:
         yield
     except ZeroDivisionError:
-        raise _refused(asked, DIVIDES_BY_ZERO) from None
+        raise _refused(asked, REFUSALS["divides-by-zero"]) from None
     except OverflowError:
-        raise _refused(asked, TOO_LARGE, LARGEST) from None
+        raise _refused(asked, REFUSALS["quantities-too-large"], LARGEST) from None
 
 
 def _evaluated(
@@ -151,7 +151,7 @@ def _evaluated(
     if math.isnan(value):
         raise _refused(asked, REFUSALS["quantities-no-number"])
     if abs(value) > LARGEST and not (infinite and math.isinf(value)):
-        raise _refused(asked, TOO_LARGE, LARGEST)
+        raise _refused(asked, REFUSALS["quantities-too-large"], LARGEST)
     return value if abs(value) >= NEGLIGIBLE else 0.0
 
 
@@ -163,7 +163,7 @@ def rational(asked: Formula, numbers: Mapping[str, Fraction]) -> Fraction:
     with _of(asked):
         value: Fraction = asked.evaluate(numbers, RATIONAL)
     if abs(value) > _LARGEST:
-        raise _refused(asked, TOO_LARGE, LARGEST)
+        raise _refused(asked, REFUSALS["quantities-too-large"], LARGEST)
     return value if abs(value) >= _NEGLIGIBLE else Fraction(0)
 
 
@@ -254,7 +254,7 @@ class Quantities:
         value = self._looked_up(name)
         if value is None:
             known = (*self.names, *(() if places == () else FUNCTIONS))
-            bound = REFUSALS["no-function"] if places else NO_NAME
+            bound = REFUSALS["no-function"] if places else REFUSALS["no-name"]
             raise Refusal("formula", name, bound, name, _nearest_name(name, known))
         return _part(name, value, places)
 
@@ -314,7 +314,9 @@ class Quantities:
         readings = self.readings
         if name not in readings:
             near = _nearest_name(name, tuple(readings))
-            raise Refusal("formula", f"reading_{name}", NO_NAME, name, f"reading_{near}")
+            raise Refusal(
+                "formula", f"reading_{name}", REFUSALS["no-name"], name, f"reading_{near}"
+            )
         return _numeric(f"reading_{name}", readings[name])
 
     def _coordinate(self, number: int, space: str, part: str) -> float:
@@ -344,7 +346,7 @@ class Quantities:
 def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
     """Return a value, an element of a row, a cell of a matrix, or a probe's coordinate."""
     if any(place < 0 or not place.is_integer() for place in places):
-        raise Refusal("formula", name, NO_CELL, name)
+        raise Refusal("formula", name, REFUSALS["no-cell"], name)
     indices = [int(place) for place in places]
     if callable(value) and len(indices) < 2:  # of the first probe, or of the one with a number
         return float(value(*indices))
@@ -355,7 +357,7 @@ def _part(name: str, value: Any, places: tuple[float, ...]) -> float:
             value = np.reshape(value, (math.isqrt(len(value)), -1))
     shape = np.shape(value)
     if len(shape) != len(indices) or any(i >= n for i, n in zip(indices, shape, strict=True)):
-        raise Refusal("formula", name, NO_CELL, name)
+        raise Refusal("formula", name, REFUSALS["no-cell"], name)
     return float(np.asarray(value)[tuple(indices)])
 
 
@@ -363,7 +365,7 @@ def _numeric(name: str, value: Any) -> Any:
     if value is None:
         raise NotThere(name)
     if isinstance(value, str):
-        raise Refusal("formula", name, NO_CELL, name)
+        raise Refusal("formula", name, REFUSALS["no-cell"], name)
     return value
 
 

@@ -22,9 +22,8 @@ from pathlib import Path
 from statistics import median
 from typing import Any, NamedTuple
 
-from app.document.files import UNREADABLE, UNWRITABLE, blamed_on
+from app.document.files import blamed_on
 from app.lessons.blocks.exercise import LARGEST_SEED
-from app.model.limits import ONE_OF
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, open_regular
 
@@ -38,10 +37,6 @@ AGAIN_AFTER_DAYS = 1, 3, 7  # after how many days an exercise that was not solve
 LARGEST = 2 * 2**20  # size in bytes from which the file becomes the old one; about 10 000 answers
 LONGEST_TYPED, LONGEST_NAME = 2000, 1000
 LATEST = 2**34  # in seconds since 1970; a later time is a mistake
-
-A_TEXT = REFUSALS["a-text"]
-AN_ATTEMPT = REFUSALS["an-attempt"]
-DAMAGED = REFUSALS["record-damaged"]
 
 
 class Attempt(NamedTuple):
@@ -67,13 +62,13 @@ class Attempt(NamedTuple):
 def attempt_from(tree: object) -> Attempt:
     """Read an attempt from JSON, perhaps a stranger's; a `Refusal` names the faulty field."""
     if not isinstance(tree, dict):
-        raise Refusal.in_document(AN_ATTEMPT, field="attempt")
+        raise Refusal.in_document(REFUSALS["an-attempt"], field="attempt")
     values: dict[str, Any] = {}
     for name in Attempt._fields:
         if name in tree:
             values[name] = _checked(name, tree[name])
         elif name not in Attempt._field_defaults:
-            raise Refusal.in_document(AN_ATTEMPT, field=name)
+            raise Refusal.in_document(REFUSALS["an-attempt"], field=name)
     return Attempt(**values)
 
 
@@ -84,7 +79,7 @@ _FARTHEST = 40  # how far a review's seed is at most from one that was seen; a t
 def _checked(name: str, value: object) -> object:
     if name == "is_test":
         if value is not None and not isinstance(value, bool):
-            raise Refusal.in_document(ONE_OF, "true, false", field=name, value=value)
+            raise Refusal.in_document(REFUSALS["one-of"], "true, false", field=name, value=value)
         return value
     most = _LARGEST_OF.get(name)
     if most is not None:
@@ -93,16 +88,18 @@ def _checked(name: str, value: object) -> object:
         return value
     value = one_line(name, value, LONGEST_TYPED if name == "typed" else LONGEST_NAME)
     if name == "verdict" and value not in (RIGHT, WRONG, SHOWN):
-        raise Refusal.in_document(ONE_OF, f"{RIGHT}, {WRONG}, {SHOWN}", field=name, value=value)
+        raise Refusal.in_document(
+            REFUSALS["one-of"], f"{RIGHT}, {WRONG}, {SHOWN}", field=name, value=value
+        )
     return value
 
 
 def one_line(name: str, value: object, longest: int) -> str:
     """Return a text without control characters and halves of surrogate pairs, or refuse it."""
     if not isinstance(value, str) or len(value) > longest:
-        raise Refusal.in_document(A_TEXT, longest, field=name)
+        raise Refusal.in_document(REFUSALS["a-text"], longest, field=name)
     if any(unicodedata.category(letter) in ("Cc", "Cs") for letter in value):
-        raise Refusal.in_document(A_TEXT, longest, field=name)
+        raise Refusal.in_document(REFUSALS["a-text"], longest, field=name)
     return value
 
 
@@ -126,7 +123,7 @@ class Record:
         tree |= {"is_test": attempt.is_test}
         # Begins with a line break, because a killed program may have left half a line.
         line = f"\n{json.dumps(tree, ensure_ascii=False)}".encode("utf-8", "replace")
-        with blamed_on(self._path, UNWRITABLE):
+        with blamed_on(self._path, REFUSALS["unwritable"]):
             self._path.parent.mkdir(parents=True, exist_ok=True)
             flags = os.O_WRONLY | os.O_APPEND | os.O_CREAT | getattr(os, "O_NONBLOCK", 0)
             file = os.open(self._path, flags, 0o600)
@@ -159,7 +156,7 @@ class Record:
                     bad += attempt is None
                     attempts += [] if attempt is None else [attempt]
                 if bad:
-                    raise Refusal.in_document(DAMAGED, bad, file=str(path))
+                    raise Refusal.in_document(REFUSALS["record-damaged"], bad, file=str(path))
             except Refusal as error:
                 self.problem = error
         return attempts
@@ -169,7 +166,7 @@ def _lines(path: Path) -> list[bytes]:
     """Return the last lines of a file, so many as a file of ours can have."""
     if not os.path.exists(path):
         return []
-    with blamed_on(path, UNREADABLE), open_regular(path) as file:
+    with blamed_on(path, REFUSALS["files-unreadable"]), open_regular(path) as file:
         size = file.seek(0, os.SEEK_END)
         file.seek(max(0, size - 2 * LARGEST))
         lines = file.read(2 * LARGEST).split(b"\n")

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.document.codec import Path as AnyPath
-from app.document.files import UNREADABLE, blamed_on, content_of
+from app.document.files import blamed_on, content_of
 from app.lessons.blocks.block import Variant
 from app.lessons.course import Course
 from app.lessons.practice import ExerciseMark, course_named, hints_of, verdict_on
@@ -26,8 +26,6 @@ LARGEST = 4 * 2**20  # largest file in bytes
 MOST = 5000  # most answers of a file; the newest are exported
 LONGEST_STUDENT = 100
 _DIGITS = 16
-
-NO_RESULTS = REFUSALS["no-results"]
 
 
 class StudentResults(NamedTuple):
@@ -79,19 +77,19 @@ def digest(course: Course) -> str:
 
 def read(path: AnyPath) -> StudentResults:
     """Read a file of results; a `Refusal` says what is wrong with it."""
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         content = content_of(path, LARGEST)
         try:
             text, note = decode(content)
             tree = json.loads(text)
         except (ValueError, RecursionError) as error:
-            raise Refusal.in_document(NO_RESULTS) from error
+            raise Refusal.in_document(REFUSALS["no-results"]) from error
         if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-            raise Refusal.in_document(NO_RESULTS)
+            raise Refusal.in_document(REFUSALS["no-results"])
         log_warning(path, note)
         version, answers = tree.get("version"), tree.get("answers")
         if type(version) is not int or not isinstance(answers, list):
-            raise Refusal.in_document(NO_RESULTS)
+            raise Refusal.in_document(REFUSALS["no-results"])
         if version > VERSION:
             raise Refusal.in_document(REFUSALS["results-newer"], version, VERSION)
         if len(answers) > MOST:

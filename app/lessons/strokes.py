@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
-from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, content_of, write_bytes_atomically
+from app.document.files import blamed_on, content_of, write_bytes_atomically
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode
 
@@ -14,7 +14,6 @@ LARGEST = 8 * 2**20  # most bytes of a file
 COLOURS = ("ink", "u", "v", "n")
 """Names of the colours of a pen, as in `app.drawings.style.Style`; projectors have `accent`."""
 _READABLE = (*COLOURS, "accent", "near")  # colours of strokes in files
-NO_STROKES = REFUSALS["no-strokes"]
 
 Strokes: TypeAlias = Mapping[str, Sequence["Stroke"]]
 """By the names of the steps, and of the pictures that their answers show."""
@@ -54,8 +53,8 @@ def write_strokes(talk: Path, strokes: Strokes) -> Path:
     try:
         read_strokes(talk)
     except Refusal as error:
-        with blamed_on(path, UNWRITABLE):
-            if error.bound == NO_STROKES:
+        with blamed_on(path, REFUSALS["unwritable"]):
+            if error.bound == REFUSALS["no-strokes"]:
                 os.replace(path, f"{path}.bak")
     write_bytes_atomically(path, json.dumps({"strokes": tree}).encode())
     return path
@@ -66,14 +65,14 @@ def read_strokes(talk: Path) -> dict[str, tuple[Stroke, ...]]:
     path = path_beside(talk)
     if not os.path.exists(path):
         return {}
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         content = content_of(path, LARGEST)
         try:
             tree = json.loads(decode(content)[0])["strokes"]
             return {str(step): tuple(map(_stroke, drawn)) for step, drawn in tree.items()}
         except (ValueError, TypeError, LookupError, ArithmeticError,
                 AttributeError, RecursionError) as error:  # fmt: skip
-            raise Refusal.in_document(NO_STROKES) from error
+            raise Refusal.in_document(REFUSALS["no-strokes"]) from error
 
 
 def _stroke(part: Any) -> Stroke:

@@ -17,18 +17,16 @@ from typing import NamedTuple
 from app.document.codec import Path as AnyPath
 from app.document.codec import to_json
 from app.document.document import Document, is_mesh
-from app.document.files import UNREADABLE, blamed_on, write, write_bytes_atomically
+from app.document.files import blamed_on, write, write_bytes_atomically
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
 from app.lecture.letters import LETTERS, Letters
-from app.lessons.blocks.block import BESIDE
 from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode
 
-NOT_IN_WORDS = REFUSALS["not-in-words"]
 NEW_TALK_MINUTES = 2  # planned minutes for the first step of a talk, until the teacher changes them
 
 
@@ -50,7 +48,7 @@ def assignments(document: Document, letters: Letters | None = None) -> list[str]
         if _gives(start, texts, wanted) and "\n" not in "".join(texts.values())
     ]  # fmt: skip
     if not lists:
-        raise Refusal.in_document(NOT_IN_WORDS, field="state")
+        raise Refusal.in_document(REFUSALS["not-in-words"], field="state")
     texts = min((_needed(start, each, wanted) for each in lists), key=len)
     first = {"scene": document.scene} | ({"mesh": document.mesh} if document.mesh else {})
     return [f"{path}={text}" for path, text in (first | texts).items()]
@@ -171,7 +169,7 @@ def add_step(
     """
     _check_own(path)
     before = read(path)
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         content = Path(path).read_bytes()
         mark, text = content.startswith(codecs.BOM_UTF8) * codecs.BOM_UTF8, decode(content)[0]
         names = [step.name for step in before.steps]
@@ -192,7 +190,7 @@ def add_step(
 def begin_talk(path: AnyPath, title: str, document: Document, *, panes: bool = False) -> None:
     """Begin a talk with a state, in a new file or over an old one; see `add_step`."""
     _check_own(path)
-    with blamed_on(path, UNREADABLE):
+    with blamed_on(path, REFUSALS["files-unreadable"]):
         given = document.view.letters
         letters = given if given in LETTERS else None  # those of a file go with the document
         line = [f"letters: {letters}"] if letters else []
@@ -233,10 +231,10 @@ def _step(lesson: Lesson, title: str, name: str, document: Document, panes: bool
     beside = None
     try:
         if panes and document.view.panes:
-            raise Refusal.in_document(NOT_IN_WORDS, field="view.panes")
+            raise Refusal.in_document(REFUSALS["not-in-words"], field="view.panes")
         values = [_named(text, folder) for text in assignments(document, lesson.letters)]
     except Refusal as error:
-        if error.bound != NOT_IN_WORDS:
+        if error.bound != REFUSALS["not-in-words"]:
             raise
         stem = f"{lesson.path.stem}-{name}"
         beside = folder / _free(stem, lambda each: os.path.lexists(folder / each), ".json")
@@ -262,7 +260,7 @@ def _named(assignment: str, folder: Path) -> str:
 def _beside(file: str, folder: Path, field: str) -> str:
     real = Path(os.path.realpath(file))
     if not real.is_relative_to(folder):
-        raise Refusal.in_document(BESIDE, field=field, value=os.path.basename(file))
+        raise Refusal.in_document(REFUSALS["beside"], field=field, value=os.path.basename(file))
     return real.relative_to(folder).as_posix()
 
 

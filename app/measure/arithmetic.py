@@ -19,7 +19,7 @@ from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkCommonTransforms import vtkPerspectiveTransform
 
 from app.measure.reference import Truth, sample, truth
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import MEASURE
@@ -56,9 +56,6 @@ CHEAP: dict[str, dict[str, str]] = {
     "float32, reciprocal table, 2 Newton steps": _OWN | {"reciprocal": "newton2"},
 }
 """What numpy can only imitate, judged but not timed: settings of the scene ``cheap-arithmetic``."""
-
-NO_POINTS = MEASURE["no-points"]
-NOT_INSTALLED = MEASURE["not-installed"]
 
 
 class TimedProjection(NamedTuple):
@@ -219,7 +216,7 @@ def peers(
         try:
             projections[name] = make(importlib.import_module(module))
         except ModuleNotFoundError:
-            missing[name] = NOT_INSTALLED
+            missing[name] = MEASURE["not-installed"]
         except Exception as error:  # whatever a library does when it is imported
             missing[name] = f"{type(error).__name__}: {error}"
     return projections, missing
@@ -235,7 +232,7 @@ def measure(
     """Measure trade 1 with the scene's vertices (n, 3); `origin` as for `summed`."""
     world = looked_at(projection, points_world)
     if not len(world):
-        return without_numbers("arithmetic", "ns", "px", NO_POINTS)
+        return without_numbers("arithmetic", "ns", "px", MEASURE["no-points"])
     judged, where = sample(world)
     reference = truth(projection, judged)
     predicted = predict(projection, world, origin) or {}
@@ -272,7 +269,7 @@ def measure(
         use |= {f"settings.{setting}": value for setting, value in settings.items()}
         # Snapping and reciprocals save no memory, so they have no place among the formats.
         size = None if hardware.vertices == "float32" else hardware.bytes_per_vertex
-        choices.append(_choice(name, errors, prediction, note or IN_SOFTWARE, use, size))
+        choices.append(_choice(name, errors, prediction, note or MEASURE["in-software"], use, size))
     for name, note in missing.items():
         choices.append(ChartPoint(name, None, None, None, note=note, library=True))
     choices.sort(key=lambda choice: choice.library)

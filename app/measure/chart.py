@@ -16,16 +16,7 @@ from typing import Any
 
 import numpy as np
 
-from app.measure.results import (
-    GAPS,
-    MEASURED_ONLY,
-    ChartPoint,
-    Measurements,
-    Sweep,
-    Trade,
-    named,
-    plain,
-)
+from app.measure.results import GAPS, ChartPoint, Measurements, Sweep, Trade, named, plain
 from app.model import parameters
 from app.model.refusal import MEASURE, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
@@ -224,7 +215,7 @@ def _tip(trade: Trade, choice: ChartPoint, translate: Callable[[str], str]) -> s
     name = named(choice.name, translate)
     cost, error = plain(choice.cost, 3), plain(choice.error, 3)
     said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
-    why = "" if choice.use else translate(MEASURED_ONLY).format(name)
+    why = "" if choice.use else translate(MEASURE["measured-only"]).format(name)
     return "; ".join(filter(None, (said, named(choice.note, translate), why)))
 
 

@@ -22,9 +22,6 @@ PAIRS = 10_000  # number of pairs of neighbours at even distances from near to f
 FARTHEST = 1e4  # the pairs' largest distance for an infinite far, in units of near
 _EDGES = 4  # edges of a surface's code and the next two: wide and narrow codes may alternate
 
-NOTHING_APART = MEASURE["nothing-apart"]
-BEYOND = MEASURE["beyond"]
-
 
 def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
     """Measure trade 3 for every format and mapping, at the target.
@@ -52,7 +49,9 @@ def measure(projection: Projection, watch: Watch = unwatched) -> Trade:
         values = _shares(buffer)
         use = {"depth_format": format_, "depth_mapping": mapping}
         if not lens.near < distance < lens.far:
-            choices.append(ChartPoint(name, memory, memory, None, None, values, BEYOND, use))
+            choices.append(
+                ChartPoint(name, memory, memory, None, None, values, MEASURE["beyond"], use)
+            )
             continue
         predicted = float(buffer.gap(distance))
         gap = smallest_gap(buffer, distance)
@@ -89,7 +88,11 @@ def gaps(
             continue
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
         told = Prediction(gap, gap) if math.isfinite(gap) else None
-        answers[name] = told, Prediction(predicted, predicted), "" if told else NOTHING_APART
+        answers[name] = (
+            told,
+            Prediction(predicted, predicted),
+            "" if told else MEASURE["nothing-apart"],
+        )
     return answers
 
 

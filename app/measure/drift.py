@@ -9,11 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from app.measure.arithmetic import NO_POINTS, looked_at
+from app.measure.arithmetic import looked_at
 from app.measure.reference import sample
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection
+from app.model.refusal import MEASURE
 from app.precision.drift import (
     BLOCK,
     drifted,
@@ -55,11 +56,14 @@ def measure(
     """Measure the drift of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return without_numbers("drift", "ns", "px", NO_POINTS)
+        return without_numbers("drift", "ns", "px", MEASURE["no-points"])
     choices, runs = [], {}
     for numbers in ("float16", "float32", "float64"):
         for way, said in _WAYS.items():
-            name, note = f"{numbers}, {said}", IN_SOFTWARE if numbers == "float16" else ""
+            name, note = (
+                f"{numbers}, {said}",
+                MEASURE["in-software"] if numbers == "float16" else "",
+            )
             px, bounds = errors_px(projection, sample(points)[0], *drifted(numbers, way, 1))
             error, predicted = float(np.linalg.norm(px, axis=1).max()), float(bounds.max())
             use = {"scene": "drift", "settings.rounds": "1", "settings.numbers": numbers}

@@ -19,7 +19,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.arithmetic.formats import FORMATS, RECIPROCALS, reciprocal
-from app.measure.results import IN_SOFTWARE, ChartPoint, Trade, without_numbers
+from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.clipping import clip_segments
 from app.model.projection import Array, Projection
@@ -192,7 +192,7 @@ def measure(
             choices.append(
                 ChartPoint(
                     f"perspective-correct, reciprocal {name}", None, None, error,
-                    TEXELS * (lost + off), {"triangles": 2.0}, IN_SOFTWARE,
+                    TEXELS * (lost + off), {"triangles": 2.0}, MEASURE["in-software"],
                     bytes=2.0 * CORRECT_BYTES,
                 )
             )  # fmt: skip

@@ -6,11 +6,12 @@ What follows the subtraction is alike. From the origin or from the object, it is
 
 import numpy as np
 
-from app.measure.arithmetic import MOST_POINTS, NO_POINTS, looked_at
+from app.measure.arithmetic import MOST_POINTS, looked_at
 from app.measure.reference import sample
 from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection
+from app.model.refusal import MEASURE
 from app.scenes.phenomena.jitter import jump_errors, paths_of
 
 _DISTANCE = 5e4
@@ -26,7 +27,7 @@ def measure(
     """Measure the jumps of the scene's vertices (n, 3)."""
     points = looked_at(projection, points_world)
     if not len(points):
-        return without_numbers("jitter", "ns", "px", NO_POINTS)
+        return without_numbers("jitter", "ns", "px", MEASURE["no-points"])
     choices = []
     for way, (name, size) in _WAYS.items():
         wrong, bounds = jump_errors(paths_of(projection, sample(points)[0], way, _DISTANCE))

@@ -17,7 +17,6 @@ GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixe
     "unprojection": 1e-3,
 }
 
-DEPTH = MEASURE["depth"]
 USUAL = {  # the choice that the others are compared with
     "arithmetic": "float32",
     "interpolation": "perspective-correct",
@@ -100,7 +99,7 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
         parts = [choice.name.partition(", ") for choice in (first, last)]
         (cheap, _, cheap_mapping), (fine, _, fine_mapping) = parts
         values = (cheap, _plain(first.error), cheap_mapping, fine, fine_mapping, _plain(last.error))
-        return DEPTH, values
+        return MEASURE["depth"], values
     error = f" {trade.error_unit}"
     low, high = ((c.name, _price(trade, c), _plain(c.error) + error) for c in (first, last))
     if first is last:

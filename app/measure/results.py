@@ -42,12 +42,6 @@ from app.model.refusal import MEASURE, REFUSALS, SENTENCES, Refusal
 FORMAT = "frustum-lab-measurements"
 VERSION = 2
 
-NOT_RESULTS = REFUSALS["not-results"]
-DAMAGED = REFUSALS["results-damaged"]
-MEASURED_ONLY = MEASURE["measured-only"]
-IN_SOFTWARE = MEASURE["in-software"]
-BUSY = MEASURE["busy"]
-UNSTEADY = MEASURE["unsteady"]
 _BUSY = 3.0  # a 95th percentile of more than this many least times comes from other programs
 STEADY = 0.05  # least times that differ by a smaller part are equal: rounds repeat them no better
 COLUMNS = SENTENCES["Measure/columns"]
@@ -74,17 +68,15 @@ EVERY_BUFFER: tuple[str, ...] = (
     "fixed24, logarithmic",
 )  # fmt: skip
 """The formats of the sweep over the distance, with their mapping if it is none of OpenGL."""
-GAP = MEASURE["gap"]
-GAP_THERE = MEASURE["gap-there"]
 WORDS = (  # the translatable parts of the names of choices and columns
     *SENTENCES["Measure/words"].values(),
-    BUSY,
-    UNSTEADY,
+    MEASURE["busy"],
+    MEASURE["unsteady"],
     *COLUMNS.values(),
     *SWEEP_NOTES.values(),
     MEASURE["judged"],
-    GAP,
-    GAP_THERE,
+    MEASURE["gap"],
+    MEASURE["gap-there"],
 )
 
 
@@ -122,8 +114,8 @@ class ChartPoint:
     def doubt(self) -> str:
         """Why the timing is not trusted, such as other programs; empty if it is."""
         if self.cost_p95 is not None and self.cost_p95 > _BUSY * (self.cost or 0.0):
-            return BUSY
-        return "" if self.steady else UNSTEADY
+            return MEASURE["busy"]
+        return "" if self.steady else MEASURE["unsteady"]
 
 
 @dataclass(frozen=True)
@@ -313,15 +305,15 @@ def from_json(text: str, file: str = "The file") -> Measurements:
     try:
         tree = json.loads(text)
     except (ValueError, RecursionError) as error:
-        raise Refusal.saying(NOT_RESULTS, file) from error
+        raise Refusal.saying(REFUSALS["not-results"], file) from error
     if not isinstance(tree, dict) or tree.get("format") != FORMAT:
-        raise Refusal.saying(NOT_RESULTS, file)
+        raise Refusal.saying(REFUSALS["not-results"], file)
     if tree.get("version") != VERSION:
         raise Refusal.saying(REFUSALS["newer-results"], file, tree.get("version"), VERSION)
     try:
         results: Measurements = _read(Measurements, tree, "")
     except (ValueError, OverflowError) as error:
-        raise Refusal.saying(DAMAGED, file, str(error)) from None
+        raise Refusal.saying(REFUSALS["results-damaged"], file, str(error)) from None
     return results
 
 
@@ -454,8 +446,8 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
             rows.append([choice.name, *cells, note])
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
-    judged = GAP if part.parameter in GAPS else JUDGED
-    judged = GAP_THERE if part.parameter == OVER_DISTANCE else judged
+    judged = MEASURE["gap"] if part.parameter in GAPS else JUDGED
+    judged = MEASURE["gap-there"] if part.parameter == OVER_DISTANCE else judged
     notes = filter(None, (judged, SWEEP_NOTES.get(part.parameter)))
     rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):

@@ -6,8 +6,8 @@ from functools import cache
 from pathlib import Path
 
 from app.measure.chart import TITLES, machine
-from app.measure.results import DAMAGED, Measurements, Sweep, Trade, from_json, table
-from app.model.refusal import Refusal
+from app.measure.results import Measurements, Sweep, Trade, from_json, table
+from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, open_regular
 
 SHIPPED = Path(__file__).with_name("content") / "letter-f.json"
@@ -47,7 +47,7 @@ def read_results(path: Path) -> Measurements:
     for name in split(results):
         if name not in TITLES:
             why = f"{json.dumps(name)} is nothing that is measured"
-            raise Refusal.saying(DAMAGED, path.name, why)
+            raise Refusal.saying(REFUSALS["results-damaged"], path.name, why)
     return results
 
 

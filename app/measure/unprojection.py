@@ -10,11 +10,12 @@ from fractions import Fraction
 
 import numpy as np
 
-from app.measure.arithmetic import NO_POINTS, looked_at
+from app.measure.arithmetic import looked_at
 from app.measure.reference import sample
 from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection, Vector
+from app.model.refusal import MEASURE
 from app.precision.unprojecting import WAYS, exact_points, float32_pixels, followed, kept_matrices
 from app.scenes.phenomena.unprojection import origin_away
 
@@ -60,7 +61,7 @@ def measure(
     pixels = float32_pixels(trace.image, trace.depth)
     pixels = pixels[(pixels[:, 2] > 0.0) & (pixels[:, 2] < 1.0)]
     if not len(pixels):
-        return without_numbers("unprojection", "ns", "of the distance", NO_POINTS)
+        return without_numbers("unprojection", "ns", "of the distance", MEASURE["no-points"])
     away = np.linalg.norm(projection.world_from_image(pixels) - projection.camera.eye, axis=1)
     distances = {"error": AWAY, **NEARER}
     origins = {name: origin_away(projection, each) for name, each in distances.items()}

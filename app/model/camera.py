@@ -20,10 +20,6 @@ from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.lenses.answers import Intrinsics
 from app.model.limits import (
-    DISTINCT,
-    NOT_PARALLEL,
-    NOT_THE_EYE,
-    NOT_ZERO,
     SMALLEST_FIELD,
     SMALLEST_OPENING,
     SMALLEST_UP_ANGLE,
@@ -102,14 +98,14 @@ class Camera:
         for field in ("eye", "target", "up"):
             object.__setattr__(self, field, finite_vector(field, getattr(self, field)))
         if self.eye == self.target:
-            raise Refusal("target", self.target, NOT_THE_EYE)
+            raise Refusal("target", self.target, REFUSALS["not-the-eye"])
         if self.up == (0.0, 0.0, 0.0):
-            raise Refusal("up", self.up, NOT_ZERO)
+            raise Refusal("up", self.up, REFUSALS["not-zero"])
         backward, right = self._exact_axes
         up = _whole(self.up)[0]
         sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
         if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
-            raise Refusal("up", self.up, NOT_PARALLEL)
+            raise Refusal("up", self.up, REFUSALS["not-parallel"])
 
     @cached_property
     def _exact_axes(self) -> tuple[Whole, Whole]:
@@ -210,7 +206,7 @@ class Camera:
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))
         if math.dist([e - t for e, t in zip(eye, target, strict=True)], offset) > 1e-6 * distance:
-            raise Refusal("distance", distance, DISTINCT, 0)
+            raise Refusal("distance", distance, REFUSALS["distinct"], 0)
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)
         else:
@@ -303,7 +299,7 @@ def rotation_from_quaternion(wxyz: Sequence[float]) -> Array:
     """Return the rotation of a quaternion of any length but 0, Hamilton's convention, (3, 3)."""
     length = math.hypot(*wxyz)
     if length == 0.0:
-        raise Refusal("quaternion", tuple(wxyz), NOT_ZERO)
+        raise Refusal("quaternion", tuple(wxyz), REFUSALS["not-zero"])
     w, x, y, z = (part / length for part in wxyz)
     return np.array(
         [

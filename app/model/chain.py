@@ -26,10 +26,7 @@ from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, dot, eliminate, nearest, product
 from app.model.formula import Letter
 from app.model.limits import (
-    INVERTIBLE,
     LARGEST,
-    NOT_ZERO,
-    ONE_OF,
     Array,
     Row,
     Vector,
@@ -54,10 +51,6 @@ NOT_TRANSFORMED = QT_TRANSLATE_NOOP("Stage", "the scene's objects are given in w
 FLATTENED = QT_TRANSLATE_NOOP(
     "Stage", "a scale of 0 flattens the object: it has no inverse and no normals"
 )
-NO_KIND = REFUSALS["no-kind"]
-SO_MANY = REFUSALS["so-many"]
-A_CHAIN = REFUSALS["a-chain"]
-TOO_LARGE = REFUSALS["chain-too-large"]
 
 MOST_TILES = 8
 LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
@@ -179,10 +172,10 @@ class Tile:
         kind = KINDS.get(self.kind) if isinstance(self.kind, str) else None
         if kind is None:
             near = nearest_word(str(self.kind), KINDS)
-            raise Refusal("chain", self.kind, NO_KIND, ", ".join(KINDS), near)
+            raise Refusal("chain", self.kind, REFUSALS["no-kind"], ", ".join(KINDS), near)
         field, numbers = kind.field, tuple(self.numbers)
         if len(numbers) != len(kind.neutral):
-            raise Refusal(field, numbers, SO_MANY, len(kind.neutral), self.kind)
+            raise Refusal(field, numbers, REFUSALS["so-many"], len(kind.neutral), self.kind)
         numbers = tuple(finite(field, part) + 0.0 for part in numbers)
         keep_checked(self, numbers=numbers)
         if field == "matrix":
@@ -190,9 +183,14 @@ class Tile:
                 raise Refusal(field, numbers[12:], REFUSALS["has-w"])
             rows = [[*map(Fraction, numbers[i : i + 3])] for i in (0, 4, 8)]
             if (rank := eliminate(rows).rank) < 3:
-                raise Refusal(field, tuple(numbers[i : i + 3] for i in (0, 4, 8)), INVERTIBLE, rank)
+                raise Refusal(
+                    field,
+                    tuple(numbers[i : i + 3] for i in (0, 4, 8)),
+                    REFUSALS["invertible"],
+                    rank,
+                )
         if self.kind == "rotate" and not any(numbers[:3]):
-            raise Refusal(field, numbers[:3], NOT_ZERO)
+            raise Refusal(field, numbers[:3], REFUSALS["not-zero"])
         if field in ("scale", "shear", "matrix"):
             for place, part in enumerate(numbers):
                 if field != "matrix" or place % 4 < 3:
@@ -207,13 +205,13 @@ class Tile:
         kind = next((name for n in (2, 1) if (name := " ".join(words[:n])) in KINDS), "")
         if not kind:
             near = nearest_word(" ".join(words[:2]), KINDS)
-            raise Refusal("chain", text, NO_KIND, ", ".join(KINDS), near)
+            raise Refusal("chain", text, REFUSALS["no-kind"], ", ".join(KINDS), near)
         values, count = numbers_in(" ".join(words[len(kind.split()) :])), len(KINDS[kind].neutral)
         if values is None or len(values) != count:
             raise Refusal(
                 "chain",
                 text,
-                *((SO_MANY, count, kind) if count else (REFUSALS["no-numbers"], kind)),
+                *((REFUSALS["so-many"], count, kind) if count else (REFUSALS["no-numbers"], kind)),
             )
         return cls(kind, tuple(values), is_off)
 
@@ -286,10 +284,10 @@ class Chain:
 
     def __post_init__(self) -> None:
         if isinstance(self.tiles, str) or not isinstance(self.tiles, Iterable):
-            raise Refusal("chain", self.tiles, A_CHAIN)
+            raise Refusal("chain", self.tiles, REFUSALS["a-chain"])
         tiles = tuple(self.tiles)
         if not all(isinstance(tile, Tile) for tile in tiles):
-            raise Refusal("chain", tiles, A_CHAIN)
+            raise Refusal("chain", tiles, REFUSALS["a-chain"])
         if len(tiles) > MOST_TILES:
             raise Refusal(
                 "chain", tiles[MOST_TILES].text, REFUSALS["chain-too-many"], MOST_TILES, len(tiles)
@@ -299,7 +297,7 @@ class Chain:
             for row in self.exact[:3]:
                 for part, limit in zip(row, _LIMITS, strict=True):
                     if abs(part) > _SLACK * limit:
-                        raise Refusal("chain", self.text, TOO_LARGE, limit)
+                        raise Refusal("chain", self.text, REFUSALS["chain-too-large"], limit)
 
     @classmethod
     def read(cls, text: str) -> Chain:
@@ -543,7 +541,7 @@ class FiveTiles:
         for field in ("translate", "rotate_deg", "scale"):
             keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
         if not isinstance(self.order, str) or self.order not in ORDERS:
-            raise Refusal("order", self.order, ONE_OF, ", ".join(ORDERS))
+            raise Refusal("order", self.order, REFUSALS["one-of"], ", ".join(ORDERS))
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

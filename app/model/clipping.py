@@ -25,9 +25,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.limits import DISTINCT, NOT_ZERO, within
-from app.model.projection import AT_LEAST, DEPTH_RANGES, FINITE_NUMBER, ONE_OF, PLANES, Array
-from app.model.refusal import Refusal
+from app.model.limits import within
+from app.model.projection import DEPTH_RANGES, PLANES, Array
+from app.model.refusal import REFUSALS, Refusal
 
 LARGEST_CLIP = 1e307  # largest clip coordinate: sums and differences of four of them stay finite
 
@@ -84,31 +84,31 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
     try:
         given = np.asarray(value)
     except ValueError:  # rows of different lengths
-        raise Refusal(field, value, FINITE_NUMBER) from None
+        raise Refusal(field, value, REFUSALS["finite-number"]) from None
     if given.dtype.kind not in "iuf" or given.shape[-1:] != (size,):
-        raise Refusal(field, value, FINITE_NUMBER)
+        raise Refusal(field, value, REFUSALS["finite-number"])
     points = given.astype(np.float64)
     wrong = ~(np.abs(points) <= LARGEST_CLIP)
     if wrong.any():
         number = float(points[wrong][0])
         if not math.isfinite(number):
-            raise Refusal(field, number, FINITE_NUMBER)
+            raise Refusal(field, number, REFUSALS["finite-number"])
         within(field, number, -LARGEST_CLIP, LARGEST_CLIP)
     if size == 4:
         zero = ~points.any(axis=-1)
         if zero.any():
-            raise Refusal(field, tuple(points[zero][0].tolist()), NOT_ZERO)
+            raise Refusal(field, tuple(points[zero][0].tolist()), REFUSALS["not-zero"])
     return points
 
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
     """Check the names, and return which of `PLANES` are chosen."""
     if not isinstance(depth, str) or depth not in DEPTH_RANGES:
-        raise Refusal("depth", depth, ONE_OF, ", ".join(DEPTH_RANGES))
+        raise Refusal("depth", depth, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
     names = [planes] if isinstance(planes, str) else list(planes)
     for name in names:
         if name not in PLANES:
-            raise Refusal("planes", name, ONE_OF, ", ".join(PLANES))
+            raise Refusal("planes", name, REFUSALS["one-of"], ", ".join(PLANES))
     return np.array([plane in names for plane in PLANES])
 
 
@@ -123,7 +123,7 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
     wrong = opposite.all(axis=-1)
     if wrong.any():
         end = tuple(ends[wrong][0].tolist())
-        raise Refusal(field, end, DISTINCT, "the opposite of the segment's other end")
+        raise Refusal(field, end, REFUSALS["distinct"], "the opposite of the segment's other end")
 
 
 # --------------------------------------------------------------------------- the six planes
@@ -258,7 +258,7 @@ def clip_polygon(
     chosen = _chosen(planes, depth)
     points = _points("points_clip", points_clip, 4)
     if points.ndim != 2 or len(points) < 3:
-        raise Refusal("points_clip", len(np.atleast_2d(points)), AT_LEAST, 3)
+        raise Refusal("points_clip", len(np.atleast_2d(points)), REFUSALS["at-least"], 3)
     _refuse_opposite("points_clip", points, np.roll(points, -1, axis=0))
     edges: list[str | None] = [None] * len(points)
     for index in np.flatnonzero(chosen):

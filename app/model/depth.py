@@ -27,8 +27,8 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from app.model.limits import within
-from app.model.projection import DEPTH_RANGES, FINITE_NUMBER, ONE_OF, Array, Lens, Perspective
-from app.model.refusal import Refusal
+from app.model.projection import DEPTH_RANGES, Array, Lens, Perspective
+from app.model.refusal import REFUSALS, Refusal
 
 Codes: TypeAlias = NDArray[np.uint8] | NDArray[np.uint16] | NDArray[np.uint32]
 
@@ -76,13 +76,13 @@ class DepthBuffer:
             ("mapping", self.mapping, MAPPINGS),
         ):
             if not isinstance(value, str) or value not in known:
-                raise Refusal(field, value, ONE_OF, ", ".join(known))
+                raise Refusal(field, value, REFUSALS["one-of"], ", ".join(known))
         far = self.far  # raises a refusal for a typed matrix
         if self.mapping == "logarithmic":
             if not self.lens.depth_slope:
-                raise Refusal("mapping", self.mapping, ONE_OF, ", ".join(DEPTH_RANGES))
+                raise Refusal("mapping", self.mapping, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
             if far == math.inf:
-                raise Refusal("far", far, FINITE_NUMBER)
+                raise Refusal("far", far, REFUSALS["finite-number"])
 
     @property
     def near(self) -> float:
@@ -127,7 +127,7 @@ class DepthBuffer:
         )
         if wrong.any():
             allowed = f"the whole numbers from 0 to {kind.largest}"
-            raise Refusal("code", codes[wrong][0].tolist(), ONE_OF, allowed)
+            raise Refusal("code", codes[wrong][0].tolist(), REFUSALS["one-of"], allowed)
         if kind.float_type is None:
             depth = codes / kind.largest
             rest = (kind.largest - codes.astype(np.int64)) / kind.largest
@@ -204,15 +204,15 @@ class DepthBuffer:
         try:
             given = np.asarray(value)
         except ValueError:  # rows of different lengths
-            raise Refusal("distance", value, FINITE_NUMBER) from None
+            raise Refusal("distance", value, REFUSALS["finite-number"]) from None
         if given.dtype.kind not in "iuf":
-            raise Refusal("distance", value, FINITE_NUMBER)
+            raise Refusal("distance", value, REFUSALS["finite-number"])
         distances = given.astype(np.float64)
         inside = (distances >= self.near) & (distances <= self.far)
         if not inside.all():
             wrong = float(distances[~inside][0])
             if math.isnan(wrong):
-                raise Refusal("distance", wrong, FINITE_NUMBER)
+                raise Refusal("distance", wrong, REFUSALS["finite-number"])
             within("distance", wrong, self.near, self.far)
         return distances
 

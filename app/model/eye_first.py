@@ -14,9 +14,9 @@ from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.model.chain import WorldPoints
 from app.model.lenses.lens import EyeLens
-from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
+from app.model.limits import BEYOND, LARGEST, Array, Vector
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, empty_trace
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 _CHUNK = 16384  # larger blocks start a second OpenBLAS thread, which slows a software renderer
 _LARGE_STRETCH = 2.0**24  # `Pipeline.stretch` up to which dot products of 75 bits suffice
@@ -173,7 +173,7 @@ class EyeFirst:
             x, y = self._lens.outwards(x, y, distance)
         nowhere = ~(np.abs(x) + np.abs(y) + np.abs(distance) < BEYOND)
         if nowhere.any():
-            raise Refusal("depth", float(depth[nowhere][0]), NO_POINT)
+            raise Refusal("depth", float(depth[nowhere][0]), REFUSALS["no-point"])
         # With twice the digits, so that a round trip stays within 1e-15 of w.
         view = [DoubleDouble(part, np.zeros_like(part)) for part in (x, y, -distance)]
         world = np.empty_like(points)

@@ -32,15 +32,6 @@ LONGEST = 400  # characters
 DEEPEST = 30  # nested brackets, signs and functions
 LARGEST_DEGREE = 100  # factors of the largest product, with all powers multiplied out
 
-TOO_LONG = REFUSALS["formula-too-long"]
-TOO_DEEP = REFUSALS["formula-too-deep"]
-TOO_LARGE = REFUSALS["formula-too-large"]
-UNKNOWN = REFUSALS["formula-unknown"]
-EXPECTED = REFUSALS["expected"]
-UNCLOSED = REFUSALS["formula-unclosed"]
-WHOLE_POWER = REFUSALS["whole-power"]
-LEFT_OVER = REFUSALS["left-over"]
-
 
 def _refused(text: str, position: int, bound: Bound, figure: object) -> Refusal:
     """Refuse a text that is not a formula from a position on, counted from 0."""
@@ -293,7 +284,7 @@ class _FormulaParser:
     def __init__(self, text: str) -> None:
         self._text = text
         if len(text) > LONGEST:
-            raise _refused(text, LONGEST, TOO_LONG, LONGEST)
+            raise _refused(text, LONGEST, REFUSALS["formula-too-long"], LONGEST)
         self._tokens = list(self._read())
         self._next = 0
         self._depth = 0
@@ -305,7 +296,7 @@ class _FormulaParser:
             match = _TOKEN.match(self._text, at)
             if match is None:
                 at += len(self._text[at:]) - len(self._text[at:].lstrip())
-                raise _refused(self._text, at, UNKNOWN, self._text[at])
+                raise _refused(self._text, at, REFUSALS["formula-unknown"], self._text[at])
             assert match.lastgroup is not None
             token = match[match.lastgroup]
             yield _Token(match.lastgroup, _ALIKE.get(token, token), match.start(match.lastgroup))
@@ -315,7 +306,7 @@ class _FormulaParser:
     def whole(self) -> Formula:
         formula = self._sum()
         if self._token.kind != "end":
-            raise self._refused(LEFT_OVER)
+            raise self._refused(REFUSALS["left-over"])
         _degree(formula, self._text)
         return formula
 
@@ -337,7 +328,7 @@ class _FormulaParser:
     def _sum(self) -> Formula:
         self._depth += 1
         if self._depth > DEEPEST:
-            raise _refused(self._text, self._token.position, TOO_DEEP, DEEPEST)
+            raise _refused(self._text, self._token.position, REFUSALS["formula-too-deep"], DEEPEST)
         formula = self._product()
         while sign := self._taken("+", "-"):
             formula = _PAIRS[sign](formula, self._product())
@@ -355,7 +346,7 @@ class _FormulaParser:
             return self._power()
         self._depth += 1
         if self._depth > DEEPEST:
-            raise _refused(self._text, self._token.position, TOO_DEEP, DEEPEST)
+            raise _refused(self._text, self._token.position, REFUSALS["formula-too-deep"], DEEPEST)
         formula = Negative(self._signed())
         self._depth -= 1
         return formula
@@ -366,9 +357,11 @@ class _FormulaParser:
             return base
         sign = -1 if self._taken("-") else 1
         if self._token.kind != "number" or not self._token.text.isdigit():
-            raise self._refused(WHOLE_POWER)
+            raise self._refused(REFUSALS["whole-power"])
         if len(self._token.text) > len(str(LARGEST_DEGREE)):
-            raise _refused(self._text, self._token.position, TOO_LARGE, LARGEST_DEGREE)
+            raise _refused(
+                self._text, self._token.position, REFUSALS["formula-too-large"], LARGEST_DEGREE
+            )
         exponent = sign * int(self._token.text)
         self._next += 1
         return Power(base, exponent)
@@ -388,14 +381,14 @@ class _FormulaParser:
             self._close()
             return Call(token.text, tuple(arguments))
         if not self._taken("("):
-            raise self._refused(EXPECTED)
+            raise self._refused(REFUSALS["expected"])
         formula = self._sum()
         self._close()
         return formula
 
     def _close(self) -> None:
         if not self._taken(")"):
-            raise self._refused(UNCLOSED)
+            raise self._refused(REFUSALS["formula-unclosed"])
 
 
 def _degree(formula: Formula, text: str) -> int:
@@ -411,7 +404,7 @@ def _degree(formula: Formula, text: str) -> int:
     else:
         degree = 1
     if degree > LARGEST_DEGREE and any(isinstance(part, Power) for part in formula):
-        raise _refused(text, text.find("^"), TOO_LARGE, LARGEST_DEGREE)
+        raise _refused(text, text.find("^"), REFUSALS["formula-too-large"], LARGEST_DEGREE)
     return degree
 
 

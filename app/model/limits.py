@@ -54,38 +54,10 @@ Decimal coordinates are rounded by up to half an ulp; closer to parallel, the fr
 these errors.
 """
 
-FINITE_NUMBER = REFUSALS["finite-number"]
-ABOVE = REFUSALS["above"]
-AT_LEAST = REFUSALS["at-least"]
-AT_MOST = REFUSALS["at-most"]
-BETWEEN = REFUSALS["between"]
-NEAR_BEFORE_FAR = REFUSALS["near-before-far"]
-LEFT_BEFORE_RIGHT = REFUSALS["left-before-right"]
-BOTTOM_BEFORE_TOP = REFUSALS["bottom-before-top"]
-THREE_NUMBERS = REFUSALS["three-numbers"]
-NOT_THE_EYE = REFUSALS["not-the-eye"]
-NOT_THE_TARGET = REFUSALS["not-the-target"]
-NOT_ZERO = REFUSALS["not-zero"]
-NOT_PARALLEL = REFUSALS["not-parallel"]
-TWO_SIDES = REFUSALS["two-sides"]
-REAL_NUMBERS = REFUSALS["real-numbers"]
-ROWS_OF = REFUSALS["rows-of"]
-EQUAL_ROWS = REFUSALS["equal-rows"]
-NOTHING_MASKED = REFUSALS["nothing-masked"]
-FINITE_NUMBERS = REFUSALS["finite-numbers"]
-NUMBERS_UP_TO = REFUSALS["numbers-up-to"]
-WHOLE_PIXELS = REFUSALS["whole-pixels"]
-ONE_OF = REFUSALS["one-of"]
-DISTINCT = REFUSALS["distinct"]
-WIDER = REFUSALS["wider"]
-NO_POINT = REFUSALS["no-point"]
-INVERTIBLE = REFUSALS["invertible"]
-FOUR_BY_FOUR = REFUSALS["four-by-four"]
-SMALL_INVERSE = REFUSALS["small-inverse"]
 OTHER_SIDE = {
-    NEAR_BEFORE_FAR: ("far", REFUSALS["far-beyond-near"]),
-    LEFT_BEFORE_RIGHT: ("right", REFUSALS["right-of-left"]),
-    BOTTOM_BEFORE_TOP: ("top", REFUSALS["top-above-bottom"]),
+    REFUSALS["near-before-far"]: ("far", REFUSALS["far-beyond-near"]),
+    REFUSALS["left-before-right"]: ("right", REFUSALS["right-of-left"]),
+    REFUSALS["bottom-before-top"]: ("top", REFUSALS["top-above-bottom"]),
 }
 """For the bound of one field, the opposite field and its bound.
 
@@ -105,7 +77,7 @@ def keep_checked(frozen: object, **values: object) -> None:
 def real(field: str, value: Any) -> float:
     """A real number as a float, perhaps infinite, or a `Refusal`."""
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
-        raise Refusal(field, value, FINITE_NUMBER)
+        raise Refusal(field, value, REFUSALS["finite-number"])
     try:
         return float(value)
     except OverflowError:  # an int of more than 308 digits
@@ -117,7 +89,7 @@ def finite(field: str, value: Any) -> float:
     """A finite number up to `LARGEST` as a float, or a `Refusal`."""
     number = real(field, value)
     if not math.isfinite(number):
-        raise Refusal(field, number, FINITE_NUMBER)
+        raise Refusal(field, number, REFUSALS["finite-number"])
     return within(field, number, -LARGEST, LARGEST)
 
 
@@ -125,16 +97,16 @@ def positive(field: str, value: Any) -> float:
     """A finite number above 0 as a float, or a `Refusal`."""
     number = finite(field, value)
     if number <= 0.0:
-        raise Refusal(field, number, ABOVE, 0)
+        raise Refusal(field, number, REFUSALS["above"], 0)
     return number
 
 
 def within(field: str, number: float, low: float, high: float) -> float:
     """A number inside a closed interval, or a `Refusal` that names the violated end."""
     if number < low:
-        raise Refusal(field, number, AT_LEAST, low)
+        raise Refusal(field, number, REFUSALS["at-least"], low)
     if number > high:
-        raise Refusal(field, number, AT_MOST, high)
+        raise Refusal(field, number, REFUSALS["at-most"], high)
     return number
 
 
@@ -143,12 +115,12 @@ def between(field: str, value: Any, low: int, high: int) -> float:
     try:
         number = finite(field, value)
     except Refusal as error:
-        if error.bound == FINITE_NUMBER:
+        if error.bound == REFUSALS["finite-number"]:
             raise
         # Infinity is beyond every number, and so beyond these bounds.
-        raise Refusal(field, error.value, BETWEEN, low, high) from None
+        raise Refusal(field, error.value, REFUSALS["between"], low, high) from None
     if not low < number < high:
-        raise Refusal(field, number, BETWEEN, low, high)
+        raise Refusal(field, number, REFUSALS["between"], low, high)
     return number
 
 
@@ -164,12 +136,12 @@ def finite_vector(field: str, value: Any) -> Vector:
         if isinstance(value, (str, bytes)) or len(parts) != 3:
             raise TypeError
     except TypeError:
-        raise Refusal(field, value, THREE_NUMBERS) from None
+        raise Refusal(field, value, REFUSALS["three-numbers"]) from None
     for part in parts:
         if isinstance(part, bool) or not isinstance(part, numbers.Real):
-            raise Refusal(field, value, THREE_NUMBERS)
+            raise Refusal(field, value, REFUSALS["three-numbers"])
         if not math.isfinite(real(field, part)):
-            raise Refusal(field, parts, THREE_NUMBERS)
+            raise Refusal(field, parts, REFUSALS["three-numbers"])
     x, y, z = (finite(field, part) for part in parts)
     return x, y, z
 
@@ -181,7 +153,7 @@ def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
         if len(rows) != 4 or any(len(row) != 4 for row in rows):
             raise TypeError
     except TypeError:
-        raise Refusal(field, value, FOUR_BY_FOUR) from None
+        raise Refusal(field, value, REFUSALS["four-by-four"]) from None
     checked = tuple(
         tuple(_cell(f"{field}[{i}, {j}]", part, smallest) for j, part in enumerate(row))
         for i, row in enumerate(rows)

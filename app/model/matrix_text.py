@@ -15,8 +15,6 @@ SIZES = (9, 12, 16)  # how many numbers a matrix may have: 3x3, 3x4 or 4x3, and 
 
 LONGEST = 20_000  # most characters of a text that may be a matrix
 
-NOT_FINITE = REFUSALS["matrix-text-not-finite"]
-
 
 def read_matrix(
     text: str, field: str = "matrix", sizes: Sequence[int] = SIZES
@@ -182,7 +180,7 @@ class _MatrixTextReader:
             if kind == "word" and token[0] in "\"'" and _QUOTED.fullmatch(token):
                 kind, token = "number", token[1:-1]
             if kind == "not_finite":
-                raise _refused(NOT_FINITE, token)
+                raise _refused(REFUSALS["matrix-text-not-finite"], token)
             if sign and kind not in ("number", "blank"):
                 raise _not_read(sign)
             if word and kind not in ("names", "open", "blank"):
@@ -239,7 +237,7 @@ class _MatrixTextReader:
         except ZeroDivisionError:
             raise _not_read(text) from None
         if not math.isfinite(number):
-            raise _refused(NOT_FINITE, text[:40])
+            raise _refused(REFUSALS["matrix-text-not-finite"], text[:40])
         self.lines[-1].append(number)
         self.count += 1
         self.places.append("".join(re.findall("[0-9]", label[-8:])))

@@ -20,7 +20,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from app.model.limits import ONE_OF, Vector, finite, finite_vector, within
+from app.model.limits import Vector, finite, finite_vector, within
 from app.model.refusal import REFUSALS, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
@@ -29,7 +29,6 @@ Read: TypeAlias = Callable[[Any], Any]  # returns a value of a `Projection`
 Write: TypeAlias = Callable[[Any, Any], Any]  # returns the `Projection` with another value
 
 CLOSE = 1e-7  # relative to a number, or its slider's length: a nearer number is the chosen one
-YES_OR_NO = REFUSALS["yes-or-no"]
 PARTS: dict[str, Part] = {
     "lens": "lens", "camera": "camera", "image": "image_size", "": "depth", "object": "placement",
 }  # fmt: skip
@@ -156,12 +155,12 @@ class Parameter:
         """The value in the setting's type; a `Refusal` for another kind, or out of bounds."""
         if isinstance(self.default, bool):
             if not isinstance(value, bool):
-                raise Refusal(self.path, value, YES_OR_NO)
+                raise Refusal(self.path, value, REFUSALS["yes-or-no"])
             return value
         if isinstance(self.default, str):
             known = [name for name, _ in self.choices]
             if value not in known:
-                raise Refusal(self.path, value, ONE_OF, ", ".join(known))
+                raise Refusal(self.path, value, REFUSALS["one-of"], ", ".join(known))
             return str(value)
         if isinstance(self.default, tuple):
             return finite_vector(self.path, value)

@@ -20,8 +20,6 @@ from app.model.lenses.oblique import BETA as BETA
 from app.model.lenses.perspective import FOV_Y as FOV_Y
 from app.model.parameter import Computed, Parameter, stated
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
     LARGEST_SHEAR,
     LENSES,
     OBLIQUE_PRESETS,
@@ -37,7 +35,7 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
 _SAME_ANGLE_DEG = 1e-9  # rounding error of a preset's angle in a file
@@ -95,7 +93,11 @@ def _angles(projection: Projection) -> tuple[float, float]:
 def _with_receding(projection: Projection, numbers: Receding) -> Projection:
     receding = numbers.receding
     if abs(receding) > LARGEST_SHEAR and math.isfinite(receding):
-        bound, limit = (AT_MOST, LARGEST_SHEAR) if receding > 0.0 else (AT_LEAST, -LARGEST_SHEAR)
+        bound, limit = (
+            (REFUSALS["at-most"], LARGEST_SHEAR)
+            if receding > 0.0
+            else (REFUSALS["at-least"], -LARGEST_SHEAR)
+        )
         raise Refusal(RECEDING.name, receding, bound, limit)
     return projection.with_angles(*oblique_angles(*numbers))
 

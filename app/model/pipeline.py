@@ -18,28 +18,16 @@ from app.model.lenses import Lens, Perspective
 from app.model.lenses.answers import Axis, ExactLens, Window
 from app.model.lenses.oblique import COTS
 from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
     DEPTH_RANGES,
-    EQUAL_ROWS,
-    FINITE_NUMBERS,
     LARGEST,
     LARGEST_IMAGE_PX,
     LARGEST_INVERSE,
-    NOTHING_MASKED,
-    NUMBERS_UP_TO,
-    ONE_OF,
-    REAL_NUMBERS,
-    ROWS_OF,
-    SMALL_INVERSE,
-    TWO_SIDES,
-    WHOLE_PIXELS,
     Array,
     DepthRange,
     keep_checked,
     read_only,
 )
-from app.model.refusal import Bound, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 from app.model.tables import VIEWPORT, PipelineStep, evaluated, inverse, rounded
 
 HalfSpaces: TypeAlias = list[tuple[tuple[float, float, float, float], float]]
@@ -149,13 +137,13 @@ class Pipeline:
             if len(size) != 2 or isinstance(self.image_size, str):
                 raise TypeError
         except TypeError:
-            raise Refusal("image", self.image_size, TWO_SIDES) from None
+            raise Refusal("image", self.image_size, REFUSALS["two-sides"]) from None
         for name, side in zip(("width", "height"), size, strict=True):
             is_number = isinstance(side, numbers.Real) and not isinstance(side, bool)
             if not is_number or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
-                raise Refusal(name, side, WHOLE_PIXELS, LARGEST_IMAGE_PX)
+                raise Refusal(name, side, REFUSALS["whole-pixels"], LARGEST_IMAGE_PX)
         if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
-            raise Refusal("depth", self.depth, ONE_OF, ", ".join(DEPTH_RANGES))
+            raise Refusal("depth", self.depth, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
         self.lens.check_image(Fraction(*self.image_size))
 
@@ -323,7 +311,7 @@ class Pipeline:
         view_from_clip = inverse("clip_from_view", self.exact_clip_from_view)
         whole = product(inverse("view_from_world", self.exact_from_eye[0]), view_from_clip)
         if max(abs(part) for row in whole for part in row) > LARGEST_INVERSE:
-            raise Refusal("clip_from_view", self.clip_from_view.tolist(), SMALL_INVERSE)
+            raise Refusal("clip_from_view", self.clip_from_view.tolist(), REFUSALS["small-inverse"])
         return whole
 
     @cached_property
@@ -410,7 +398,7 @@ class Pipeline:
         Raises a `Refusal` for a coordinate that is not a finite number, and for another space.
         """
         if space not in SPACES:
-            raise Refusal("space", space, ONE_OF, ", ".join(SPACES))
+            raise Refusal("space", space, REFUSALS["one-of"], ", ".join(SPACES))
         given = checked_points(points).reshape(-1, 3)
         if space == "world" or self.placement.is_identity:
             return WorldPoints.at(given)
@@ -431,24 +419,28 @@ def checked_points(points: ArrayLike, widths: tuple[int, ...] = (3,)) -> Array:
     try:
         given = np.asanyarray(points)
     except ValueError:  # rows of different lengths
-        raise Refusal("points", points, EQUAL_ROWS) from None
+        raise Refusal("points", points, REFUSALS["equal-rows"]) from None
     if isinstance(given, np.ma.MaskedArray) and given.mask.any():
-        _refuse_first(given, np.ma.getmaskarray(given), NOTHING_MASKED)
+        _refuse_first(given, np.ma.getmaskarray(given), REFUSALS["nothing-masked"])
     if given.dtype.kind not in "iuf" and given.size:
         cells = np.array(points, dtype=object)
         if not cells.ndim:
-            raise Refusal("points", points, FINITE_NUMBERS)
-        _refuse_first(cells, ~np.array(_is_real(cells), dtype=bool), FINITE_NUMBERS)
-        _refuse_first(cells, np.array(abs(cells) > LARGEST, dtype=bool), NUMBERS_UP_TO, LARGEST)
-        raise Refusal("points.dtype", str(given.dtype), REAL_NUMBERS)
+            raise Refusal("points", points, REFUSALS["finite-numbers"])
+        _refuse_first(cells, ~np.array(_is_real(cells), dtype=bool), REFUSALS["finite-numbers"])
+        _refuse_first(
+            cells, np.array(abs(cells) > LARGEST, dtype=bool), REFUSALS["numbers-up-to"], LARGEST
+        )
+        raise Refusal("points.dtype", str(given.dtype), REFUSALS["real-numbers"])
     if given.shape[-1:] not in [(width,) for width in widths]:
-        raise Refusal("points.shape", given.shape, ROWS_OF, " or ".join(map(str, widths)))
+        raise Refusal(
+            "points.shape", given.shape, REFUSALS["rows-of"], " or ".join(map(str, widths))
+        )
     with np.errstate(over="ignore"):  # of longer floats
         checked = np.array(given, dtype=np.float64)
     if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
         return checked
-    _refuse_first(checked, ~np.isfinite(checked), FINITE_NUMBERS)
-    _refuse_first(checked, np.abs(checked) > LARGEST, NUMBERS_UP_TO, LARGEST)
+    _refuse_first(checked, ~np.isfinite(checked), REFUSALS["finite-numbers"])
+    _refuse_first(checked, np.abs(checked) > LARGEST, REFUSALS["numbers-up-to"], LARGEST)
     return checked
 
 
@@ -474,7 +466,10 @@ def checked_pixels(points_image: ArrayLike) -> Array:
     """Pixels with a depth in [0, 1] as a new float64 array, (..., 3), or a `Refusal`."""
     points = checked_points(points_image)
     depth = points[..., 2]
-    for wrong, bound, limit in ((depth < 0.0, AT_LEAST, 0), (depth > 1.0, AT_MOST, 1)):
+    for wrong, bound, limit in (
+        (depth < 0.0, REFUSALS["at-least"], 0),
+        (depth > 1.0, REFUSALS["at-most"], 1),
+    ):
         if wrong.any():
             raise Refusal("depth", float(depth[wrong][0]), bound, limit)
     return points

@@ -62,19 +62,11 @@ from app.model.lenses.perspective import (
     fov_y_from_window,
 )
 from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
-    BETWEEN,
     DEPTH_RANGES,
-    FINITE_NUMBER,
     LARGEST,
     LARGEST_IMAGE_PX,
     LARGEST_SHEAR,
-    NOT_THE_EYE,
-    ONE_OF,
     PLANES,
-    THREE_NUMBERS,
-    WHOLE_PIXELS,
     Array,
     DepthRange,
     Vector,
@@ -82,19 +74,17 @@ from app.model.limits import (
     read_only,
 )
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
 
 __all__ = [  # the other packages import the model from here
-    "AT_LEAST", "AT_MOST", "BETWEEN", "DEPTH_RANGES", "FINITE_NUMBER", "LARGEST",
-    "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "NOT_THE_EYE", "OBLIQUE_PRESETS", "ONE_OF",
-    "PLANES", "THREE_NUMBERS", "WHOLE_PIXELS", "Array", "Camera", "Chain", "DepthRange",
-    "FreeMatrix", "Frustum", "Intrinsics", "Lens", "Oblique", "Orbit", "Orthographic",
-    "Perspective", "Projection", "Rationals", "Space", "Stage", "Trace", "Vector", "WorldPoints",
-    "checked_points", "focal_length_35mm", "focal_length_e", "fov_x_from_fov_y",
-    "fov_y_from_focal_length_35mm", "fov_y_from_focal_length_e", "fov_y_from_window", "kinds",
-    "oblique_angles", "receding_of",
+    "DEPTH_RANGES", "LARGEST", "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "OBLIQUE_PRESETS",
+    "PLANES", "Array", "Camera", "Chain", "DepthRange", "FreeMatrix", "Frustum", "Intrinsics",
+    "Lens", "Oblique", "Orbit", "Orthographic", "Perspective", "Projection", "Rationals", "Space",
+    "Stage", "Trace", "Vector", "WorldPoints", "checked_points", "focal_length_35mm",
+    "focal_length_e", "fov_x_from_fov_y", "fov_y_from_focal_length_35mm",
+    "fov_y_from_focal_length_e", "fov_y_from_window", "kinds", "oblique_angles", "receding_of",
 ]  # fmt: skip
 
 Passage: TypeAlias = EyeFirst | TypedCells
@@ -206,7 +196,7 @@ class Projection(Pipeline):
         returns to that lens.
         """
         if kind not in kinds():
-            raise Refusal("kind", kind, ONE_OF, ", ".join(kinds()))
+            raise Refusal("kind", kind, REFUSALS["one-of"], ", ".join(kinds()))
         if kind == self.lens.kind:
             return self
         if self.lens.former is not self.lens:

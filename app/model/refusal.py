@@ -40,8 +40,9 @@ def _sentences() -> dict[str, dict[str, str]]:
 SENTENCES = _sentences()
 """The texts of the page, by section and name."""
 REFUSALS = cast(Mapping[str, Bound], SENTENCES["Refusal"])
-DESCRIPTION, MEASURE, HEALTH = (SENTENCES[name] for name in ("Description", "Measure", "Health"))
-THE_DOCUMENT = REFUSALS["the-document"]
+DESCRIPTION, MEASURE, HEALTH, MATRIX = (
+    SENTENCES[name] for name in ("Description", "Measure", "Health", "Matrix")
+)
 SHOWN_DIGITS = 6  # displayed digits of a bound, and of a dragged value
 _SHOWN = 100
 _LONGEST_WRITTEN = 60
@@ -103,7 +104,7 @@ class Refusal(ValueError):
         if len(file) > _LONGEST_FILE:
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
-            return f"{file or translate(THE_DOCUMENT)} {bound}."
+            return f"{file or translate(REFUSALS['the-document'])} {bound}."
         place = f"{file}: " if file else ""
         if self.value is ...:
             return f"{place}{self.field} {bound}."

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import Rationals, eliminate
 from app.model.formula import EXACT, Arithmetic, Formula, parse
-from app.model.limits import INVERTIBLE, Array, read_only
-from app.model.refusal import QT_TRANSLATE_NOOP, Refusal
+from app.model.limits import Array, read_only
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 Table: TypeAlias = tuple[tuple[Formula, ...], ...]  # a (4, 4) matrix of formulas
 
@@ -44,7 +44,9 @@ def inverse(field: str, matrix: Rationals) -> Rationals:
     """The inverse of a matrix of rationals, or a `Refusal` that names the field."""
     rank, _, inverted = eliminate(matrix)
     if inverted is None:
-        raise Refusal(field, tuple(map(tuple, rounded(matrix).tolist())), INVERTIBLE, rank)
+        raise Refusal(
+            field, tuple(map(tuple, rounded(matrix).tolist())), REFUSALS["invertible"], rank
+        )
     return inverted
 
 

@@ -9,9 +9,9 @@ import numpy as np
 
 from app.arithmetic.double_double import DoubleDouble
 from app.model.chain import WorldPoints
-from app.model.limits import BEYOND, LARGEST, NO_POINT, Array, Vector
+from app.model.limits import BEYOND, LARGEST, Array, Vector
 from app.model.pipeline import HalfSpaces, Pipeline, Trace, checked_pixels, checked_points
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import rounded
 
 RAY_REACH = 10.0  # length of a drawn ray to infinity, in units of the target's distance
@@ -111,7 +111,7 @@ class TypedCells:
             world = offsets[..., :3] / offsets[..., 3:] + self._of.camera.eye
         nowhere = ~(np.abs(world).max(axis=-1) < BEYOND)
         if nowhere.any():
-            raise Refusal("depth", float(points[..., 2][nowhere][0]), NO_POINT)
+            raise Refusal("depth", float(points[..., 2][nowhere][0]), REFUSALS["no-point"])
         return np.asarray(world)
 
     def coordinates(self, points: WorldPoints, one: int) -> tuple[Sequence[DoubleDouble], Array]:

@@ -39,8 +39,8 @@ from app.model.parameters import (
     TRANSLATE,
     UP,
 )  # fmt: skip
-from app.model.projection import LENSES, ONE_OF, Array, Chain, Projection, Vector
-from app.model.refusal import Refusal
+from app.model.projection import LENSES, Array, Chain, Projection, Vector
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.sight import Sight, heading
 
 Change: TypeAlias = dict[str, "float | Vector | Chain"]
@@ -285,7 +285,7 @@ def dollied(projection: Projection, factor: float) -> Change:
     Raises a `Refusal` if a typed view matrix has replaced the camera.
     """
     if not projection.has_camera:
-        raise Refusal("kind", projection.lens.kind, ONE_OF, ", ".join(LENSES))
+        raise Refusal("kind", projection.lens.kind, REFUSALS["one-of"], ", ".join(LENSES))
     eye, target = np.array(projection.camera.eye), np.array(projection.camera.target)
     return {EYE.name: vector(target + factor * (eye - target))}
 

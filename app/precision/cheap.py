@@ -17,8 +17,8 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import Rationals, nearest
-from app.model.projection import ONE_OF, Array, Projection, Vector, checked_points
-from app.model.refusal import Refusal
+from app.model.projection import Array, Projection, Vector, checked_points
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
@@ -56,7 +56,7 @@ class Hardware:
         ):
             value = getattr(self, field)
             if not isinstance(value, str) or value not in known:
-                raise Refusal(field, value, ONE_OF, ", ".join(known))
+                raise Refusal(field, value, REFUSALS["one-of"], ", ".join(known))
 
     @property
     def bytes_per_vertex(self) -> float:

@@ -29,8 +29,8 @@ from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.formats import Quotients
 from app.model.infinity import trace_at_infinity
 from app.model.pipeline import empty_trace
-from app.model.projection import ONE_OF, Array, Projection, Space, Trace, Vector, WorldPoints
-from app.model.refusal import Refusal
+from app.model.projection import Array, Projection, Space, Trace, Vector, WorldPoints
+from app.model.refusal import REFUSALS, Refusal
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]
 PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")  # from cheapest to most exact
@@ -317,7 +317,7 @@ def trace(
     Raises a `Refusal` for coordinates that are not finite numbers, or an unknown precision.
     """
     if precision not in PRECISIONS:
-        raise Refusal("precision", precision, ONE_OF, ", ".join(PRECISIONS))
+        raise Refusal("precision", precision, REFUSALS["one-of"], ", ".join(PRECISIONS))
     if precision == "float64":
         return projection.trace(points, space)
     placed = projection.placed(points, space)

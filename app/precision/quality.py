@@ -12,8 +12,8 @@ from dataclasses import dataclass, fields
 
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.limits import finite, keep_checked, within
-from app.model.projection import ONE_OF, Projection
-from app.model.refusal import Refusal
+from app.model.projection import Projection
+from app.model.refusal import REFUSALS, Refusal
 
 AUTO = "auto"
 PRECISIONS = (AUTO, "float32", "float64")
@@ -52,7 +52,7 @@ class Quality:
             value = getattr(self, field)
             if not isinstance(value, str) or value not in known:
                 names = ", ".join(name or "''" for name in known)
-                raise Refusal(f"quality.{field}", value, ONE_OF, names)
+                raise Refusal(f"quality.{field}", value, REFUSALS["one-of"], names)
         detail = finite("quality.detail", self.detail)
         keep_checked(self, detail=within("quality.detail", detail, LEAST_DETAIL, 1))
 

@@ -6,22 +6,9 @@ from itertools import product
 from typing import NamedTuple
 
 from app.model.depth import DepthBuffer
-from app.model.limits import INVERTIBLE
 from app.model.projection import PLANES, Projection, Vector
-from app.model.refusal import HEALTH, Refusal
+from app.model.refusal import HEALTH, REFUSALS, Refusal
 from app.precision.levels import Precision, Prediction, precision_for_reading
-
-NO_GAP = HEALTH["no-gap"]
-WIDE_GAP = HEALTH["wide-gap"]
-FEW_DIGITS = HEALTH["few-digits"]
-NO_PICTURE = HEALTH["no-picture"]
-NO_FLOAT32 = HEALTH["no-float32"]
-ROUGH_DRAWING = HEALTH["rough-drawing"]
-NO_INVERSE = HEALTH["no-inverse"]
-LARGE_INVERSE = HEALTH["large-inverse"]
-REACHES_INFINITY = HEALTH["reaches-infinity"]
-VTK_CLAMPS = HEALTH["vtk-clamps"]
-VTK_DROPS = HEALTH["vtk-drops"]
 
 _GAP = 1e-3  # of the scene's size: surfaces closer together than this are drawn
 _SEEN_PX = 0.5  # an error that changes another pixel
@@ -43,8 +30,12 @@ def _why_no_frustum(projection: Projection) -> str:
     try:
         projection.world_from_clip_at(projection.camera.eye)
     except Refusal as error:
-        return NO_INVERSE if error.bound == INVERTIBLE else LARGE_INVERSE
-    return REACHES_INFINITY
+        return (
+            HEALTH["no-inverse"]
+            if error.bound == REFUSALS["invertible"]
+            else HEALTH["large-inverse"]
+        )
+    return HEALTH["reaches-infinity"]
 
 
 def risks(
@@ -66,27 +57,31 @@ def risks(
     corners = list(product(*zip(lower, upper, strict=True)))
     beyond = projection.trace(corners, "object").outside.all(axis=0)
     if beyond.any():
-        present.append(Risk(NO_PICTURE, (PLANES[beyond.argmax()],)))
+        present.append(Risk(HEALTH["no-picture"], (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
     if lens.holds(distance):
         buffer = DepthBuffer("fixed24", projection.depth, lens)
         gap = float(buffer.gap(distance))
         if gap > _GAP * size:
-            present.append(Risk(WIDE_GAP, (f"{gap:.2g}",)) if gap < math.inf else Risk(NO_GAP))
+            present.append(
+                Risk(HEALTH["wide-gap"], (f"{gap:.2g}",))
+                if gap < math.inf
+                else Risk(HEALTH["no-gap"])
+            )
     if drawn != "float32" and drawing_px >= _SEEN_PX:
-        rough = Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))
-        present.append(rough if drawing_px < math.inf else Risk(NO_FLOAT32))
+        rough = Risk(HEALTH["rough-drawing"], (f"{drawing_px:.2g}",))
+        present.append(rough if drawing_px < math.inf else Risk(HEALTH["no-float32"]))
     if predictions is not None and precision_for_reading(predictions) == "exact":
-        present.append(Risk(FEW_DIGITS, tuple(map(_decimals, predictions["float64"]))))
+        present.append(Risk(HEALTH["few-digits"], tuple(map(_decimals, predictions["float64"]))))
     if lens.fov_y_deg is not None:
         if lens.fov_y_deg > _LARGEST_VTK_FOV_DEG:
-            present.append(Risk(VTK_CLAMPS, (f"{_LARGEST_VTK_FOV_DEG:g}",)))
+            present.append(Risk(HEALTH["vtk-clamps"], (f"{_LARGEST_VTK_FOV_DEG:g}",)))
         elif lens.fov_y_deg < _SMALLEST_VTK_FOV_DEG:
-            present.append(Risk(VTK_CLAMPS, (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
+            present.append(Risk(HEALTH["vtk-clamps"], (f"{_SMALLEST_VTK_FOV_DEG:g}",)))
     if not projection.frustum_sign:
         present.append(Risk(_why_no_frustum(projection)))
     if size / lens.eye_room >= _VTK_DROPS_FROM:
-        present.append(Risk(VTK_DROPS, (f"{size / lens.eye_room:.2g}",)))
+        present.append(Risk(HEALTH["vtk-drops"], (f"{size / lens.eye_room:.2g}",)))
     return present
 
 

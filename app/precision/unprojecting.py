@@ -20,9 +20,9 @@ import numpy as np
 
 from app.arithmetic.formats import FORMATS
 from app.arithmetic.rationals import Rationals, dot, nearest, product, rationals
-from app.model.limits import NO_POINT, within
+from app.model.limits import within
 from app.model.projection import Array, Projection, Vector
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import inverse
 from app.precision.cheap import BoundedNumbers, applied, divided, off_rationals
 
@@ -44,7 +44,7 @@ def check_pixel(projection: Projection, pixel: Sequence[float]) -> None:
         within(name, number, 0.0, float(most))
     depth = within("depth", pixel[2], 0.0, 1.0)
     if projection.lens.far == np.inf and depth == (projection.depth != "reversed"):
-        raise Refusal("depth", depth, NO_POINT)
+        raise Refusal("depth", depth, REFUSALS["no-point"])
 
 
 def steps(projection: Projection, way: str, origin: Vector) -> Steps:

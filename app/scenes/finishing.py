@@ -16,10 +16,6 @@ from app.scenes.mesh import PAINT_RGB, Colours, Floats, Ints, Mesh, Progress, re
 from app.scenes.polygons import are_convex, area_vectors, divided, following
 from app.scenes.shapes import DRAWN_RGB, brightness, distinct_rows, flat
 
-ONE_POINT = REFUSALS["one-point"]
-ONE_LINE = REFUSALS["one-line"]
-WRONG_SIZE = REFUSALS["wrong-size"]
-TOO_FAR = REFUSALS["too-far"]
 FARTHEST = 1e12  # largest distance from the origin, in sizes of the mesh: vertices keep four digits
 DIVIDING = 0.9  # progress from which only faces are divided
 FACES_WITH_EDGES = 5_000
@@ -76,15 +72,15 @@ def check(path: Path | str, points: Floats, *, has_area: bool = False) -> None:
     lower, upper = points.min(axis=0), points.max(axis=0)
     size = math.dist(lower, upper)
     if size == 0.0:
-        raise Refusal.saying(ONE_POINT, path)
+        raise Refusal.saying(REFUSALS["one-point"], path)
     if not 1e-30 < size < 1e30:  # the GPU's float32 ends near 1e-38 and 1e38
-        raise Refusal.saying(WRONG_SIZE, path, f"{size:.2g}")
+        raise Refusal.saying(REFUSALS["wrong-size"], path, f"{size:.2g}")
     most = FARTHEST * size
     farthest = max((*lower, *upper), key=abs)
     if abs(farthest) > most:
-        raise Refusal.saying(TOO_FAR, path, f"{farthest:.3g}", f"{most:.1g}")
+        raise Refusal.saying(REFUSALS["too-far"], path, f"{farthest:.3g}", f"{most:.1g}")
     if has_area and _is_on_a_line((points - lower) / size):
-        raise Refusal.saying(ONE_LINE, path)
+        raise Refusal.saying(REFUSALS["one-line"], path)
 
 
 def _is_on_a_line(points: Floats) -> bool:

@@ -13,23 +13,9 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.gltf_data import GltfData
-from app.scenes.mesh import (
-    CUT_OFF,
-    DAMAGED_LINE,
-    NO_MEMORY,
-    NO_SUCH_VERTEX,
-    NOT_OF_KIND,
-    PAINT_RGB,
-    UNSUPPORTED,
-    Floats,
-    Ints,
-    Mesh,
-    MeshSource,
-    joins_left_out,
-    rgb_bytes,
-)
+from app.scenes.mesh import PAINT_RGB, Floats, Ints, Mesh, MeshSource, joins_left_out, rgb_bytes
 from app.scenes.shapes import DRAWN_RGB, flat
 from app.strangers import decode
 
@@ -54,13 +40,13 @@ def read_gltf(source: MeshSource) -> Mesh:
     if data[:4] == b"glTF":
         data, body = _chunks(source, data)
     elif path.suffix.lower() == ".glb":
-        raise Refusal.saying(NOT_OF_KIND, path, "GLB")
+        raise Refusal.saying(REFUSALS["not-of-kind"], path, "GLB")
     if data.count(b"[") + data.count(b"{") > _MOST_BRACKETS:
-        raise Refusal.saying(NO_MEMORY, path)
+        raise Refusal.saying(REFUSALS["no-memory"], path)
     try:
         return _Gltf(source, json.loads(decode(data)[0]), body).mesh()
     except json.JSONDecodeError as error:
-        raise Refusal.saying(DAMAGED_LINE, path, error.lineno, "JSON") from None
+        raise Refusal.saying(REFUSALS["damaged-line"], path, error.lineno, "JSON") from None
     except Refusal:
         raise
     except (UnicodeDecodeError, RecursionError):
@@ -74,10 +60,10 @@ def _chunks(source: MeshSource, data: bytes) -> tuple[bytes, bytes]:
     """Return the description in a .glb file, and the buffer after it."""
     version, size = (int.from_bytes(data[at : at + 4], "little") for at in (4, 12))
     if version != 2:
-        raise Refusal.saying(UNSUPPORTED, source.path, f"glTF {version}.0")
+        raise Refusal.saying(REFUSALS["unsupported"], source.path, f"glTF {version}.0")
     end = 20 + size
     if len(data) < end:
-        raise Refusal.saying(CUT_OFF, source.path)
+        raise Refusal.saying(REFUSALS["cut-off"], source.path)
     size = int.from_bytes(data[end : end + 4], "little")
     is_buffer = data[end + 4 : end + 8] == b"BIN\0"
     return data[20:end], data[end + 8 : end + 8 + size] if is_buffer else b""
@@ -107,7 +93,7 @@ class _Gltf:
         if not version.startswith("2.") or least != "2.0":
             unread = [f"glTF {version if least == '2.0' else least}"]
         if unread:
-            raise Refusal.saying(UNSUPPORTED, source.path, ", ".join(unread))
+            raise Refusal.saying(REFUSALS["unsupported"], source.path, ", ".join(unread))
         self._source, self._content = source, content
         self._data = GltfData(source, content, body)
         self._nodes: list[dict[str, Any]] = content.get("nodes", [])
@@ -270,7 +256,7 @@ class _Gltf:
             attributes, position = primitive["attributes"], primitive["attributes"]["POSITION"]
             is_packed = "bufferView" not in self._data.item("accessors", position)
             if is_packed and _DRACO in primitive.get("extensions", ()):
-                raise Refusal.saying(UNSUPPORTED, self._source.path, _DRACO)
+                raise Refusal.saying(REFUSALS["unsupported"], self._source.path, _DRACO)
             points = corners = self._data.count(position)
             if "indices" in primitive:
                 corners = self._data.count(primitive["indices"])
@@ -307,7 +293,7 @@ class _Gltf:
         mode = primitive.get("mode", 4)
         triangles = _triangles(order, mode)
         if order.max() >= len(points):  # not a vertex of the next mesh
-            raise Refusal.saying(NO_SUCH_VERTEX, self._source.path, len(points))
+            raise Refusal.saying(REFUSALS["no-such-vertex"], self._source.path, len(points))
         if joints is not None:
             mirrored = self._move_by_joints(points, primitive, used, joints)
             triangles = _turned_over(triangles, mirrored[triangles[:, :1]])

@@ -9,8 +9,8 @@ from urllib.parse import unquote
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import Refusal
-from app.scenes.mesh import CUT_OFF, NO_MEMORY, PART, UNSUPPORTED, Floats, MeshSource, full_scale
+from app.model.refusal import REFUSALS, Refusal
+from app.scenes.mesh import Floats, MeshSource, full_scale
 from app.strangers import LARGEST_FILE, open_regular
 
 _TYPES = {5120: "<i1", 5121: "<u1", 5122: "<i2", 5123: "<u2", 5125: "<u4", 5126: "<f4"}
@@ -109,8 +109,8 @@ class GltfData:
             if len(data) < buffer["byteLength"]:
                 packed = ", ".join(sorted(buffer.get("extensions", ())))
                 if packed:  # this buffer stands for what is packed in another one
-                    raise Refusal.saying(UNSUPPORTED, self._source.path, packed)
-                raise Refusal.saying(CUT_OFF, self._source.path)
+                    raise Refusal.saying(REFUSALS["unsupported"], self._source.path, packed)
+                raise Refusal.saying(REFUSALS["cut-off"], self._source.path)
             self._buffers[index] = data
         return self._buffers[index]
 
@@ -118,15 +118,15 @@ class GltfData:
         """Return the bytes of a file in the folder of the mesh."""
         path = self._source.path
         if not _is_beside(path, name):
-            raise Refusal.saying(PART, path, name)
+            raise Refusal.saying(REFUSALS["part"], path, name)
         try:
             with open_regular(path.parent / name) as file:
                 self._beside += os.fstat(file.fileno()).st_size
                 if self._beside > LARGEST_FILE:
-                    raise Refusal.saying(NO_MEMORY, path)
+                    raise Refusal.saying(REFUSALS["no-memory"], path)
                 return file.read()
         except OSError:
-            raise Refusal.saying(PART, path, name) from None
+            raise Refusal.saying(REFUSALS["part"], path, name) from None
 
 
 def _is_beside(path: Path, name: str) -> bool:

@@ -29,30 +29,6 @@ MOST_CORNERS = 100_000  # most corners of a face: its division into triangles ta
 PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
 # Whole sentences, so that they can be translated. Words of a file format stay as they are.
-NO_FILE = REFUSALS["mesh-no-file"]
-UNREADABLE = REFUSALS["unreadable"]
-EMPTY = REFUSALS["mesh-empty"]
-NO_FACES = REFUSALS["no-faces"]
-FACE_SIZE = REFUSALS["face-size"]
-NO_SUCH_VERTEX = REFUSALS["no-such-vertex"]
-NO_SUCH_VERTEX_LINE = REFUSALS["no-such-vertex-line"]
-FEW_CORNERS = REFUSALS["few-corners"]
-FEW_CORNERS_LINE = REFUSALS["few-corners-line"]
-UNUSED = REFUSALS["unused"]
-UNUSED_LINE = REFUSALS["unused-line"]
-NOT_FINITE_LINE = REFUSALS["not-finite-line"]
-NOT_FINITE = REFUSALS["not-finite"]
-TOO_MUCH = REFUSALS["too-much"]
-NO_MEMORY = REFUSALS["no-memory"]
-NOT_OF_KIND = REFUSALS["not-of-kind"]
-CUT_OFF = REFUSALS["cut-off"]
-CUT_OFF_TRIANGLES = REFUSALS["cut-off-triangles"]
-CUT_OFF_ROWS = REFUSALS["cut-off-rows"]
-MORE_ROWS = REFUSALS["more-rows"]
-DAMAGED = REFUSALS["damaged"]
-DAMAGED_LINE = REFUSALS["damaged-line"]
-UNSUPPORTED = REFUSALS["unsupported"]
-PART = REFUSALS["part"]
 
 
 @dataclass(eq=False)
@@ -90,19 +66,19 @@ class Mesh:
         vertices, sizes = len(self.points), np.diff(self.offsets)
         for size in (int(sizes.min()), int(sizes.max())) if len(sizes) else ():
             if not 3 <= size <= MOST_CORNERS:
-                raise Refusal.saying(FACE_SIZE, path, size, MOST_CORNERS)
+                raise Refusal.saying(REFUSALS["face-size"], path, size, MOST_CORNERS)
         for kind, named in self._named.items():
             wrong = np.flatnonzero((named < 0) | (named >= vertices))
             if wrong.size and kind in self.rows:
                 line = self._line_of(kind, int(wrong[0]))
-                raise Refusal.saying(NO_SUCH_VERTEX_LINE, path, line, vertices)
+                raise Refusal.saying(REFUSALS["no-such-vertex-line"], path, line, vertices)
             if wrong.size:
-                raise Refusal.saying(NO_SUCH_VERTEX, path, vertices)
+                raise Refusal.saying(REFUSALS["no-such-vertex"], path, vertices)
         is_lost = np.asarray(~np.isfinite(self.points).all(axis=1))
         if is_lost.any():
             self._drop_lost_points(path, is_lost)
         if not (len(sizes) or self.lines.size or self.dots.size):
-            raise Refusal.saying(NO_FACES, path, vertices)
+            raise Refusal.saying(REFUSALS["no-faces"], path, vertices)
 
     @property
     def _named(self) -> dict[str, Ints]:
@@ -121,13 +97,15 @@ class Mesh:
             uses = np.flatnonzero(is_lost[self._named[kind]])
             if uses.size and kind in self.rows:
                 line = int(self.rows["points"][self._named[kind][uses[0]]])
-                raise Refusal.saying(NOT_FINITE_LINE, path, line, self._line_of(kind, int(uses[0])))
+                raise Refusal.saying(
+                    REFUSALS["not-finite-line"], path, line, self._line_of(kind, int(uses[0]))
+                )
             if uses.size or is_lost.all():
-                raise Refusal.saying(NOT_FINITE, path, int(is_lost.sum()), len(is_lost))
+                raise Refusal.saying(REFUSALS["not-finite"], path, int(is_lost.sum()), len(is_lost))
         is_kept = ~is_lost[self.dots]
         self.dots = self.dots[is_kept]
         self.dot_rgb = None if self.dot_rgb is None else self.dot_rgb[is_kept]
-        self._note(UNUSED, UNUSED_LINE, "points", is_lost)
+        self._note(REFUSALS["unused"], REFUSALS["unused-line"], "points", is_lost)
 
     def drop_small_faces(self, path: Path) -> None:
         """Drop the faces of fewer than three different corners."""
@@ -145,7 +123,7 @@ class Mesh:
             is_small[which] = ~np.logical_or.reduceat(is_third, starts)
         if not is_small.any():
             return
-        self._note(FEW_CORNERS, FEW_CORNERS_LINE, "faces", is_small)
+        self._note(REFUSALS["few-corners"], REFUSALS["few-corners-line"], "faces", is_small)
         if is_small.all() and not (self.lines.size or self.dots.size):
             template, *parts = self.notes[-1]
             raise Refusal.saying(template, path, *parts)
@@ -213,11 +191,11 @@ class MeshSource:
         needed = 2 * (24 * vertices + 8 * corners) + (8 + 8) * faces
         if triangles > most or needed > most_bytes:
             limits = triangles, needed >> 20, most, most_bytes >> 20
-            raise Refusal.saying(TOO_MUCH, self.path, *limits)
+            raise Refusal.saying(REFUSALS["too-much"], self.path, *limits)
 
     def fail(self, what: str) -> NoReturn:
         """Refuse the file because of an unsupported word of its format."""
-        raise Refusal.saying(DAMAGED, self.path, what)
+        raise Refusal.saying(REFUSALS["damaged"], self.path, what)
 
 
 def numbers_in(
@@ -270,14 +248,14 @@ def open_mesh(path: Path) -> BinaryIO:
     try:
         file = open_regular(path)
     except FileNotFoundError:
-        raise Refusal.saying(NO_FILE, path) from None
+        raise Refusal.saying(REFUSALS["mesh-no-file"], path) from None
     except OSError as error:
-        raise Refusal.saying(UNREADABLE, path, error.strerror) from None
+        raise Refusal.saying(REFUSALS["unreadable"], path, error.strerror) from None
     except ValueError as error:  # a zero byte, or a name that no file of this system can have
-        raise Refusal.saying(UNREADABLE, repr(str(path)), error) from None
+        raise Refusal.saying(REFUSALS["unreadable"], repr(str(path)), error) from None
     if os.fstat(file.fileno()).st_size == 0:
         file.close()
-        raise Refusal.saying(EMPTY, path)
+        raise Refusal.saying(REFUSALS["mesh-empty"], path)
     head = file.read(4096)
     file.seek(0)
     encoding = encoding_of(head)

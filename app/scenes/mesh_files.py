@@ -14,18 +14,10 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import Cancelled, Refusal
+from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes.gltf import read_gltf
 from app.scenes.mesh import (
-    CUT_OFF,
-    CUT_OFF_TRIANGLES,
-    DAMAGED,
-    DAMAGED_LINE,
     LARGEST,
-    NO_MEMORY,
-    NOT_FINITE_LINE,
-    NOT_OF_KIND,
-    UNSUPPORTED,
     Colours,
     Floats,
     Ints,
@@ -60,11 +52,11 @@ def read(path: Path, progress: Progress | None = None, largest: tuple[int, int] 
                 mesh = _READERS[path.suffix.lower()](MeshSource(path, file, progress, largest))
             mesh.check(path)
         except MemoryError:
-            raise Refusal.saying(NO_MEMORY, path) from None
+            raise Refusal.saying(REFUSALS["no-memory"], path) from None
         except (Refusal, Cancelled):
             raise
         except Exception as error:  # no reader can foresee everything in a stranger's file
-            raise Refusal.saying(DAMAGED, path, type(error).__name__) from error
+            raise Refusal.saying(REFUSALS["damaged"], path, type(error).__name__) from error
     mesh.drop_unused_points()
     return mesh
 
@@ -87,7 +79,7 @@ def _read_obj(source: MeshSource) -> Mesh:
         except ValueError:
             lines = text.splitlines(keepends=True)
             wrong = lines_before + wrong_line(lines, lambda some: _obj_mesh(b"".join(some)))
-            raise Refusal.saying(DAMAGED_LINE, source.path, wrong, "OBJ") from None
+            raise Refusal.saying(REFUSALS["damaged-line"], source.path, wrong, "OBJ") from None
         for kind, (indices, sizes, before) in named.items():
             from_start = indices - 1
             if (indices < 0).any():  # counted back from the last vertex before the element
@@ -229,15 +221,15 @@ def _read_stl(source: MeshSource) -> Mesh:
         count = max(present, 0)
     turned = int.from_bytes(head[80:84], "big")
     if len(head) >= 84 and turned != count and 84 + 50 * turned == source.size > 84:
-        raise Refusal.saying(UNSUPPORTED, source.path, "big-endian")
+        raise Refusal.saying(REFUSALS["unsupported"], source.path, "big-endian")
     if len(head) >= 84 and count <= present:
         corners = _stl_binary(source, count)
     elif b"\0" in head and len(head) >= 84 and count <= LARGEST[0]:
-        raise Refusal.saying(CUT_OFF_TRIANGLES, source.path, present, count)
+        raise Refusal.saying(REFUSALS["cut-off-triangles"], source.path, present, count)
     elif re.match(rb"(?:\s*#[^\n]*\n)*\s*(solid|facet\s)", head, re.IGNORECASE):
         corners = _stl_text(source)
     else:
-        raise Refusal.saying(NOT_OF_KIND, source.path, "STL")
+        raise Refusal.saying(REFUSALS["not-of-kind"], source.path, "STL")
     source.report(0.3)
     points, merged = distinct_rows(corners)
     source.report(0.4)
@@ -283,7 +275,7 @@ def _stl_text(source: MeshSource) -> Floats:
         blocks.append(numbers)
         source.report(min(0.3, 0.3 * source.file.tell() / source.size))
     if b"vertex" in _without_stl_names(rest):
-        raise Refusal.saying(CUT_OFF, source.path)
+        raise Refusal.saying(REFUSALS["cut-off"], source.path)
     return np.concatenate(blocks).reshape(-1, 3)
 
 
@@ -295,7 +287,7 @@ def _refuse_stl_line(source: MeshSource) -> None:
         words = line.lower().split()
         facet = number if words[:1] == [b"facet"] else facet
         if words[:1] == [b"endloop"] and corners != 3:
-            raise Refusal.saying(DAMAGED_LINE, source.path, facet, "STL")
+            raise Refusal.saying(REFUSALS["damaged-line"], source.path, facet, "STL")
         corners = corners + 1 if words[:1] == [b"vertex"] else 0
         if corners:
             try:
@@ -303,9 +295,9 @@ def _refuse_stl_line(source: MeshSource) -> None:
             except ValueError:
                 numbers = np.empty(0)
             if len(numbers) != 3:
-                raise Refusal.saying(DAMAGED_LINE, source.path, number, "STL")
+                raise Refusal.saying(REFUSALS["damaged-line"], source.path, number, "STL")
             if not np.isfinite(numbers).all():
-                raise Refusal.saying(NOT_FINITE_LINE, source.path, number, facet)
+                raise Refusal.saying(REFUSALS["not-finite-line"], source.path, number, facet)
 
 
 def _without_stl_names(text: bytes) -> bytes:

@@ -7,13 +7,8 @@ from typing import Any, NamedTuple, NoReturn, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.mesh import (
-    CUT_OFF_ROWS,
-    DAMAGED_LINE,
-    MORE_ROWS,
-    NOT_OF_KIND,
-    UNSUPPORTED,
     Ints,
     Mesh,
     MeshSource,
@@ -103,7 +98,7 @@ def read_ply(source: MeshSource) -> Mesh:
         mesh.rgb = None
         mesh.rows.pop("faces", None)
     if _BEYOND in lines_of and (np.diff(mesh.offsets) < 3).any():  # vertices were taken for faces
-        raise Refusal.saying(MORE_ROWS, source.path, int(lines_of[_BEYOND][0]))
+        raise Refusal.saying(REFUSALS["more-rows"], source.path, int(lines_of[_BEYOND][0]))
     mesh.drop_small_faces(source.path)
     if len(mesh.offsets) == 1:  # a cloud of points
         is_alone = np.ones(len(mesh.points), dtype=bool)
@@ -149,7 +144,7 @@ def _ply_header_and_body(source: MeshSource) -> tuple[list[_Element], bytes, dic
     is_old, head = start is not None and start[1] == b"\r", data[:1_000_000]
     header = _PLY_OF_OLD_MAC.match(head) if is_old else _PLY_HEADER.match(head)
     if header is None:
-        raise Refusal.saying(NOT_OF_KIND, source.path, "PLY")
+        raise Refusal.saying(REFUSALS["not-of-kind"], source.path, "PLY")
     try:
         elements, is_text = _ply_elements(header[0].decode("latin-1"))
         rows_of = {element.name: element.rows for element in elements}
@@ -161,7 +156,7 @@ def _ply_header_and_body(source: MeshSource) -> tuple[list[_Element], bytes, dic
     for each in elements:  # faces by another name: the vertices alone are not what it shows
         is_list = any(column.counter is not None for column in each.properties)
         if is_list and each.rows and each.name not in drawn and not faces:
-            raise Refusal.saying(UNSUPPORTED, source.path, f"element {each.name}")
+            raise Refusal.saying(REFUSALS["unsupported"], source.path, f"element {each.name}")
     needed = 1 + max(place for place, name in enumerate(rows_of) if name in drawn)
     body = data[header.end() :]
     lines_of: dict[str, Ints] = {}
@@ -191,7 +186,7 @@ def _ply_text(
         numbers = numbers_in(body, words=int(ends[filled[-1]]) if filled.size else 0)
     except ValueError:
         wrong = wrong_line(body.splitlines(), lambda lines: numbers_in(b"\n".join(lines)))
-        raise Refusal.saying(DAMAGED_LINE, source.path, before + wrong, "PLY") from None
+        raise Refusal.saying(REFUSALS["damaged-line"], source.path, before + wrong, "PLY") from None
     if len(filled) == 1 < rows:
         return numbers.tobytes(), {}
     marks, first = np.zeros(len(numbers) + 1, dtype=np.int8), 0
@@ -210,7 +205,7 @@ def _ply_text(
         short = np.flatnonzero(at > end)
         if short.size and not (is_open and first == rows and short[0] == element.rows - 1):
             line = before + 1 + int(which[short[0]])
-            raise Refusal.saying(DAMAGED_LINE, source.path, line, element.name)
+            raise Refusal.saying(REFUSALS["damaged-line"], source.path, line, element.name)
         if len(which) - len(short) < element.rows:
             _refuse_cut_off(source, element, len(which) - len(short))
         marks[at] -= 1
@@ -220,7 +215,7 @@ def _ply_text(
 
 
 def _refuse_cut_off(source: MeshSource, element: _Element, there: int) -> NoReturn:
-    raise Refusal.saying(CUT_OFF_ROWS, source.path, there, element.rows, element.name)
+    raise Refusal.saying(REFUSALS["cut-off-rows"], source.path, there, element.rows, element.name)
 
 
 def _ply_elements(header: str) -> tuple[list[_Element], bool]:

@@ -22,7 +22,7 @@ from app import modules
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes import mesh_files as meshes
 from app.scenes.finishing import DIVIDING, Finished, finished
-from app.scenes.mesh import TOO_MUCH, Progress, open_mesh, report
+from app.scenes.mesh import Progress, open_mesh, report
 
 SMALL = 2**20  # most bytes of a file read in this process in the 0.1 s that one takes to start
 SMALL_MESH = 100_000, 32 * 2**20
@@ -33,8 +33,6 @@ DIVIDING_S = 120
 """Longest time between two reports while faces are divided: it grows with the square of a face's
 corners, or faster."""
 MEMORY = 6 * 2**30  # the process's memory limit: `app.scenes.mesh.LARGEST` and the file's text
-ENDED = REFUSALS["ended"]
-TOO_LONG = REFUSALS["too-long"]
 _POLL_S = 0.05
 
 
@@ -52,7 +50,7 @@ def read(path: Path, progress: Progress | None = None) -> Finished:
             if counts[counts > 4].sum() <= SMALL_POLYGONS:
                 return finished(path, mesh, progress)
         except Refusal as error:
-            if error.bound != TOO_MUCH:  # it may still be small enough for the process
+            if error.bound != REFUSALS["too-much"]:  # it may still be small enough for the process
                 raise
     return _read_apart(path, progress)
 
@@ -79,12 +77,12 @@ def _read_apart(path: Path, progress: Progress | None) -> Finished:
                 answer = answers.get(timeout=_POLL_S)
             except Empty:
                 if done >= DIVIDING and time.monotonic() - heard > DIVIDING_S:
-                    raise Refusal.saying(TOO_LONG, path, DIVIDING_S) from None
+                    raise Refusal.saying(REFUSALS["too-long"], path, DIVIDING_S) from None
                 continue
             if isinstance(answer, Finished):
                 return answer
             if answer is None:
-                raise Refusal.saying(ENDED, path)
+                raise Refusal.saying(REFUSALS["ended"], path)
             if "refused" in answer:
                 template, *parts = answer["refused"]
                 raise Refusal.saying(template, path, *parts[1:])

@@ -55,8 +55,6 @@ from app.strangers import printable
 if TYPE_CHECKING:
     from app.scenes.poly_mesh import PolyMesh
 
-NEARLY_A_SCENE = REFUSALS["nearly-a-scene"]
-NO_SURFACE = REFUSALS["no-surface"]
 SAMPLE = 100_000  # number of vertices with which speed is measured for a larger mesh
 _DEEPEST = 4.0  # of a mesh that crosses the bounds, in longest sides of the bounds
 RASTERISED = frozenset({"depth", "texture", "fog", "levels"})
@@ -373,7 +371,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if name_or_path and (is_file_name or os.path.exists(path)):
         return _scene_of_mesh(name_or_path, path, progress)
     likely = difflib.get_close_matches(name_or_path.lower(), BUILT_IN, n=1, cutoff=0.5)
-    template = NEARLY_A_SCENE if likely else REFUSALS["not-a-scene"]
+    template = REFUSALS["nearly-a-scene"] if likely else REFUSALS["not-a-scene"]
     raise Refusal.saying(template, name_or_path, *_but_last(BUILT_IN), *likely)
 
 
@@ -438,7 +436,7 @@ def _scene_of_phenomenon(
         return scene
     mesh = _read_mesh(Path(mesh_path), progress)
     if not len(mesh.corners):
-        raise Refusal.saying(NO_SURFACE, mesh_path, phenomenon.name)
+        raise Refusal.saying(REFUSALS["no-surface"], mesh_path, phenomenon.name)
     lower, upper = mesh.bounds
     room, sides = np.subtract(scene.upper, scene.lower), np.subtract(upper, lower)
     held, place = np.array(centre_of(lower, upper)), np.array(scene.centre)

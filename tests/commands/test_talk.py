@@ -15,8 +15,7 @@ from app.drawings.figure import PANE_PX
 from app.lecture.notation import matrices
 from app.lessons.course import Course
 from app.lessons.lesson import read
-from app.model.limits import NOT_ZERO
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from tests.support.commands import bare_machine, one_sentence, refused, run, run_here
 from tests.support.html import Read
 from tests.support.pdf import content_of, pages_of, printed
@@ -130,7 +129,7 @@ def test_the_next_step_is_drawn_after_one_that_cannot_be(talk: Path) -> None:
     def draw(_document: Any, _pane: str, size: tuple[int, int], _em: float) -> list[Any]:
         sizes.append(size)
         if len(sizes) == 1:
-            raise Refusal("near", 2.0, NOT_ZERO)
+            raise Refusal("near", 2.0, REFUSALS["not-zero"])
         return []
 
     composed, course = Composed(), Course(read(talk))

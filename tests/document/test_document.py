@@ -46,7 +46,6 @@ from app.document.view import FIELDS as VIEW_FIELDS
 from app.document.view import FIXED, LAYERS, PANELS, PANES, STAGES, View
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS
-from app.model.limits import ABOVE
 from app.model.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -58,7 +57,7 @@ from app.model.projection import (
     Projection,
     kinds,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import LATIN_1
@@ -404,9 +403,9 @@ def test_an_error_keeps_its_parts_so_that_it_can_be_translated() -> None:
     with pytest.raises(Refusal) as caught:
         parse(with_value("lens.near", -1))
     error = caught.value
-    assert (error.field, error.value, error.bound) == ("lens.near", -1.0, ABOVE)
+    assert (error.field, error.value, error.bound) == ("lens.near", -1.0, REFUSALS["above"])
     assert error.limits == (0,)
-    words = {ABOVE: "mora biti veći od {0}"}
+    words = {REFUSALS["above"]: "mora biti veći od {0}"}
     assert error.sentence(words.__getitem__) == "lens.near = -1: mora biti veći od 0."
     for clone in (copy.copy(error), pickle.loads(pickle.dumps(error))):
         assert str(clone) == str(error)

@@ -8,7 +8,7 @@ import pytest
 
 from app import api
 from app.drawings.describing import describe
-from app.precision.risks import NO_GAP
+from app.model.refusal import HEALTH
 from app.scenes.scene import load
 
 
@@ -79,7 +79,7 @@ def test_what_is_cut_is_named() -> None:
 
 
 def test_risks_are_those_of_the_health_line() -> None:
-    assert told("lens.near=1e-9").risky[0] == f"{NO_GAP}."
+    assert told("lens.near=1e-9").risky[0] == f"{HEALTH['no-gap']}."
 
 
 def test_views_stages_and_comparisons_are_said() -> None:

@@ -13,13 +13,7 @@ import pytest
 
 from app.lecture.conventions import in_convention, world_planes
 from app.lecture.rounded import moved_px
-from app.lecture.typed_matrix import (
-    NOT_RIGID,
-    properties,
-    readings,
-    rounded_view,
-    with_matrix,
-)
+from app.lecture.typed_matrix import properties, readings, rounded_view, with_matrix
 from app.model.projection import (
     Camera,
     FreeMatrix,
@@ -29,7 +23,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import MATRIX, Refusal
 
 FOV, ASPECT, NEAR, FAR = 60.0, 1.25, 0.1, 1000.0
 SIZE = (1000, 800)
@@ -285,7 +279,7 @@ def test_a_wrong_view_matrix_is_no_camera(rows: Any) -> None:
     cells = np.eye(4)
     cells[:3, :3] = rows
     typed = with_matrix(START, "view_from_world", cells.tolist())
-    assert NOT_RIGID in [each.template for each in properties(typed, "view_from_world")]
+    assert MATRIX["not-rigid"] in [each.template for each in properties(typed, "view_from_world")]
 
 
 @pytest.mark.parametrize("places", [12, 10, 7, 6, 5, 4])

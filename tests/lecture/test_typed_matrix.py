@@ -15,17 +15,7 @@ from hypothesis import strategies as st
 
 from app.arithmetic.rationals import eliminate, product, rationals
 from app.lecture.typed_matrix import (
-    AFFINE,
-    ALL_BEHIND,
     EDITABLE,
-    MIRRORED_CLIP,
-    MIRRORED_VIEW,
-    NOT_AFFINE,
-    NOT_RIGID,
-    SINGULAR,
-    THROUGH_INFINITY,
-    W_IS_NOT_POSITIVE,
-    W_VANISHES,
     properties,
     recognised_camera,
     recognised_lens,
@@ -47,7 +37,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import MATRIX, Refusal
 from app.precision import levels as precision
 from tests.support.frustum import corners_world
 from tests.support.samples import with_depths
@@ -260,7 +250,7 @@ def test_a_shear_that_rounding_cannot_explain_is_no_camera(turn: float) -> None:
     cells[0][1] += turn
     assert recognised_camera(cells, EDIT.camera) is None  # type: ignore[arg-type]
     typed = with_matrix(EDIT, "view_from_world", cells)
-    assert NOT_RIGID in texts(typed, "view_from_world")
+    assert MATRIX["not-rigid"] in texts(typed, "view_from_world")
 
 
 # --------------------------------------------------------------------------- bad input
@@ -301,17 +291,52 @@ UPRIGHT = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, -1.0, 0.0), (0
 @pytest.mark.parametrize(
     ("name", "row", "column", "value", "found"),
     [
-        ("clip_from_view", 0, 1, 0.5, [NOT_AFFINE, W_VANISHES]),
-        ("clip_from_view", 0, 0, 0.0, [SINGULAR, NOT_AFFINE, W_VANISHES]),
-        ("clip_from_view", 0, 0, -1.0, [MIRRORED_CLIP, NOT_AFFINE, W_VANISHES]),
-        ("clip_from_view", 3, 2, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
-        ("clip_from_view", 3, 2, 1.0, [MIRRORED_CLIP, ALL_BEHIND, NOT_AFFINE, W_VANISHES]),
-        ("clip_from_view", 2, 2, 0.0, [THROUGH_INFINITY, NOT_AFFINE, W_VANISHES]),
-        ("clip_from_view", 3, 0, 0.05, [NOT_AFFINE, W_VANISHES]),
-        ("view_from_world", 0, 0, -1.0, [MIRRORED_VIEW, NOT_RIGID, AFFINE]),
-        ("view_from_world", 0, 0, 2.0, [NOT_RIGID, AFFINE]),
-        ("view_from_world", 3, 2, 0.5, [NOT_AFFINE, W_VANISHES]),
-        ("view_from_world", 3, 3, 0.0, [SINGULAR, W_IS_NOT_POSITIVE]),
+        ("clip_from_view", 0, 1, 0.5, [MATRIX["not-affine"], MATRIX["w-vanishes"]]),
+        (
+            "clip_from_view",
+            0,
+            0,
+            0.0,
+            [MATRIX["singular"], MATRIX["not-affine"], MATRIX["w-vanishes"]],
+        ),
+        (
+            "clip_from_view",
+            0,
+            0,
+            -1.0,
+            [MATRIX["mirrored-clip"], MATRIX["not-affine"], MATRIX["w-vanishes"]],
+        ),
+        ("clip_from_view", 3, 2, 0.0, [MATRIX["singular"], MATRIX["w-is-not-positive"]]),
+        (
+            "clip_from_view",
+            3,
+            2,
+            1.0,
+            [
+                MATRIX["mirrored-clip"],
+                MATRIX["all-behind"],
+                MATRIX["not-affine"],
+                MATRIX["w-vanishes"],
+            ],
+        ),
+        (
+            "clip_from_view",
+            2,
+            2,
+            0.0,
+            [MATRIX["through-infinity"], MATRIX["not-affine"], MATRIX["w-vanishes"]],
+        ),
+        ("clip_from_view", 3, 0, 0.05, [MATRIX["not-affine"], MATRIX["w-vanishes"]]),
+        (
+            "view_from_world",
+            0,
+            0,
+            -1.0,
+            [MATRIX["mirrored-view"], MATRIX["not-rigid"], MATRIX["affine"]],
+        ),
+        ("view_from_world", 0, 0, 2.0, [MATRIX["not-rigid"], MATRIX["affine"]]),
+        ("view_from_world", 3, 2, 0.5, [MATRIX["not-affine"], MATRIX["w-vanishes"]]),
+        ("view_from_world", 3, 3, 0.0, [MATRIX["singular"], MATRIX["w-is-not-positive"]]),
     ],
 )
 def test_the_effects_of_a_matrix_are_named(
@@ -320,7 +345,9 @@ def test_the_effects_of_a_matrix_are_named(
     typed = edited(row, column, value, name)
     assert texts(typed, name) == found
     if name == "view_from_world":
-        assert MIRRORED_CLIP not in texts(typed) and SINGULAR not in texts(typed)
+        assert MATRIX["mirrored-clip"] not in texts(typed) and MATRIX["singular"] not in texts(
+            typed
+        )
         assert properties(typed, "clip_from_world") == []
 
 
@@ -371,12 +398,12 @@ def test_rounding_does_not_change_the_rank() -> None:
     """0.1 0.9 - 0.3 0.3 is 0 in decimals, but not for the nearest floats."""
     cells = [[0.1, 0.3, 0, 0], [0.3, 0.9, 0, 0], [0, 0, -1.0, -2.0], [0, 0, -1.0, 0]]
     assert np.linalg.matrix_rank(cells) == 3
-    assert SINGULAR not in texts(with_matrix(EDIT, "clip_from_view", cells))
+    assert MATRIX["singular"] not in texts(with_matrix(EDIT, "clip_from_view", cells))
     cells[0][0], cells[1][1] = 0.5, 0.18
     cells[0][1] = cells[1][0] = 0.3
     assert eliminate(rationals(cells)).rank == 4
     cells[0][:2], cells[1][:2] = [0.1, 0.2], [0.3, 0.6]  # doubling is exact
-    assert SINGULAR in texts(with_matrix(EDIT, "clip_from_view", cells))
+    assert MATRIX["singular"] in texts(with_matrix(EDIT, "clip_from_view", cells))
 
 
 @pytest.mark.parametrize(("lens", "depth"), with_depths(TYPED))
@@ -384,9 +411,9 @@ def test_no_lens_is_mirrored_in_any_depth_range(lens: Lens, depth: Any) -> None:
     projection = replace(EDIT, lens=lens, depth=depth)
     assert properties(projection, "clip_from_view") == []
     free = projection.with_lens("matrix")
-    assert MIRRORED_CLIP not in texts(free) and SINGULAR not in texts(free)
+    assert MATRIX["mirrored-clip"] not in texts(free) and MATRIX["singular"] not in texts(free)
     mirrored = np.array(shown(projection, "clip_from_view")) * [[-1.0], [1.0], [1.0], [1.0]]
-    assert MIRRORED_CLIP in texts(replace(projection, lens=FreeMatrix(mirrored.tolist())))
+    assert MATRIX["mirrored-clip"] in texts(replace(projection, lens=FreeMatrix(mirrored.tolist())))
 
 
 # --------------------------------------------------------------------------- the model under it

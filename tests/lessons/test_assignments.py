@@ -19,9 +19,9 @@ from app.document.view import AS_EVER
 from app.lessons.course import CONTENT, Course, contained, scene_of
 from app.lessons.lesson import parse_lesson
 from app.lessons.lesson import read as read_lesson
-from app.lessons.writing import NOT_IN_WORDS, add_step, assignments, begin_talk
+from app.lessons.writing import add_step, assignments, begin_talk
 from app.model.projection import Camera
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN
 from tests.fuzz.catalogue import a_tree, a_view, edited
@@ -54,7 +54,7 @@ def test_a_state_changed_by_hand_gives_itself_back_to_the_last_bit() -> None:
         try:
             made = given_back(document)
         except Refusal as error:
-            assert error.bound == NOT_IN_WORDS
+            assert error.bound == REFUSALS["not-in-words"]
             silent += 1
             continue
         assert to_json(made) == to_json(in_words(document))

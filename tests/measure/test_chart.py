@@ -26,7 +26,6 @@ from app.measure.meaning import USUAL, boldest, meaning
 from app.measure.measuring import TRADES
 from app.measure.results import (
     COLUMNS,
-    GAP,
     JUDGED,
     WORDS,
     ChartPoint,
@@ -38,6 +37,7 @@ from app.measure.results import (
 )
 from app.measure.sweeps import SWEEPS
 from app.model.projection import Projection
+from app.model.refusal import MEASURE
 from app.scenes.phenomena.words import Diagram, Spot
 from tests.support.commands import refused, run_here
 from tests.support.pdf import content_of
@@ -231,7 +231,7 @@ def test_a_sweep_s_values_have_four_digits_or_all() -> None:
 def test_the_table_names_the_other_parameter_that_a_sweep_changes(parameter: str) -> None:
     said = table(sweep(parameter, (1.0,), {"a": curve((1e-9,), ("",))}))[0][-1]
     judged, told = said.split(", ")
-    assert judged == GAP and told in WORDS
+    assert judged == MEASURE["gap"] and told in WORDS
     low, high = SWEEPS[parameter].low, SWEEPS[parameter].high
     lenses = [SWEEPS[parameter].set(Projection(), value)[0].lens for value in (low, 1.0, high)]
     assert {lens.near * 4.0 for lens in lenses} & {lens.far for lens in lenses}, told

@@ -22,17 +22,8 @@ import app.measure.smoothing
 from app.document.document import Document
 from app.drawings.off_screen import pixels_of
 from app.measure import chart
-from app.measure.arithmetic import (
-    CHEAP,
-    IN_SOFTWARE,
-    NOT_INSTALLED,
-    looked_at,
-    measure,
-    peers,
-    summed,
-    timed_projections,
-)
-from app.measure.depth import BEYOND, NOTHING_APART, gaps, smallest_gap
+from app.measure.arithmetic import CHEAP, looked_at, measure, peers, summed, timed_projections
+from app.measure.depth import gaps, smallest_gap
 from app.measure.depth import measure as measure_depth
 from app.measure.detail import TOO_FEW, apart, outline
 from app.measure.detail import measure as measure_detail
@@ -51,9 +42,7 @@ from app.measure.meaning import meaning
 from app.measure.measuring import measure_all
 from app.measure.reference import SAMPLE, sample, truth
 from app.measure.results import (
-    BUSY,
     JUDGED,
-    UNSTEADY,
     ChartPoint,
     Measurements,
     Sweep,
@@ -69,7 +58,7 @@ from app.measure.smoothing import measure as measure_smoothing
 from app.measure.sweeps import SWEEPS, WORLD, in_view, sweep, values_of
 from app.model.depth import FORMATS, MAPPINGS, DepthBuffer
 from app.model.projection import DEPTH_RANGES, Camera, Orthographic, Perspective, Projection
-from app.model.refusal import Cancelled, Refusal
+from app.model.refusal import MEASURE, Cancelled, Refusal
 from app.precision.levels import trace
 from app.scenes.fewer_triangles import QUADRIC_TRIANGLES, SHARES, reduced
 from app.scenes.scene import Scene, load
@@ -157,7 +146,7 @@ def test_measured_errors_are_those_of_the_oracle(depth: str, far: float) -> None
     every = timed_projections(projection, world, (0.0, 0.0, 0.0)) | peers(projection, world)[0]
     compared = 0
     for choice in trade.choices:
-        if choice.note == NOT_INSTALLED or choice.name in CHEAP:
+        if choice.note == MEASURE["not-installed"] or choice.name in CHEAP:
             continue
         way = every[choice.name]
         answers = np.asarray(way.rows(way.run())).T[where]
@@ -171,9 +160,15 @@ def test_measured_errors_are_those_of_the_oracle(depth: str, far: float) -> None
 def test_trade_1_times_every_way_and_defines_its_errors() -> None:
     trade = measure(START, POINTS, seconds=0.0)
     assert trade.complete and trade.rounds >= 7
-    found = {choice.name: choice for choice in trade.choices if choice.note != NOT_INSTALLED}
+    found = {
+        choice.name: choice for choice in trade.choices if choice.note != MEASURE["not-installed"]
+    }
     untimed = {name for name, choice in found.items() if choice.cost is None}
-    assert untimed == set(CHEAP) == {name for name, c in found.items() if c.note == IN_SOFTWARE}
+    assert (
+        untimed
+        == set(CHEAP)
+        == {name for name, c in found.items() if c.note == MEASURE["in-software"]}
+    )
     for name in CHEAP:
         assert 0.0 < found[name].error <= found[name].predicted, name
     assert all(
@@ -310,7 +305,7 @@ def test_a_peer_that_fails_to_import_is_named(monkeypatch: pytest.MonkeyPatch) -
     monkeypatch.setitem(sys.modules, "pyglm", types.ModuleType("pyglm"))
     monkeypatch.setitem(sys.modules, "pyglm.glm", broken)
     found, missing = peers(START, POINTS)
-    assert missing["pylinalg"] == NOT_INSTALLED
+    assert missing["pylinalg"] == MEASURE["not-installed"]
     assert "broken on purpose" in missing["PyGLM"]
     assert "matplotlib's proj3d" in found
     notes = {c.name: c.note for c in measure(START, POINTS, seconds=0.0).choices}
@@ -352,7 +347,7 @@ def test_a_sweep_of_near_or_far_shows_gaps_that_the_formula_predicts(parameter: 
     for name, curve in swept.curves.items():
         assert any(curve.errors), name
         for gap, predicted, note in zip(curve.errors, curve.predicted, curve.notes, strict=True):
-            assert (gap is None) == (note == NOTHING_APART), name
+            assert (gap is None) == (note == MEASURE["nothing-apart"]), name
             if gap is not None:  # beside the far plane the last code is cut short
                 assert 0.5 * predicted <= gap <= 4.0 * predicted, name
 
@@ -406,7 +401,7 @@ def test_the_depth_trade_has_every_format_and_range() -> None:
     notes = [choice.note for choice in infinite.choices if choice.name.endswith("logarithmic")]
     assert all("far" in note for note in notes)
     near = measure_depth(replace(START, lens=Perspective(45.0, 20.0, 30.0)))
-    assert {choice.note for choice in near.choices} == {BEYOND}
+    assert {choice.note for choice in near.choices} == {MEASURE["beyond"]}
 
 
 # --------------------------------------------------------------------------- interpolation
@@ -528,8 +523,8 @@ def test_times_are_steady_when_the_last_seven_rounds_repeat_the_least() -> None:
 def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
     calm, busy = ChartPoint("a", 10.0, 30.0, 1.0), ChartPoint("b", 10.0, 30.1, 0.5, bytes=8.0)
     trade = Trade("arithmetic", "ns", "px", (calm, busy), 20)
-    assert [row[-1] for row in table(trade)[1:]] == ["", BUSY]
-    assert chart.diagrams(trade)[0].title == f"Arithmetic: {BUSY}"
+    assert [row[-1] for row in table(trade)[1:]] == ["", MEASURE["busy"]]
+    assert chart.diagrams(trade)[0].title == f"Arithmetic: {MEASURE['busy']}"
     assert chart.diagrams(replace(trade, choices=(calm,)))[0].title == "Arithmetic"
     assert chart.diagrams(trade.by_cost("bytes"))[0].title == "Arithmetic", (
         "bytes are never disturbed"
@@ -539,7 +534,7 @@ def test_a_machine_with_other_work_is_called_busy_in_table_and_chart() -> None:
 def test_a_time_that_ran_out_before_it_was_steady_is_doubted_in_row_and_sentence() -> None:
     rushed = measure_interpolation(START, LETTER_F.corners, seconds=0.0)
     timed = [choice for choice in rushed.choices if choice.cost is not None]
-    assert timed and all(choice.doubt in (UNSTEADY, BUSY) for choice in timed)
+    assert timed and all(choice.doubt in (MEASURE["unsteady"], MEASURE["busy"]) for choice in timed)
     assert "Not certain: " in meaning(rushed)
     calm = replace(rushed, choices=tuple(ChartPoint(c.name, 1.0, 1.0, c.error) for c in timed))
     assert not calm.doubts and "Not certain" not in meaning(calm)
@@ -549,7 +544,7 @@ def test_a_time_that_ran_out_before_it_was_steady_is_doubted_in_row_and_sentence
     for choice in tree["trades"][0]["choices"]:
         del choice["steady"]
     older = from_json(json.dumps(tree)).trades[0]
-    assert UNSTEADY not in older.doubts, "older files do not say it"
+    assert MEASURE["unsteady"] not in older.doubts, "older files do not say it"
 
 
 def test_equal_times_are_called_equal_and_no_winner() -> None:

@@ -8,12 +8,11 @@ import numpy as np
 import pytest
 
 from app.measure import chart, drift, jitter
-from app.measure.arithmetic import NO_POINTS
 from app.measure.meaning import bargain, meaning
-from app.measure.results import IN_SOFTWARE, Trade, named
+from app.measure.results import Trade, named
 from app.measure.run import Watch, unwatched
 from app.model.projection import Array, Projection
-from app.model.refusal import Cancelled
+from app.model.refusal import MEASURE, Cancelled
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
 from tests.oracles.illustrations import readings, showing, subject_of
@@ -77,7 +76,7 @@ def test_half_floats_are_not_timed_and_take_the_fewest_bytes() -> None:
     trade = drift.measure(START, POINTS, 0.0)
     for choice in trade.choices:
         half = choice.name.startswith("float16")
-        assert (choice.cost is None) == half and (choice.note == IN_SOFTWARE) == half
+        assert (choice.cost is None) == half and (choice.note == MEASURE["in-software"]) == half
     sizes = {choice.name: choice.bytes for choice in trade.choices}
     assert sizes["float16, products"] == 18.0 and sizes["float64, products"] == 72.0
     assert sizes["float32, two sines"] == 4.0
@@ -106,4 +105,4 @@ def test_a_trade_has_a_chart_a_sentence_and_names_that_are_translated(name: str)
 def test_without_a_vertex_there_is_nothing_to_measure(name: str) -> None:
     module = {"drift": drift, "jitter": jitter}[name]
     (choice,) = module.measure(START, np.empty((0, 3)), 0.0).choices
-    assert choice.note == NO_POINTS and choice.error is None
+    assert choice.note == MEASURE["no-points"] and choice.error is None

@@ -7,9 +7,10 @@ import pytest
 
 from app.document.document import Document
 from app.document.settings import set_values
-from app.measure.arithmetic import NO_POINTS, looked_at
+from app.measure.arithmetic import looked_at
 from app.measure.unprojection import AWAY, measure, timed_way
 from app.model.projection import Camera
+from app.model.refusal import MEASURE
 from app.precision.unprojecting import WAYS, float32_pixels, followed
 from app.scenes.phenomena.unprojection import origin_away
 from app.scenes.scene import load
@@ -71,4 +72,4 @@ def test_a_choice_opens_the_scene_with_it() -> None:
 def test_without_a_point_in_front_there_is_a_reason() -> None:
     away = Camera((0.0, 1.0, 5.0), (0.0, 1.0, 50.0))
     (choice,) = measure(START.__class__(away), SCENE.sample, seconds=0.0).choices
-    assert choice.note == NO_POINTS
+    assert choice.note == MEASURE["no-points"]

@@ -8,6 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import FrozenInstanceError, replace
 from fractions import Fraction
 from functools import partial, reduce
+from importlib import import_module
 from itertools import product
 
 import numpy as np
@@ -17,10 +18,8 @@ from hypothesis import strategies as st
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
-from app.model import limits
-from app.model.limits import NOT_THE_TARGET, OTHER_SIDE, SMALLEST
+from app.model.limits import OTHER_SIDE, SMALLEST
 from app.model.projection import (
-    AT_LEAST,
     DEPTH_RANGES,
     LARGEST,
     LARGEST_IMAGE_PX,
@@ -46,7 +45,7 @@ from app.model.projection import (
     oblique_angles,
     receding_of,
 )
-from app.model.refusal import Refusal, shown_limits, six_digits
+from app.model.refusal import REFUSALS, Refusal, shown_limits, six_digits
 from tests.oracles import exact
 from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED, made
 from tests.support.marked import marked
@@ -1164,8 +1163,11 @@ def orbit_with(**changes: float) -> Callable[[], object]:
     return lambda: Camera.from_orbit((0.0, 0.0, 0.0), Orbit(**orbit))
 
 
+MODULES = "limits", "camera", "lenses.lens", "pipeline", "projection", "tables", "eye_first"
 DISTANT = Camera((0, 0, 1e100), (0, 0, 0))
-BOUNDS = marked(limits)
+BOUNDS = marked(*(import_module(f"app.model.{name}") for name in MODULES))
+OF_K = ("x-left", "y-up", "normalised", "not-k", "camera-transposed", "skewed", "at-infinity")
+"""What is refused of a calibration; `tests/document/test_calibrated.py` has it."""
 # What is refused, and the sentence: the field, the value and the bound.
 ITSELF: list[object] = [1, 2]
 ITSELF.append(ITSELF)
@@ -1384,12 +1386,12 @@ def test_a_bound_has_six_digits_unless_that_would_tell_another_story(
 def test_what_a_hand_has_dragged_has_six_digits(
     value: object, limit: object, sentence: str
 ) -> None:
-    assert str(six_digits(Refusal("near", value, AT_LEAST, limit))) == sentence
+    assert str(six_digits(Refusal("near", value, REFUSALS["at-least"], limit))) == sentence
 
 
 def test_every_bound_is_marked_for_translators_and_in_the_table_above() -> None:
     # What an upper bound says of a lower one is said by `document.set_values` and the controls.
-    other_side = {bound for _, bound in OTHER_SIDE.values()} | {NOT_THE_TARGET}
+    other_side = {bound for _, bound in OTHER_SIDE.values()} | {REFUSALS[name] for name in OF_K}
     said = "\n".join(sentence for _, sentence in REFUSED)
     for bound in BOUNDS - other_side:
         words = re.escape(bound).replace(r"\{0\}", ".+").replace(r"\{1\}", ".+")

@@ -10,23 +10,10 @@ import numpy as np
 import pytest
 
 from app.model.projection import Camera, FreeMatrix, Lens, Orthographic, Perspective, Projection
+from app.model.refusal import HEALTH
 from app.precision import risks as health
 from app.precision.levels import DRAWING_TOLERANCE_PX, Precision, predict
-from app.precision.risks import (
-    FEW_DIGITS,
-    LARGE_INVERSE,
-    NO_FLOAT32,
-    NO_GAP,
-    NO_INVERSE,
-    NO_PICTURE,
-    REACHES_INFINITY,
-    ROUGH_DRAWING,
-    VTK_CLAMPS,
-    VTK_DROPS,
-    WIDE_GAP,
-    Risk,
-    risks,
-)
+from app.precision.risks import Risk, risks
 from app.scenes.scene import BUILT_IN, load
 from tests.support.bounds import drawing_bound_px
 from tests.support.marked import marked
@@ -65,14 +52,16 @@ def test_the_gap_at_the_target_is_that_of_a_24_bit_buffer() -> None:
     told = found(replace(EVERYDAY, lens=Perspective(45.0, 1e-5, math.inf)))
     distance = EVERYDAY.camera.distance
     gap = distance**2 / (1e-5 * 2**24)
-    assert float(told[WIDE_GAP][0]) == pytest.approx(gap, rel=0.15)  # it adds a code's width
-    assert NO_GAP in found(replace(EVERYDAY, lens=Perspective(45.0, 1e-9, math.inf)))
+    assert float(told[HEALTH["wide-gap"]][0]) == pytest.approx(
+        gap, rel=0.15
+    )  # it adds a code's width
+    assert HEALTH["no-gap"] in found(replace(EVERYDAY, lens=Perspective(45.0, 1e-9, math.inf)))
 
 
 @pytest.mark.parametrize("lens", [Perspective(45.0, 12.5, 30.0), Perspective(45.0, 1e-6, 10.5)])
 def test_no_gap_is_reported_for_a_target_outside_the_planes(lens: Lens) -> None:
     told = found(replace(EVERYDAY, lens=lens))
-    assert not {WIDE_GAP, NO_GAP, NO_PICTURE} & set(told)
+    assert not {HEALTH["wide-gap"], HEALTH["no-gap"], HEALTH["no-picture"]} & set(told)
 
 
 @pytest.mark.parametrize(
@@ -86,27 +75,27 @@ def test_no_gap_is_reported_for_a_target_outside_the_planes(lens: Lens) -> None:
     ],
 )
 def test_an_empty_picture_says_why(plane: str, projection: Projection) -> None:
-    assert found(projection) == {NO_PICTURE: (plane,)}
+    assert found(projection) == {HEALTH["no-picture"]: (plane,)}
 
 
 def test_a_picture_beyond_float32_is_reported_without_a_figure() -> None:
     told = found(replace(EVERYDAY, lens=Perspective(1e-80, 1.0, 30.0)))
-    assert NO_FLOAT32 in told and ROUGH_DRAWING not in told
+    assert HEALTH["no-float32"] in told and HEALTH["rough-drawing"] not in told
 
 
 def test_a_parallel_lens_has_one_gap_everywhere() -> None:
     # 4e6 / 2^24 = 0.238 between codes; as wide again to be sure.
     told = found(replace(EVERYDAY, lens=Orthographic(-4, 4, -4, 4, 1.0, 4e6)))
-    assert 0.23 < float(told[WIDE_GAP][0]) < 0.49
+    assert 0.23 < float(told[HEALTH["wide-gap"]][0]) < 0.49
 
 
 def test_the_effects_of_vtks_own_camera_are_reported() -> None:
-    assert found(replace(EVERYDAY, lens=Perspective(179.5)))[VTK_CLAMPS] == ("179",)
-    assert found(replace(EVERYDAY, lens=Perspective(1e-9)))[VTK_CLAMPS] == ("1e-08",)
-    assert VTK_CLAMPS not in found(replace(EVERYDAY, lens=Perspective(179.0)))
+    assert found(replace(EVERYDAY, lens=Perspective(179.5)))[HEALTH["vtk-clamps"]] == ("179",)
+    assert found(replace(EVERYDAY, lens=Perspective(1e-9)))[HEALTH["vtk-clamps"]] == ("1e-08",)
+    assert HEALTH["vtk-clamps"] not in found(replace(EVERYDAY, lens=Perspective(179.0)))
     near = replace(EVERYDAY, lens=Perspective(45.0, 1e-6, math.inf))
-    assert found(near, size=6.0)[VTK_DROPS] == ("6e+06",)
-    assert VTK_DROPS not in found(near, size=0.9)
+    assert found(near, size=6.0)[HEALTH["vtk-drops"]] == ("6e+06",)
+    assert HEALTH["vtk-drops"] not in found(near, size=0.9)
 
 
 def test_lost_digits_are_counted() -> None:
@@ -115,9 +104,9 @@ def test_lost_digits_are_counted() -> None:
     told = found(narrow)
     scene = load("letter-f")
     errors = predict(narrow, scene.sample, scene.origin)["float64"]
-    for decimals, error in zip(told[FEW_DIGITS], errors, strict=True):
+    for decimals, error in zip(told[HEALTH["few-digits"]], errors, strict=True):
         assert 0.05 * 10 ** -int(decimals) < error <= 0.5 * 10 ** -int(decimals)
-    assert 4 <= int(told[FEW_DIGITS][1]) <= 6
+    assert 4 <= int(told[HEALTH["few-digits"]][1]) <= 6
 
 
 def test_the_loss_of_float32_is_reported_for_the_whole_picture() -> None:
@@ -127,28 +116,35 @@ def test_the_loss_of_float32_is_reported_for_the_whole_picture() -> None:
     corners = np.array(list(product(*zip(lower, upper, strict=True))))
     drawing_px = drawing_bound_px(projection, corners)
     rough = risks(projection, lower, upper, "float64", drawing_px, None)
-    assert rough == [Risk(ROUGH_DRAWING, (f"{drawing_px:.2g}",))] and 1.0 < drawing_px < 1e4
+    assert (
+        rough == [Risk(HEALTH["rough-drawing"], (f"{drawing_px:.2g}",))] and 1.0 < drawing_px < 1e4
+    )
     assert risks(projection, lower, upper, "float32", drawing_px, None) == []
 
 
 @pytest.mark.parametrize(
     ("rows", "why"),
     [
-        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)), NO_INVERSE),
-        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1e60, 1e-70), (0, 0, -1e-70, 0)), LARGE_INVERSE),
-        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2), (0.5, 0, -1, 0)), REACHES_INFINITY),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, -1, 0)), HEALTH["no-inverse"]),
+        (
+            ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1e60, 1e-70), (0, 0, -1e-70, 0)),
+            HEALTH["large-inverse"],
+        ),
+        (((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, -1, -2), (0.5, 0, -1, 0)), HEALTH["reaches-infinity"]),
     ],
 )
 def test_the_reason_for_a_missing_frustum_is_reported(
     rows: tuple[tuple[float, float, float, float], ...], why: str
 ) -> None:
     told = found(replace(EVERYDAY, lens=FreeMatrix(rows)))  # type: ignore[arg-type]
-    reasons = {NO_INVERSE, LARGE_INVERSE, REACHES_INFINITY} & set(told)
+    reasons = {HEALTH["no-inverse"], HEALTH["large-inverse"], HEALTH["reaches-infinity"]} & set(
+        told
+    )
     assert reasons == {why}
 
 
 def test_a_risk_is_a_sentence() -> None:
-    assert str(Risk(VTK_CLAMPS, ("179",))) == (
+    assert str(Risk(HEALTH["vtk-clamps"], ("179",))) == (
         "VTK's own camera would clamp the field of view to 179°."
     )
     for template in marked(health, context="Health"):

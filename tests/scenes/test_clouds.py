@@ -9,8 +9,8 @@ import pytest
 
 from app.document.document import Document
 from app.document.files import read, write
-from app.model.refusal import Refusal
-from app.scenes import finishing, reading, scene
+from app.model.refusal import REFUSALS, Refusal
+from app.scenes import finishing, reading
 from app.scenes.fewer_triangles import reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB, is_grid
@@ -147,7 +147,7 @@ def test_a_mesh_in_place_of_a_subject_needs_a_surface(tmp_path: Path) -> None:
     (tmp_path / "m.obj").write_text(SQUARE + "l 1 2\n", encoding="utf-8")
     with pytest.raises(Refusal) as refused:
         load("similar-triangles", mesh=str(tmp_path / "m.obj"))
-    assert refused.value.bound == scene.NO_SURFACE
+    assert refused.value.bound == REFUSALS["no-surface"]
     (tmp_path / "m.obj").write_text(SQUARE + "f 1 2 3\nl 1 3\np 4\n", encoding="utf-8")
     placed = load("similar-triangles", mesh=str(tmp_path / "m.obj"))
     assert placed.surface is not None

@@ -22,12 +22,13 @@ from app.bootstrap import ROOT
 from app.document.codec import parse, picture_json
 from app.document.document import Document
 from app.document.files import read
-from app.model.refusal import Cancelled, Refusal
-from app.scenes import finishing, mesh, mesh_files, reading
+from app.model.refusal import REFUSALS, Cancelled, Refusal
+from app.scenes import finishing, gltf, gltf_data, mesh, mesh_files, ply, reading
 from app.scenes.fewer_triangles import reduced, shares_for_dragging
 from app.scenes.mesh import PAINT_RGB, Mesh
 from app.scenes.scene import ENDINGS, Scene, load
 from app.scenes.shapes import brightness
+from tests.support.marked import marked
 from tests.support.meshes import (
     FAR,
     PYRAMID,
@@ -409,28 +410,28 @@ def test_rows_of_a_text_ply_may_be_wrapped(tmp_path: Path) -> None:
 def test_small_faces_are_left_out_and_the_first_is_named(tmp_path: Path) -> None:
     found = obj(tmp_path, THREE + "f 1 2 3\nf \\\n1 2\nf 3 2 1\nf 1 1/2 2 1\nf 2\nf 3 1 2\n")
     assert found.corners.tolist() == [0, 1, 2, 2, 1, 0, 2, 0, 1]
-    assert found.notes == [(mesh.FEW_CORNERS_LINE, 3, 6, 5)]
+    assert found.notes == [(REFUSALS["few-corners-line"], 3, 6, 5)]
     header = ply_header("binary_little_endian", 5, 3, "", channels("uchar"))
     body = PYRAMID.astype("<f8").tobytes() + struct.pack("<B3i3B", 3, 0, 1, 2, 1, 2, 3)
     body += struct.pack("<B2i3B", 2, 0, 1, 4, 5, 6) + struct.pack("<B3i3B", 3, 0, 2, 3, 7, 8, 9)
     found = written(tmp_path, header, body)
-    assert found.notes == [(mesh.FEW_CORNERS, 1, 3, 2)]
+    assert found.notes == [(REFUSALS["few-corners"], 1, 3, 2)]
     assert found.rgb is not None and found.rgb.tolist() == [[1, 2, 3], [7, 8, 9]]
 
 
 def test_vertices_that_are_not_finite_and_unused_are_left_out(tmp_path: Path) -> None:
     found = obj(tmp_path, THREE + "v -1.#IND 0 0\nv 5 5 5\nv 0 -inf 0 # a\nf 1 2 3\nl 1 5\n")
-    assert found.notes == [(mesh.UNUSED_LINE, 2, 6, 4)]
+    assert found.notes == [(REFUSALS["unused-line"], 2, 6, 4)]
     assert len(found.points) == 4
     (tmp_path / "line.obj").write_text(
         THREE + "v nan 0 0\nf 1 2 3\nl 3 1\nl 1 2 4\n", encoding="utf-8"
     )
     error = refused(tmp_path / "line.obj")
-    assert (error.bound, error.limits[1:]) == (mesh.NOT_FINITE_LINE, (4, 7))
+    assert (error.bound, error.limits[1:]) == (REFUSALS["not-finite-line"], (4, 7))
     points = np.vstack([PYRAMID, [[math.nan, 0, 0]]]).astype("<f8")
     header = ply_header("binary_little_endian", 6, 1)
     found = written(tmp_path, header, points.tobytes() + struct.pack("<B3i", 3, 0, 1, 2))
-    assert found.notes == [(mesh.UNUSED, 1, 6, 6)]
+    assert found.notes == [(REFUSALS["unused"], 1, 6, 6)]
 
 
 def test_dots_that_are_not_finite_are_left_out(tmp_path: Path) -> None:
@@ -439,9 +440,9 @@ def test_dots_that_are_not_finite_are_left_out(tmp_path: Path) -> None:
     assert found.points.tolist() == [[0, 0, 0], [1, 1, 1]]
     assert found.dot_rgb is not None
     assert found.dot_rgb.tolist() == [[255, 0, 0], [0, 0, 255]]
-    assert found.notes == [(mesh.UNUSED_LINE, 1, 3, 2)]
+    assert found.notes == [(REFUSALS["unused-line"], 1, 3, 2)]
     (tmp_path / "m.obj").write_text("v nan 0 0\nv 0 inf 0\n", encoding="utf-8")
-    assert refused(tmp_path / "m.obj").bound == mesh.NOT_FINITE
+    assert refused(tmp_path / "m.obj").bound == REFUSALS["not-finite"]
 
 
 def test_a_scene_says_what_of_its_file_is_left_out(tmp_path: Path) -> None:
@@ -471,7 +472,7 @@ def test_a_triangle_of_a_repeated_corner_is_left_out_with_a_note(tmp_path: Path)
     write_gltf(tmp_path / "m.glb", content, body)
     for name, count in (("m.stl", 3), ("m.glb", len(changed) // 3)):
         found = mesh_files.read(tmp_path / name)
-        assert found.notes == [(mesh.FEW_CORNERS, 1, count, 2)], name
+        assert found.notes == [(REFUSALS["few-corners"], 1, count, 2)], name
         assert len(found.offsets) == count
 
 
@@ -769,129 +770,134 @@ def test_a_mesh_within_the_bounds_of_its_coordinates_is_in_view(
 FACET = "solid\nfacet normal\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\n"
 XYZ = "0 0 0\n1 0 0\n0 1 0\n"
 TEXTS: dict[str, tuple[str, str, tuple[object, ...]]] = {
-    "prose.stl": ("Dear all, the mesh is attached.\n" * 9, mesh.NOT_OF_KIND, ("STL",)),
-    "solid.stl": ("solid advice: this is not a mesh.\n", mesh.NO_FACES, (0,)),
-    "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", mesh.CUT_OFF, ()),
-    "word.stl": (FACET.replace("0 0 0", "0 0 o"), mesh.DAMAGED_LINE, (4, "STL")),
-    "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), mesh.DAMAGED_LINE, (4, "STL")),
+    "prose.stl": ("Dear all, the mesh is attached.\n" * 9, REFUSALS["not-of-kind"], ("STL",)),
+    "solid.stl": ("solid advice: this is not a mesh.\n", REFUSALS["no-faces"], (0,)),
+    "half.stl": ("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0", REFUSALS["cut-off"], ()),
+    "word.stl": (FACET.replace("0 0 0", "0 0 o"), REFUSALS["damaged-line"], (4, "STL")),
+    "four.stl": (FACET.replace("0 0 0", "0 0 0 0"), REFUSALS["damaged-line"], (4, "STL")),
     "quad.stl": (
-        FACET.replace("endloop", "vertex 1 1 0\nendloop"), mesh.DAMAGED_LINE, (2, "STL"),
+        FACET.replace("endloop", "vertex 1 1 0\nendloop"), REFUSALS["damaged-line"], (2, "STL"),
     ),
-    "loop.stl": (2 * FACET.replace("outer loop", "outer lop", 1), mesh.DAMAGED, ("vertex",)),
-    "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), mesh.NOT_FINITE_LINE, (4, 2)),
-    "prose.ply": ("Dear all\n", mesh.NOT_OF_KIND, ("PLY",)),
-    "header.ply": ("ply\nformat ascii 1.0\nelement vertex 3\n", mesh.NOT_OF_KIND, ("PLY",)),
+    "loop.stl": (2 * FACET.replace("outer loop", "outer lop", 1), REFUSALS["damaged"], ("vertex",)),
+    "nan.stl": (FACET.replace("0 0 0", "0 0 nan"), REFUSALS["not-finite-line"], (4, 2)),
+    "prose.ply": ("Dear all\n", REFUSALS["not-of-kind"], ("PLY",)),
+    "header.ply": ("ply\nformat ascii 1.0\nelement vertex 3\n", REFUSALS["not-of-kind"], ("PLY",)),
     "format.ply": (
-        "ply\nformat ascii2 1.0\nelement vertex 0\nend_header\n", mesh.DAMAGED, ("header",)
+        "ply\nformat ascii2 1.0\nelement vertex 0\nend_header\n", REFUSALS["damaged"], ("header",)
     ),
     "novertex.ply": (
-        "ply\nformat ascii 1.0\nelement face 0\nend_header\n", mesh.DAMAGED, ("header",)
+        "ply\nformat ascii 1.0\nelement face 0\nend_header\n", REFUSALS["damaged"], ("header",)
     ),
     "noxyz.ply": (
         "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n1\n",
-        mesh.DAMAGED, ("vertex: x, y, z",),
+        REFUSALS["damaged"], ("vertex: x, y, z",),
     ),
     "noface.ply": (
         ply_header("ascii", 3, 1).replace("vertex_indices", "corners") + XYZ + "3 0 1 2\n",
-        mesh.DAMAGED, ("face: vertex_indices",),
+        REFUSALS["damaged"], ("face: vertex_indices",),
     ),
-    "word.ply": (ply_header("ascii", 1, 0) + "0 zero 0\n", mesh.DAMAGED_LINE, (11, "PLY")),
+    "word.ply": (ply_header("ascii", 1, 0) + "0 zero 0\n", REFUSALS["damaged-line"], (11, "PLY")),
     "short.ply": (
-        ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n", mesh.CUT_OFF_ROWS, (2, 3, "vertex"),
+        ply_header("ascii", 3, 1) + "0 0 0\n1 0 0\n", REFUSALS["cut-off-rows"], (2, 3, "vertex"),
     ),
     "shortface.ply": (
-        ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", mesh.CUT_OFF_ROWS, (1, 2, "face"),
+        ply_header("ascii", 3, 2) + XYZ + "3 0 1 2\n3 0", REFUSALS["cut-off-rows"], (1, 2, "face"),
     ),
     "shortrow.ply": (
-        ply_header("ascii", 3, 2) + XYZ + "3 0 1\n3 0 1 2\n", mesh.DAMAGED_LINE, (14, "face"),
+        ply_header("ascii", 3, 2) + XYZ + "3 0 1\n3 0 1 2\n",
+        REFUSALS["damaged-line"], (14, "face"),
     ),
     "shortrows.ply": (
         ply_header("ascii", 3, 1) + "0 0 0\n1 0\n0 1 0\n3 0 1 2\n",
-        mesh.DAMAGED_LINE, (12, "vertex"),
+        REFUSALS["damaged-line"], (12, "vertex"),
     ),
     "longrows.ply": (
         ply_header("ascii", 3, 2) + XYZ.replace("\n", " 9 9\n") + "3 0 1 2\n",
-        mesh.CUT_OFF_ROWS, (1, 2, "face"),
+        REFUSALS["cut-off-rows"], (1, 2, "face"),
     ),
-    "index.ply": (ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", mesh.NO_SUCH_VERTEX_LINE, (14, 3)),
+    "index.ply": (
+        ply_header("ascii", 3, 1) + XYZ + "3 0 1 9\n", REFUSALS["no-such-vertex-line"], (14, 3),
+    ),
     "nanindex.ply": (
-        ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", mesh.NO_SUCH_VERTEX_LINE, (14, 3),
+        ply_header("ascii", 3, 1) + XYZ + "3 0 1 nan\n", REFUSALS["no-such-vertex-line"], (14, 3),
     ),
-    "two.ply": (ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", mesh.FEW_CORNERS_LINE, (1, 1, 14)),
-    "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", finishing.ONE_POINT, ()),
-    "none.ply": (ply_header("ascii", 0, 0), mesh.NO_FACES, (0,)),
+    "two.ply": (
+        ply_header("ascii", 3, 1) + XYZ + "2 0 1\n", REFUSALS["few-corners-line"], (1, 1, 14),
+    ),
+    "point.ply": (ply_header("ascii", 1, 0) + "0 0 0\n", REFUSALS["one-point"], ()),
+    "none.ply": (ply_header("ascii", 0, 0), REFUSALS["no-faces"], (0,)),
     "nan.ply": (
         ply_header("ascii", 3, 1) + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n",
-        mesh.NOT_FINITE_LINE, (12, 14),
+        REFUSALS["not-finite-line"], (12, 14),
     ),
-    "prose.obj": ("Dear all\n", mesh.NO_FACES, (0,)),
-    "line9.obj": (THREE + "l 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
-    "point9.obj": (THREE + "p -4\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
-    "lineword.obj": (THREE + "l 1 2 a\n", mesh.DAMAGED_LINE, (4, "OBJ")),
-    "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", finishing.ONE_POINT, ()),
-    "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", mesh.FEW_CORNERS_LINE, (1, 1, 2)),
-    "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", finishing.ONE_LINE, ()),
-    "slant.obj": ("v .1 .2 .3\nv .2 .4 .6\nv .7 1.4 2.1\nf 1 2 3\n", finishing.ONE_LINE, ()),
-    "index.obj": (THREE + "f 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
+    "prose.obj": ("Dear all\n", REFUSALS["no-faces"], (0,)),
+    "line9.obj": (THREE + "l 1 2 9\n", REFUSALS["no-such-vertex-line"], (4, 3)),
+    "point9.obj": (THREE + "p -4\n", REFUSALS["no-such-vertex-line"], (4, 3)),
+    "lineword.obj": (THREE + "l 1 2 a\n", REFUSALS["damaged-line"], (4, "OBJ")),
+    "same.obj": ("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n", REFUSALS["one-point"], ()),
+    "onecorner.obj": ("v 1 2 3\nf 1 1 1\n", REFUSALS["few-corners-line"], (1, 1, 2)),
+    "line.obj": ("v 1 2 3\nv 1 2 4\nv 1 2 7\nf 1 2 3\n", REFUSALS["one-line"], ()),
+    "slant.obj": ("v .1 .2 .3\nv .2 .4 .6\nv .7 1.4 2.1\nf 1 2 3\n", REFUSALS["one-line"], ()),
+    "index.obj": (THREE + "f 1 2 9\n", REFUSALS["no-such-vertex-line"], (4, 3)),
     "texture.obj": (
-        THREE + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 4/3\n", mesh.NO_SUCH_VERTEX_LINE, (7, 3),
+        THREE + "vt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 4/3\n", REFUSALS["no-such-vertex-line"], (7, 3),
     ),
     "joinedlines.obj": (
-        "v 0 0 0\nv 1 \\\n0 \\\r\n0\nv 0 1 0\nf 1 2 9\n", mesh.NO_SUCH_VERTEX_LINE, (6, 3),
+        "v 0 0 0\nv 1 \\\n0 \\\r\n0\nv 0 1 0\nf 1 2 9\n", REFUSALS["no-such-vertex-line"], (6, 3),
     ),
-    "joinedbad.obj": ("v 0 0 0\nv 1 \\\n0 \\\n0\nv 0 1 o\n", mesh.DAMAGED_LINE, (5, "OBJ")),
-    "small.obj": (THREE + "f 1 2\nf 3\nf 1 2 1 2\n", mesh.FEW_CORNERS_LINE, (3, 3, 4)),
-    "zero.obj": (THREE + "f 0 1 2\n", mesh.NO_SUCH_VERTEX_LINE, (4, 3)),
-    "half.obj": ("v 0 0 0\nv 1 0", mesh.DAMAGED_LINE, (2, "OBJ")),
-    "word.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n", mesh.DAMAGED_LINE, (3, "OBJ")),
-    "corner.obj": ("v 1 2 3\nf 1 1 /1\n", mesh.DAMAGED_LINE, (2, "OBJ")),
-    "letter.obj": ("v 1 2 3\nf 1 1 a\n", mesh.DAMAGED_LINE, (2, "OBJ")),
-    "joined.obj": (THREE + "f 1-2 3\n", mesh.DAMAGED_LINE, (4, "OBJ")),
-    "nan.obj": ("v nan 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", mesh.NOT_FINITE_LINE, (1, 4)),
+    "joinedbad.obj": ("v 0 0 0\nv 1 \\\n0 \\\n0\nv 0 1 o\n", REFUSALS["damaged-line"], (5, "OBJ")),
+    "small.obj": (THREE + "f 1 2\nf 3\nf 1 2 1 2\n", REFUSALS["few-corners-line"], (3, 3, 4)),
+    "zero.obj": (THREE + "f 0 1 2\n", REFUSALS["no-such-vertex-line"], (4, 3)),
+    "half.obj": ("v 0 0 0\nv 1 0", REFUSALS["damaged-line"], (2, "OBJ")),
+    "word.obj": ("v 0 0 0\nv 1 0 0\nv 0 1 x\nf 1 2 3\n", REFUSALS["damaged-line"], (3, "OBJ")),
+    "corner.obj": ("v 1 2 3\nf 1 1 /1\n", REFUSALS["damaged-line"], (2, "OBJ")),
+    "letter.obj": ("v 1 2 3\nf 1 1 a\n", REFUSALS["damaged-line"], (2, "OBJ")),
+    "joined.obj": (THREE + "f 1-2 3\n", REFUSALS["damaged-line"], (4, "OBJ")),
+    "nan.obj": ("v nan 0 0\nv 1 0 0\nv 0 inf 0\nf 1 2 3\n", REFUSALS["not-finite-line"], (1, 4)),
     "huge.obj": (
-        "v 1e40 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", finishing.WRONG_SIZE, ("1.4e+308",)
+        "v 1e40 0 0\nv -1e308 0 0\nv 0 1e308 0\nf 1 2 3\n", REFUSALS["wrong-size"], ("1.4e+308",)
     ),
     "tiny.obj": (
-        "v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n", finishing.WRONG_SIZE, ("1.4e-40",)
+        "v 0 0 0\nv 1e-40 0 0\nv 0 1e-40 0\nf 1 2 3\n", REFUSALS["wrong-size"], ("1.4e-40",)
     ),
     "away.obj": (
-        "v 1e150 0 0\nv 1e150 1 0\nv 1e150 0 1\nf 1 2 3\n", finishing.TOO_FAR, ("1e+150", "1e+12")
+        "v 1e150 0 0\nv 1e150 1 0\nv 1e150 0 1\nf 1 2 3\n", REFUSALS["too-far"], ("1e+150", "1e+12")
     ),
     "end.obj": (
-        "v -1e308 0 0\nv -1e308 1 0\nv -1e308 0 1\nf 1 2 3\n", finishing.TOO_FAR,
+        "v -1e308 0 0\nv -1e308 1 0\nv -1e308 0 1\nf 1 2 3\n", REFUSALS["too-far"],
         ("-1e+308", "1e+12"),
     ),
     "face.obj": (
-        THREE + "f" + " 1 2 3" * 33_333 + " 1 2\n", mesh.FACE_SIZE, (100_001, 100_000),
+        THREE + "f" + " 1 2 3" * 33_333 + " 1 2\n", REFUSALS["face-size"], (100_001, 100_000),
     ),
-    "prose.gltf": ("Dear all\n", mesh.DAMAGED_LINE, (1, "JSON")),
-    "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', mesh.DAMAGED_LINE, (3, "JSON")),
-    "latin.gltf": ('{"asset": "caf\udce9"}', mesh.DAMAGED, ("glTF",)),
-    "prose.glb": ("Dear all\n", mesh.NOT_OF_KIND, ("GLB",)),
-    "list.gltf": ("[]", mesh.DAMAGED, ("glTF",)),
-    "deep.gltf": ("[" * 100_000, mesh.DAMAGED, ("JSON",)),
-    "brackets.gltf": ("[" + "[]," * 1_000_000, mesh.NO_MEMORY, ()),
-    "empty.gltf": ("{}", mesh.DAMAGED, ("asset",)),
+    "prose.gltf": ("Dear all\n", REFUSALS["damaged-line"], (1, "JSON")),
+    "comma.gltf": ('{"asset":\n{"version": "2.0"},\n,}', REFUSALS["damaged-line"], (3, "JSON")),
+    "latin.gltf": ('{"asset": "caf\udce9"}', REFUSALS["damaged"], ("glTF",)),
+    "prose.glb": ("Dear all\n", REFUSALS["not-of-kind"], ("GLB",)),
+    "list.gltf": ("[]", REFUSALS["damaged"], ("glTF",)),
+    "deep.gltf": ("[" * 100_000, REFUSALS["damaged"], ("JSON",)),
+    "brackets.gltf": ("[" + "[]," * 1_000_000, REFUSALS["no-memory"], ()),
+    "empty.gltf": ("{}", REFUSALS["damaged"], ("asset",)),
 }  # fmt: skip
 """Name of a bad file, its text, the refusal, and what the sentence names beside the file."""
 CHANGES: dict[str, tuple[str, Any, str, tuple[object, ...]]] = {
-    "kind": ("accessors 0 componentType", ..., mesh.DAMAGED, ("componentType",)),
-    "type": ("accessors 0 type", "MAT4", mesh.DAMAGED, ("accessors[0]: 5126, MAT4",)),
-    "count": ("accessors 0 count", 3000, mesh.DAMAGED, ("accessors[0]",)),
-    "sparse": ("accessors 0 sparse", {}, mesh.DAMAGED, ("indices",)),
-    "view": ("bufferViews 1 byteOffset", 64, mesh.DAMAGED, ("accessors[1]",)),
-    "circle": ("nodes 1 children", [0], mesh.DAMAGED, ("children",)),
-    "turn": ("nodes 1 rotation", [0, 0, 0, 0], mesh.DAMAGED, ("rotation",)),
-    "spin": ("nodes 1 rotation", [0, 0, 1e308, 1e308], mesh.DAMAGED, ("rotation",)),
-    "moved": ("nodes 0 translation", [-1e308, 0, 0], finishing.TOO_FAR, ("-1e+308", "4e+12")),
-    "old": ("asset version", "1.0", mesh.UNSUPPORTED, ("glTF 1.0",)),
+    "kind": ("accessors 0 componentType", ..., REFUSALS["damaged"], ("componentType",)),
+    "type": ("accessors 0 type", "MAT4", REFUSALS["damaged"], ("accessors[0]: 5126, MAT4",)),
+    "count": ("accessors 0 count", 3000, REFUSALS["damaged"], ("accessors[0]",)),
+    "sparse": ("accessors 0 sparse", {}, REFUSALS["damaged"], ("indices",)),
+    "view": ("bufferViews 1 byteOffset", 64, REFUSALS["damaged"], ("accessors[1]",)),
+    "circle": ("nodes 1 children", [0], REFUSALS["damaged"], ("children",)),
+    "turn": ("nodes 1 rotation", [0, 0, 0, 0], REFUSALS["damaged"], ("rotation",)),
+    "spin": ("nodes 1 rotation", [0, 0, 1e308, 1e308], REFUSALS["damaged"], ("rotation",)),
+    "moved": ("nodes 0 translation", [-1e308, 0, 0], REFUSALS["too-far"], ("-1e+308", "4e+12")),
+    "old": ("asset version", "1.0", REFUSALS["unsupported"], ("glTF 1.0",)),
     "packed": (
         "extensionsRequired", ["KHR_draco_mesh_compression"],
-        mesh.UNSUPPORTED, ("KHR_draco_mesh_compression",),
+        REFUSALS["unsupported"], ("KHR_draco_mesh_compression",),
     ),
     "few": ("meshes 0 primitives 0", {"attributes": {"POSITION": 0}, "indices": 2, "mode": 1},
-            mesh.DAMAGED, ("accessors[2]",)),
-    "nothing": ("scenes 0 nodes", [], mesh.NO_FACES, (0,)),
+            REFUSALS["damaged"], ("accessors[2]",)),
+    "nothing": ("scenes 0 nodes", [], REFUSALS["no-faces"], (0,)),
 }  # fmt: skip
 """The same for a change at one place of a sound glTF description."""
 
@@ -931,18 +937,18 @@ def test_files_that_are_cut_off_are_refused(tmp_path: Path) -> None:
     gltf_file(tmp_path / "m.glb", PYRAMID)
     whole = (tmp_path / "m.glb").read_bytes()
     (tmp_path / "m.glb").write_bytes(whole[:-20])
-    assert refused(tmp_path / "m.glb").bound == mesh.CUT_OFF
+    assert refused(tmp_path / "m.glb").bound == REFUSALS["cut-off"]
     whole = (tmp_path / "m.stl").read_bytes()
     for count, there in ((1, 5), (50, 5), (51, 4), (300, 0)):
         for head in (whole[:80], b"solid part".ljust(80), b"SOLID\n".ljust(80, b"\0")):
             (tmp_path / "m.stl").write_bytes((head + whole[80:])[:-count])
             error = refused(tmp_path / "m.stl")
-            assert (error.bound, error.limits[1:]) == (mesh.CUT_OFF_TRIANGLES, (there, 6))
+            assert (error.bound, error.limits[1:]) == (REFUSALS["cut-off-triangles"], (there, 6))
     whole = (tmp_path / "m.ply").read_bytes()
     for count, there in ((1, (4, 5, "face")), (14, (3, 5, "face")), (70, (4, 5, "vertex"))):
         (tmp_path / "m.ply").write_bytes(whole[:-count])
         error = refused(tmp_path / "m.ply")
-        assert (error.bound, error.limits[1:]) == (mesh.CUT_OFF_ROWS, there)
+        assert (error.bound, error.limits[1:]) == (REFUSALS["cut-off-rows"], there)
 
 
 def test_gltf_vertices_that_are_not_finite_are_refused(tmp_path: Path) -> None:
@@ -954,12 +960,12 @@ def test_gltf_vertices_that_are_not_finite_are_refused(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("ending", ENDINGS)
 def test_what_is_not_a_file_with_bytes_is_refused(ending: str, tmp_path: Path) -> None:
-    assert refused(tmp_path / f"gone{ending}").bound == mesh.NO_FILE
+    assert refused(tmp_path / f"gone{ending}").bound == REFUSALS["mesh-no-file"]
     (tmp_path / f"empty{ending}").write_bytes(b"")
-    assert refused(tmp_path / f"empty{ending}").bound == mesh.EMPTY
+    assert refused(tmp_path / f"empty{ending}").bound == REFUSALS["mesh-empty"]
     (tmp_path / f"folder{ending}").mkdir()
     for name in (f"folder{ending}", f"a\0b{ending}", "a" * 300 + ending):
-        assert refused(tmp_path / name).bound == mesh.UNREADABLE
+        assert refused(tmp_path / name).bound == REFUSALS["unreadable"]
 
 
 def test_a_file_without_read_permission_is_refused(tmp_path: Path) -> None:
@@ -975,16 +981,14 @@ def test_a_file_without_read_permission_is_refused(tmp_path: Path) -> None:
         if root:
             os.seteuid(0)
         path.chmod(0o600)
-    assert error.bound == mesh.UNREADABLE and "denied" in str(error)
+    assert error.bound == REFUSALS["unreadable"] and "denied" in str(error)
 
 
 def test_every_refusal_is_one_sentence_with_what_to_do(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
-    templates = {
-        value for module in (mesh, finishing, reading) for name, value in vars(module).items()
-        if name.isupper() and isinstance(value, str) and "{0}" in value
-    }  # fmt: skip
+    readers = mesh, mesh_files, ply, gltf, gltf_data, finishing, reading
+    templates = {template for template in marked(*readers) if "{0}" in template}
     assert len(templates) > 15
     for template in templates:
         assert template.startswith("{0}: ") and ";" in template and template.endswith(".")
@@ -1045,7 +1049,7 @@ def test_gltf_reads_files_of_its_own_folder_only(address: str, tmp_path: Path) -
         os.mkfifo(folder / "pipe.bin")
     content["buffers"][0]["uri"] = address
     (folder / "m.gltf").write_text(json.dumps(content), encoding="utf-8")
-    assert refused(folder / "m.gltf").bound == mesh.PART
+    assert refused(folder / "m.gltf").bound == REFUSALS["part"]
     (folder / "sub").mkdir()
     (folder / "sub" / "m.bin").write_bytes(body)
     content["buffers"][0]["uri"] = "sub/m.bin"
@@ -1079,7 +1083,7 @@ def test_a_mesh_that_would_grow_too_large_is_refused_by_its_counts(tmp_path: Pat
     content["buffers"][0]["uri"] = "gone.bin"  # nothing is read before
     path.write_text(json.dumps(content), encoding="utf-8")
     error = refused(path)
-    assert error.bound == mesh.TOO_MUCH
+    assert error.bound == REFUSALS["too-much"]
     assert error.limits[1::2] == (30_000_000, mesh.LARGEST[0])
 
 
@@ -1162,7 +1166,7 @@ def test_the_end_of_the_other_process_is_a_refusal(
             subprocess, "Popen",
             lambda *_, dying=dying, **options: popen([sys.executable, "-c", dying], **options),
         )  # fmt: skip
-        assert refused(tmp_path / "m.obj").bound == reading.ENDED
+        assert refused(tmp_path / "m.obj").bound == REFUSALS["ended"]
 
 
 @pytest.mark.skipif(sys.platform != "linux", reason="where the system keeps the limit")
@@ -1176,7 +1180,7 @@ def test_too_little_memory_is_a_refusal(tmp_path: Path) -> None:
     )
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=False)
     answer = json.loads(done.stdout.splitlines()[-1])
-    assert answer["refused"][0] == mesh.NO_MEMORY and done.stderr == b""
+    assert answer["refused"][0] == REFUSALS["no-memory"] and done.stderr == b""
 
 
 def test_an_error_that_no_reader_foresaw_is_a_refusal(

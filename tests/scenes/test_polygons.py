@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import pyvista as pv
 
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes import reading
 from app.scenes.finishing import finished
 from app.scenes.mesh import Mesh
@@ -185,7 +185,7 @@ def test_faces_that_take_too_long_are_refused(
     monkeypatch.setattr(reading, "DIVIDING_S", 0.2)
     with pytest.raises(Refusal) as caught:
         reading.read(tmp_path / "m.obj")
-    assert caught.value.bound == reading.TOO_LONG
+    assert caught.value.bound == REFUSALS["too-long"]
 
 
 HOLE = (

@@ -35,12 +35,8 @@ from PySide6.QtWidgets import (
 
 from app.document.document import IMAGE, Document, lens_fields
 from app.document.settings import set_values
-from app.drawings.figure import SCALED_WIDTH
 from app.model.chain import FiveTiles
-from app.model.limits import DISTINCT
 from app.model.projection import (
-    AT_LEAST,
-    AT_MOST,
     LARGEST,
     LENSES,
     OBLIQUE_PRESETS,
@@ -54,8 +50,7 @@ from app.model.projection import (
     Projection,
     fov_x_from_fov_y,
 )
-from app.model.refusal import Refusal
-from app.scenes import mesh as meshes
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes import scene
 from app.scenes.phenomena import PHENOMENA
 from tests.support.controls import (
@@ -82,7 +77,7 @@ from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.messages import A_NUMBER, all_digits, sentence
+from widgets.parts.messages import all_digits, sentence
 from widgets.parts.number_rows import QUIET_MS, NumberRow
 from widgets.parts.number_text import parse_number, short_text
 from widgets.parts.scales import Doubling, Linear, Log
@@ -777,15 +772,16 @@ def test_a_number_is_read_as_it_is_typed(text: str, value: float) -> None:
 @pytest.mark.parametrize(
     ("text", "bound"),
     [
-        ("1.000,5", A_NUMBER), ("1'000", A_NUMBER), ("½", A_NUMBER), ("\uff11", A_NUMBER),
-        ("1e300/1e-300", AT_MOST), ("1e300/-1e-300", AT_LEAST), ("-1e400", AT_LEAST),
-        ("1/1e400", AT_MOST), ("1e-300/1e300", DISTINCT), ("1/1e-400", DISTINCT),
+        ("1.000,5", "messages-a-number"), ("1'000", "messages-a-number"),
+        ("½", "messages-a-number"), ("\uff11", "messages-a-number"),
+        ("1e300/1e-300", "at-most"), ("1e300/-1e-300", "at-least"), ("-1e400", "at-least"),
+        ("1/1e400", "at-most"), ("1e-300/1e300", "distinct"), ("1/1e-400", "distinct"),
     ],
 )  # fmt: skip
 def test_a_text_beyond_float64_is_refused(text: str, bound: str) -> None:
     with pytest.raises(Refusal) as caught:
         parse_number("Near", text)
-    assert caught.value.bound == bound
+    assert caught.value.bound == REFUSALS[bound]
 
 
 def test_what_the_dock_shows_can_be_set(controls: Column) -> None:
@@ -1465,9 +1461,9 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         words = {  # noqa: RUF012
             "Near": "Bliža ravnina",
             "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
-            meshes.EMPTY: "{0}: datoteka je prazna.",
-            scene.NEARLY_A_SCENE: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
-            SCALED_WIDTH: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
+            REFUSALS["mesh-empty"]: "{0}: datoteka je prazna.",
+            REFUSALS["nearly-a-scene"]: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
+            REFUSALS["scaled-width"]: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
         }
 
         def translate(self, context: str, text: str, *_rest: object) -> str:
@@ -1487,7 +1483,10 @@ def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) 
         *others, last = scene.BUILT_IN
         said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
         assert sentence(unknown.value) == said
-        assert sentence(Refusal.saying(meshes.EMPTY, "{1}.obj")) == "{1}.obj: datoteka je prazna."
+        assert (
+            sentence(Refusal.saying(REFUSALS["mesh-empty"], "{1}.obj"))
+            == "{1}.obj: datoteka je prazna."
+        )
         cube = scene.load("cube")
         with pytest.raises(Refusal) as large:
             figure_of(cube, cube.start, size=(9000, 600), scale=2.0).pixels()

@@ -27,6 +27,7 @@ from app.measure.meaning import bargain, meaning
 from app.measure.results import ChartPoint, Measurements, Trade, from_json, table, to_csv, to_json
 from app.measure.single import SHIPPED, read_results, split
 from app.model.projection import Camera, Perspective, Projection
+from app.model.refusal import MEASURE
 from app.scenes.phenomena.cheap_arithmetic import hardware_of
 from app.scenes.phenomena.illustration import Diagram
 from app.scenes.scene import load
@@ -254,7 +255,7 @@ def test_a_cancelled_measurement_keeps_its_results_and_says_so(
     assert "(cancelled)" in panel.sentence.text()
     assert len(cells(panel)) == len(panel.measured["arithmetic"].trades[0].choices) > 5
     notes = {row[-1] for row in cells(panel) if row[1] == "-"}
-    assert notes <= {"cancelled", "not installed", arithmetic.IN_SOFTWARE}
+    assert notes <= {"cancelled", "not installed", MEASURE["in-software"]}
     panel.choose("depth")
     assert "depth" not in panel.measured and cells(panel) == [["", "cancelled"]]
     assert panel.sentence.text() == "cancelled"
@@ -312,8 +313,8 @@ def test_a_scene_behind_the_eye_is_explained_in_the_table(
     qtbot.addWidget(panel)
     panel.show()
     measured(qtbot, panel, "arithmetic")
-    assert cells(panel)[0][-1] == arithmetic.NO_POINTS
-    assert panel.sentence.text().startswith(f"Nothing could be measured: {arithmetic.NO_POINTS}.")
+    assert cells(panel)[0][-1] == MEASURE["no-points"]
+    assert panel.sentence.text().startswith(f"Nothing could be measured: {MEASURE['no-points']}.")
     assert panel.list.currentItem().icon().isNull() and panel.progress.value() == 0
     assert panel.export(tmp_path / "nothing.png")
 
@@ -585,7 +586,7 @@ def test_notes_take_the_free_width_and_are_fully_visible(
     panel: MeasurePanel, display: Any, tmp_path: Path
 ) -> None:
     noted = ChartPoint(
-        "MSAA 8", 1.0, 1.0, 2.0, note=arithmetic.NO_POINTS, use={"smoothing": "MSAA 8"}
+        "MSAA 8", 1.0, 1.0, 2.0, note=MEASURE["no-points"], use={"smoothing": "MSAA 8"}
     )
     trade = Trade("smoothing", "ms", "levels RMS", (noted,), 5)
     panel.resize(700, 300)
@@ -601,7 +602,7 @@ def test_notes_take_the_free_width_and_are_fully_visible(
         last = panel.table.columnCount() - 1
         inside = panel.table.visualItemRect(panel.table.item(0, last)).adjusted(4, 0, -4, 0)
         wrap = Qt.TextFlag.TextWordWrap
-        needed = panel.table.fontMetrics().boundingRect(inside, wrap, arithmetic.NO_POINTS)
+        needed = panel.table.fontMetrics().boundingRect(inside, wrap, MEASURE["no-points"])
         assert needed.width() <= inside.width() and needed.height() <= heights[-1], "not whole"
     assert heights[0] == heights[2] > heights[1]
 

@@ -48,7 +48,7 @@ import app.scenes.scene
 from app.bootstrap import ROOT
 from app.document.codec import picture_json, to_json
 from app.document.document import Document
-from app.document.files import UNWRITABLE, extract, read, write
+from app.document.files import extract, read, write
 from app.document.lengths import Size
 from app.drawings.figure import Figure
 from app.drawings.figure_files import png_bytes
@@ -57,7 +57,7 @@ from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.model.projection import Camera, Orbit, Orthographic, Perspective, Projection
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.quality import Quality
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
@@ -1035,7 +1035,7 @@ def test_recovered_work_is_in_a_copy_at_every_moment(
     window = make_window(shown=False)
 
     def full(_document: Document, path: Path) -> None:
-        raise Refusal.in_document(UNWRITABLE, "No space left on device", file=str(path))
+        raise Refusal.in_document(REFUSALS["unwritable"], "No space left on device", file=str(path))
 
     def on_a_full_disk(act: Callable[[], object]) -> None:
         with monkeypatch.context() as disk:

@@ -12,9 +12,9 @@ from typing import Literal, TypeAlias
 from PySide6.QtCore import Signal
 from PySide6.QtWidgets import QWidget
 
-from app.model.limits import NOT_PARALLEL, within
-from app.model.projection import LARGEST, NOT_THE_EYE, Camera, Vector
-from app.model.refusal import Refusal
+from app.model.limits import within
+from app.model.projection import LARGEST, Camera, Vector
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import ChoiceRow, Option, Row
 from widgets.parts.labels import WarningLabel
@@ -228,13 +228,13 @@ class AnimationBar(QWidget, Playing):
 
     def _why(self, error: Refusal) -> str:
         """Say why the walk stopped, without the numbers of a camera that nobody chose."""
-        if error.bound == NOT_THE_EYE and self._motion.look == "level":
+        if error.bound == REFUSALS["not-the-eye"] and self._motion.look == "level":
             if self._start is not None and self._start.eye[1] < self._start.target[1]:
                 return WORDS.say("below")
             return WORDS.say("above")
-        if error.bound == NOT_THE_EYE:
+        if error.bound == REFUSALS["not-the-eye"]:
             return WORDS.say("at-target")
-        if error.bound == NOT_PARALLEL:
+        if error.bound == REFUSALS["not-parallel"]:
             return WORDS.say("along-up")
         return sentence(error)
 

@@ -34,8 +34,8 @@ from app.model.parameters import (
     TILES,
     parameters,
 )
-from app.model.projection import FINITE_NUMBER, LARGEST, LENSES, Camera, Projection
-from app.model.refusal import Refusal, shown_limits
+from app.model.projection import LARGEST, LENSES, Camera, Projection
+from app.model.refusal import REFUSALS, Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
 from widgets.controls.chain_editor import ChainEditor
 from widgets.controls.dock import ControlTexts, Dock, find
@@ -431,7 +431,10 @@ class Controls(Dock, RowHolder):
             projection = binding.parameter.put(before, value)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
-            general = seen.bound == FINITE_NUMBER or seen.limits in ((LARGEST,), (-LARGEST,))
+            general = seen.bound == REFUSALS["finite-number"] or seen.limits in (
+                (LARGEST,),
+                (-LARGEST,),
+            )
             if isinstance(value, float) and abs(value) > LARGEST and general:
                 seen = self._limit(binding, value) or seen
             binding.row.show_error(sentence(_as_shown(seen, value)))

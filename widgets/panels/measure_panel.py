@@ -35,7 +35,6 @@ from app.measure import chart
 from app.measure.meaning import ANY_SCENE, bargain, boldest, meaning, shown_by
 from app.measure.results import (
     CANCELLED,
-    MEASURED_ONLY,
     SWEPT,
     ChartPoint,
     Measurements,
@@ -55,7 +54,7 @@ from app.measure.single import (
     shipped,
     split,
 )
-from app.model.refusal import Refusal
+from app.model.refusal import MEASURE, Refusal
 from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
@@ -545,4 +544,4 @@ class MeasurePanel(DiagramPanel):
         """Say why the panes cannot use a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
-        return of_measurements(MEASURED_ONLY).format(named(choice.name, of_measurements))
+        return of_measurements(MEASURE["measured-only"]).format(named(choice.name, of_measurements))

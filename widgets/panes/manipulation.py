@@ -21,8 +21,8 @@ from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 from app.drawings.drawing import Taken
 from app.model.limits import OTHER_SIDE, vector
 from app.model.parameter import Settings
-from app.model.projection import NOT_THE_EYE, Array, Projection, Vector
-from app.model.refusal import Refusal, six_digits
+from app.model.projection import Array, Projection, Vector
+from app.model.refusal import REFUSALS, Refusal, six_digits
 from app.picking.handles import (
     Change,
     Handle,
@@ -414,7 +414,7 @@ def _seen_from(change: Change, error: Refusal) -> Refusal:
     value = change.get(side)
     if isinstance(value, float):
         return seen_from(side, "", value, error)
-    if error.bound == NOT_THE_EYE and "eye" in change:
+    if error.bound == REFUSALS["not-the-eye"] and "eye" in change:
         return seen_from("eye", "", 0.0, error)
     return error
 

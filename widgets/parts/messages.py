@@ -19,15 +19,7 @@ from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
 from app.lecture.letters import Letters, in_letters
-from app.model.limits import (
-    AT_LEAST,
-    AT_MOST,
-    FINITE_NUMBER,
-    NOT_THE_EYE,
-    NOT_THE_TARGET,
-    OTHER_SIDE,
-    THREE_NUMBERS,
-)
+from app.model.limits import OTHER_SIDE
 from app.model.parameter import Parameter, read_sections
 from app.model.parameters import TITLES
 from app.model.refusal import REFUSALS, Refusal, format_value
@@ -60,9 +52,6 @@ _NAMES = read_sections(Path(__file__).with_name("content") / "names.md")
 SPACES, FACTORS = _NAMES["Space"].named, _NAMES["Factor"].named
 
 # Refusals of controls only: the text is not a number.
-A_NUMBER = REFUSALS["messages-a-number"]
-A_NUMBER_LIKE = REFUSALS["a-number-like"]
-A_NUMBER_OR_INFINITY = REFUSALS["a-number-or-infinity"]
 
 FEW = 4  # significant digits of a displayed number
 
@@ -167,7 +156,7 @@ def limits_text(low: float, high: float) -> str:
     """State the limits of a number; an infinite limit is omitted."""
     return "; ".join(
         translated(bound).format(number_text(limit))
-        for bound, limit in ((AT_LEAST, low), (AT_MOST, high))
+        for bound, limit in ((REFUSALS["at-least"], low), (REFUSALS["at-most"], high))
         if math.isfinite(limit)
     )
 
@@ -193,10 +182,10 @@ def seen_from(field: str, name: str, value: float, error: Refusal) -> Refusal:
     side, bound = OTHER_SIDE.get(error.bound, ("", error.bound))
     if field == side:
         return Refusal(field, value, bound, _value_text(error.value))
-    if field == "eye" and error.bound == NOT_THE_EYE:
-        return Refusal("eye", error.value, NOT_THE_TARGET)
-    if error.bound == THREE_NUMBERS:
-        return Refusal(name, value, FINITE_NUMBER)
+    if field == "eye" and error.bound == REFUSALS["not-the-eye"]:
+        return Refusal("eye", error.value, REFUSALS["not-the-target"])
+    if error.bound == REFUSALS["three-numbers"]:
+        return Refusal(name, value, REFUSALS["finite-number"])
     return error
 
 

@@ -10,19 +10,11 @@ from PySide6.QtCore import QEvent, QSignalBlocker, Qt, QTimer
 from PySide6.QtGui import QKeyEvent, QMouseEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import QBoxLayout, QSlider, QStyle, QStyleOptionSlider, QWidget
 
-from app.model.projection import FINITE_NUMBER
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.fields import Row
 from widgets.parts.gestures import HeldSlider
 from widgets.parts.layouts import in_row
-from widgets.parts.messages import (
-    A_NUMBER,
-    A_NUMBER_LIKE,
-    A_NUMBER_OR_INFINITY,
-    all_digits,
-    number_text,
-    sentence,
-)
+from widgets.parts.messages import all_digits, number_text, sentence
 from widgets.parts.number_field import ShortField
 from widgets.parts.number_text import short_text
 from widgets.parts.plain import Markup, PlainLabel, set_tip
@@ -305,9 +297,15 @@ class NumberRow(_TypedRow):
         return self.field.read(self.scale.infinite)
 
     def _why(self, error: Refusal) -> str:
-        limits = self.limits() if error.bound in (A_NUMBER, A_NUMBER_OR_INFINITY) else ""
-        if error.bound == A_NUMBER and not all(map(self.accepts, EXAMPLES)):
-            error = Refusal(self.name, error.value, A_NUMBER_LIKE, short_text(self._value))
+        limits = (
+            self.limits()
+            if error.bound in (REFUSALS["messages-a-number"], REFUSALS["a-number-or-infinity"])
+            else ""
+        )
+        if error.bound == REFUSALS["messages-a-number"] and not all(map(self.accepts, EXAMPLES)):
+            error = Refusal(
+                self.name, error.value, REFUSALS["a-number-like"], short_text(self._value)
+            )
         said = sentence(error)
         return f"{said.removesuffix('.')}; {limits}." if limits else said
 
@@ -398,6 +396,6 @@ class VectorRow(_TypedRow):
     def _read(self, field: ShortField) -> tuple[float, ...]:
         number = field.read()
         if math.isinf(number):
-            raise Refusal(field.name, number, FINITE_NUMBER)
+            raise Refusal(field.name, number, REFUSALS["finite-number"])
         place = self.fields.index(field)
         return (*self._value[:place], number, *self._value[place + 1 :])

@@ -3,11 +3,10 @@
 import math
 import re
 
-from app.model.limits import DISTINCT
 from app.model.numerals import plain
-from app.model.projection import AT_LEAST, AT_MOST, LARGEST
-from app.model.refusal import Refusal
-from widgets.parts.messages import A_NUMBER, A_NUMBER_OR_INFINITY, number_text
+from app.model.projection import LARGEST
+from app.model.refusal import REFUSALS, Refusal
+from widgets.parts.messages import number_text
 
 FIELD_CHARACTERS = 8  # longest number, without its sign, that a field shows while it is not edited
 _MOST = 6  # most digits of a number that counts as short
@@ -26,7 +25,7 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
     infinity = _INFINITY.fullmatch(bare)
     if infinity:
         return -math.inf if infinity[1] == "-" else math.inf
-    not_a_number = A_NUMBER_OR_INFINITY if infinite else A_NUMBER
+    not_a_number = REFUSALS["a-number-or-infinity"] if infinite else REFUSALS["messages-a-number"]
     parts = []
     for part in bare.split("/"):
         match = _NUMBER.fullmatch(part.strip())
@@ -34,16 +33,18 @@ def parse_number(name: str, text: str, unit: str = "", *, infinite: bool = False
             raise Refusal(name, typed, not_a_number)
         number = float(match[0].replace(",", "."))
         if number == 0.0 and re.search("[1-9]", match[1]):
-            raise Refusal(name, typed, DISTINCT, 0)
+            raise Refusal(name, typed, REFUSALS["distinct"], 0)
         parts.append(number)
     if len(parts) > 2 or parts[1:] == [0.0]:
         raise Refusal(name, typed, not_a_number)
     number = parts[0] / parts[1] if len(parts) == 2 else parts[0]
     if any(map(math.isinf, parts)) or math.isinf(number):
-        bound, limit = (AT_LEAST, -LARGEST) if number < 0.0 else (AT_MOST, LARGEST)
+        bound, limit = (
+            (REFUSALS["at-least"], -LARGEST) if number < 0.0 else (REFUSALS["at-most"], LARGEST)
+        )
         raise Refusal(name, typed, bound, limit)
     if number == 0.0 and parts[0] != 0.0:
-        raise Refusal(name, typed, DISTINCT, 0)
+        raise Refusal(name, typed, REFUSALS["distinct"], 0)
     return number
 
 

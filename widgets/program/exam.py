@@ -46,8 +46,6 @@ CELL_PT = 56.0, 24.0  # width and height of a cell of a matrix that the student 
 LINE_PT = 120.0  # length of the line for a number
 BRACKET_PT = 4.0
 
-TOO_LONG = REFUSALS["exam-too-long"]
-
 
 class Numbered(NamedTuple):
     """An exercise of a test, with the title of its lesson, and its numbers."""
@@ -214,7 +212,7 @@ def paged(
         least = [part.height + first * (number == 0) for number, part in enumerate(parts)]
         longest = max(range(len(parts)), key=least.__getitem__)
         if least[longest] > height:
-            raise refused(exercises[longest].question.line, TOO_LONG)
+            raise refused(exercises[longest].question.line, REFUSALS["exam-too-long"])
         count = len(_ends(least, height))
         low, high = least[longest], height
         for _ in range(20):  # the least height with which they need no more pages

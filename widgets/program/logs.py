@@ -10,8 +10,7 @@ from typing import Any
 from PySide6.QtCore import QMessageLogContext, QObject, Qt, QtMsgType, Signal
 
 from app import modules
-from app.lessons.lesson import NOT_UTF8
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.messages import sentence
 from widgets.window.settings import log_path
 
@@ -69,7 +68,9 @@ class EncodingNotes(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         path, _ = record.args or ("", "")
-        self._signals.noted.emit(sentence(Refusal.in_document(NOT_UTF8, file=str(path))))
+        self._signals.noted.emit(
+            sentence(Refusal.in_document(REFUSALS["not-utf8"], file=str(path)))
+        )
 
 
 class _LogFile(logging.handlers.RotatingFileHandler):

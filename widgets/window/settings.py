@@ -14,7 +14,7 @@ from typing import Any, Generic, TypeVar
 from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 
 from app import __version__
-from app.document.files import UNREADABLE, UNWRITABLE, blamed_on, write_bytes_atomically
+from app.document.files import blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
 from app.lessons.player import Progress
 from app.model.refusal import REFUSALS, Refusal
@@ -70,7 +70,6 @@ which may be a matrix."""
 
 TRIAL_BYTES = 2**18
 """Size of a file that finds out why the settings cannot be written; they are seldom as large."""
-SET_ASIDE = REFUSALS["set-aside"]
 
 
 # Each reads one kind of value from the file's text, and raises ValueError for an invalid one.
@@ -287,7 +286,7 @@ class Settings:
 def _why_not(path: Path) -> Refusal:
     """Return why the settings cannot be written, which Qt does not say."""
     try:
-        with blamed_on(path, UNWRITABLE):
+        with blamed_on(path, REFUSALS["unwritable"]):
             path.parent.mkdir(parents=True, exist_ok=True)
             write_bytes_atomically(path, bytes(TRIAL_BYTES), is_trial=True)
     except Refusal as error:
@@ -301,13 +300,13 @@ def _looked_at(path: Path | None) -> tuple[bool, Refusal | None]:
         return path is not None, None
     aside = f"{path}.bak"
     try:
-        with blamed_on(path, UNREADABLE), open_regular(path) as file:
+        with blamed_on(path, REFUSALS["files-unreadable"]), open_regular(path) as file:
             is_sound = _is_ini(file.read())
         if is_sound:
             return True, None
         with blamed_on(path, REFUSALS["not-set-aside"]):
             os.replace(path, aside)
-        usable, problem = True, Refusal.in_document(SET_ASIDE, aside, file=str(path))
+        usable, problem = True, Refusal.in_document(REFUSALS["set-aside"], aside, file=str(path))
     except Refusal as error:
         usable, problem = False, error
     log.warning("the default settings are used: %s", str(problem))

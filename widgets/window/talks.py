@@ -13,12 +13,12 @@ from PySide6.QtCore import QObject, QRect, Qt, QTimer
 from PySide6.QtGui import QAction, QGuiApplication, QImage
 from PySide6.QtWidgets import QApplication, QMainWindow
 
-from app.document.files import UNWRITABLE, blamed_on, write_bytes_atomically
+from app.document.files import blamed_on, write_bytes_atomically
 from app.document.store import Store
 from app.lessons.blocks.block import Here, ReadBlock
 from app.lessons.player import Player
 from app.lessons.strokes import Stroke, picture_beside, read_strokes, write_strokes
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.saving import png_of
@@ -174,7 +174,7 @@ class Talks(QObject):
         kept = {path.stem for path in picture_beside(talk, "").parent.glob("*.png")}
         for name in kept.union(self._pen.pictures):
             path = picture_beside(talk, name)
-            with blamed_on(path, UNWRITABLE):
+            with blamed_on(path, REFUSALS["unwritable"]):
                 if name in self._pen.pictures:
                     path.parent.mkdir(exist_ok=True)
                     write_bytes_atomically(path, png_of(self._pen.pictures[name]))

@@ -11,7 +11,7 @@ from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import CHECKS, RIGHT, MarkedQuestion, Question, Reply, Value
-from app.lessons.lines import LACKS, Body, refused
+from app.lessons.lines import Body, refused
 from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
@@ -33,7 +33,7 @@ class Answer(MarkedQuestion):
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         given = [item for item in items if item.key in WAYS]
         if not given:
-            raise refused(body.line, LACKS, _ANSWERS)
+            raise refused(body.line, REFUSALS["lacks"], _ANSWERS)
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
             raise refused(

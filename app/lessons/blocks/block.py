@@ -18,12 +18,10 @@ from typing import Any, ClassVar, NamedTuple, Protocol
 from app.document.document import Document
 from app.document.settings import assignments_in
 from app.document.view import View
-from app.lessons.lines import LACKS, ONLY_ONCE, Body, Items, LineItem, Lines, refused
+from app.lessons.lines import Body, Items, LineItem, Lines, refused
 from app.lessons.quantities import Quantities
 from app.lessons.text import escaped
 from app.model.refusal import REFUSALS, Refusal
-
-BESIDE = REFUSALS["beside"]
 
 
 class State(NamedTuple):
@@ -56,7 +54,7 @@ def read_state(lines: Lines, line: int) -> State:
         is_document = text.startswith("document:")
         name = "document" if is_document else path_of(text)
         if name in names:
-            raise refused(number, ONLY_ONCE, name)
+            raise refused(number, REFUSALS["only-once"], name)
         names.add(name)
         if is_document:
             document, document_line = _beside(text[len(name) + 1 :].strip(), number), number
@@ -65,7 +63,7 @@ def read_state(lines: Lines, line: int) -> State:
         else:
             raise refused(number, REFUSALS["an-assignment"], value=text[:60])
     if not values and not document:
-        raise refused(line, LACKS, "NAME=VALUE")
+        raise refused(line, REFUSALS["lacks"], "NAME=VALUE")
     return State(line, tuple(values), document, document_line)
 
 
@@ -89,7 +87,7 @@ def _beside(path: str, line: int) -> str:
     """Return the path of a file that is in the lesson's folder or below it."""
     parts = re.split(r"[/\\]", path)
     if not path or path[0] in "/\\~" or ".." in parts or ":" in path:
-        raise refused(line, BESIDE, value=path[:60])
+        raise refused(line, REFUSALS["beside"], value=path[:60])
     return path
 
 

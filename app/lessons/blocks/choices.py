@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 from app.lessons import marking
 from app.lessons.blocks.block import REVEALED, Here, Verdict, state_in
 from app.lessons.blocks.question import CHECKS, LETTERS, RIGHT, Question, Reply
-from app.lessons.lines import LACKS, Body, Items, LineItem, on_line, refused, whole
+from app.lessons.lines import Body, Items, LineItem, on_line, refused, whole
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
@@ -31,7 +31,7 @@ class Choice(Reply):
         idea = _IDEA.search(item.text)
         text, _, behind = _IDEA.sub("", item.text).partition(" := ")
         if not text.strip():
-            raise refused(item.line, LACKS, "a text")
+            raise refused(item.line, REFUSALS["lacks"], "a text")
         formulas: tuple[Formula, ...] = ()
         if behind.strip():
             with on_line(item.line, ":="):

@@ -9,10 +9,9 @@ from app.lessons import marking
 from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.question import MarkedQuestion, Reply, Value
 from app.lessons.blocks.working import has_names, in_list, working
-from app.lessons.lines import LACKS, Body, Items, LineItem, number_in, on_line, refused, split
+from app.lessons.lines import Body, Items, LineItem, number_in, on_line, refused, split
 from app.lessons.quantities import read_formula
 from app.model.formula import Formula
-from app.model.limits import ONE_OF
 from app.model.refusal import REFUSALS, Refusal
 
 WITHIN_PX = 12.0  # largest distance of a click that counts, unless the question says another one
@@ -44,9 +43,9 @@ class Click(MarkedQuestion):
         click, at, within = (items.single(key) for key in ("click", "at", "within"))
         assert click is not None
         if click.text not in PANES:
-            raise refused(click.line, ONE_OF, ", ".join(PANES), value=click.text)
+            raise refused(click.line, REFUSALS["one-of"], ", ".join(PANES), value=click.text)
         if at is None:
-            raise refused(click.line, LACKS, "“at: FORMULA, FORMULA”")
+            raise refused(click.line, REFUSALS["lacks"], "“at: FORMULA, FORMULA”")
         count, wrong = 2 if click.text == "image" else 3, items.every("wrong")
         return cls(
             **cls.fields(body, text, items),

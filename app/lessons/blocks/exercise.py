@@ -18,9 +18,9 @@ from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
-from app.lessons.lines import LACKS, Body, Lines, continued, on_line, refused, whole
+from app.lessons.lines import Body, Lines, continued, on_line, refused, whole
 from app.lessons.marking import are_alike
-from app.lessons.quantities import NO_NAME, WITHOUT_VALUE, Condition, rational
+from app.lessons.quantities import WITHOUT_VALUE, Condition, rational
 from app.model.formula import parse
 from app.model.refusal import REFUSALS, Refusal
 
@@ -30,9 +30,6 @@ LARGEST_SEED = 9999
 _DRAWS = 40  # how often numbers are drawn until they suit; rarer ones would be slow to find
 SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks the whole question
 
-TOO_MANY = REFUSALS["exercise-too-many"]
-UNSUITED = REFUSALS["unsuited"]
-NO_VALUE_WITH = REFUSALS["no-value-with"]
 
 _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
@@ -80,7 +77,7 @@ class Exercise(Asked):
             else:
                 recipe.append((line, text))
         if not varied:
-            raise refused(body.line, LACKS, "“vary NAME: VALUES”")
+            raise refused(body.line, REFUSALS["lacks"], "“vary NAME: VALUES”")
         made = cls(
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
             states=states, hides=frozenset(hides), recipe=recipe,
@@ -124,7 +121,7 @@ class Exercise(Asked):
             try:
                 return self._suited(here, seed, numbers)
             except Refusal as error:
-                if complete and error.bound == NO_VALUE_WITH:
+                if complete and error.bound == REFUSALS["no-value-with"]:
                     raise
                 problem = error
         raise refused(self.line, REFUSALS["no-variant"], seed, str(problem).rstrip("."))
@@ -136,18 +133,18 @@ class Exercise(Asked):
         for line, condition in self.where:
             with on_line(line, "where"):
                 if not condition.holds(known):
-                    raise refused(line, UNSUITED, value=condition.text)
+                    raise refused(line, REFUSALS["unsuited"], value=condition.text)
         try:
             question = self.question(numbers)
             if isinstance(question, Question):
                 question.values(here, *question.key)
             elif question.is_done(here, here.document):
-                raise refused(self.line, UNSUITED, value=question.text[:60])
+                raise refused(self.line, REFUSALS["unsuited"], value=question.text[:60])
         except Refusal as error:
             if error.bound not in WITHOUT_VALUE:
                 raise
             error.limits = error.bound.format(*error.limits), _listed(numbers)
-            error.bound = NO_VALUE_WITH
+            error.bound = REFUSALS["no-value-with"]
             raise
         question.check_values(here)
         return Variant(seed, numbers, question, here)
@@ -161,7 +158,7 @@ class Exercise(Asked):
                 try:
                     self._suited(here, 1, numbers | {each.name: value})
                 except Refusal as error:
-                    if error.bound == NO_VALUE_WITH:
+                    if error.bound == REFUSALS["no-value-with"]:
                         raise
 
     def _state(self, numbers: Mapping[str, Fraction]) -> State | None:
@@ -245,7 +242,9 @@ def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
             return rational(parse(text.strip()), numbers)
         except KeyError as error:
             near = ", ".join(numbers) or "none"
-            raise Refusal("formula", text.strip(), NO_NAME, str(error.args[0]), near) from error
+            raise Refusal(
+                "formula", text.strip(), REFUSALS["no-name"], str(error.args[0]), near
+            ) from error
 
 
 def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied:
@@ -258,7 +257,7 @@ def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied
     if not is_range:
         parts = text.split(",")
         if len(parts) > MOST_VALUES:
-            raise refused(line, TOO_MANY, len(parts), MOST_VALUES)
+            raise refused(line, REFUSALS["exercise-too-many"], len(parts), MOST_VALUES)
         values = [_number(part, line, {}) for part in parts]
     else:
         end, _, by = rest.partition(" step ")
@@ -267,7 +266,7 @@ def _varied(name: str, text: str, line: int, before: Sequence[Varied]) -> Varied
             raise refused(line, REFUSALS["a-range"], value=text[:60])
         count = (last - first) // step + 1
         if count > MOST_VALUES:
-            raise refused(line, TOO_MANY, count, MOST_VALUES)
+            raise refused(line, REFUSALS["exercise-too-many"], count, MOST_VALUES)
         values = [first + step * place for place in range(int(count))]
     return Varied(name, tuple(values))
 

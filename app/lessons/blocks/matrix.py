@@ -23,9 +23,6 @@ Part = TypeVar("Part")
 MOST = 4  # most rows, and most columns
 
 
-NONE = REFUSALS["none"]
-
-
 @dataclass(frozen=True, kw_only=True)
 class MatrixQuestion(MarkedQuestion):
     """A question whose answer is a matrix or a vector; its values are listed row after row.
@@ -95,7 +92,7 @@ class MatrixQuestion(MarkedQuestion):
         if all(turned[place] for place in wrong):
             return Refusal.saying(REFUSALS["some-signs"])
         if not any(cells):
-            return Refusal.saying(NONE)
+            return Refusal.saying(REFUSALS["none"])
         rows = {place // self.columns + 1 for place in wrong}
         columns = {place % self.columns + 1 for place in wrong}
         if len(wrong) == 1 and self.rows > 1 and self.columns > 1:

@@ -22,7 +22,6 @@ from app.lessons.lines import Body, Items, LineItem, on_line, refused
 from app.lessons.marking import UNITS, TypedNumber
 from app.lessons.quantities import Condition, NotThere, Quantities
 from app.model.formula import Formula, Letter, parse
-from app.model.limits import ONE_OF
 from app.model.parameters import FOCAL_E, FOV_X, FOV_Y, PARAMETERS
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
@@ -302,7 +301,7 @@ class MarkedQuestion(Question):
     def fields(body: Body, text: str, items: Items) -> dict[str, Any]:
         unit = items.single("unit")
         if unit is not None and unit.text.lower() not in UNITS:
-            raise refused(unit.line, ONE_OF, ", ".join(UNITS), value=unit.text)
+            raise refused(unit.line, REFUSALS["one-of"], ", ".join(UNITS), value=unit.text)
         more = {"unit": items.text("unit"), "number": items.text("number")}
         return Question.fields(body, text, items) | more
 
@@ -346,7 +345,7 @@ def hidden_in(text: str, line: int) -> set[str]:
     """Read the names of the things that a question hides."""
     names = {name.strip() for name in text.split(",")}
     for name in names.difference(HIDDEN):
-        raise refused(line, ONE_OF, ", ".join(HIDDEN), value=name)
+        raise refused(line, REFUSALS["one-of"], ", ".join(HIDDEN), value=name)
     return names
 
 

@@ -18,7 +18,7 @@ from app.lessons.blocks.block import (
     Trial,
     read_state,
 )
-from app.lessons.lines import ONLY_ONCE, UNEXPECTED, Body, number_in, refused
+from app.lessons.lines import Body, number_in, refused
 from app.model.refusal import REFUSALS
 
 
@@ -57,10 +57,10 @@ class Note(Block):
         for number, text in body.lines:
             if text.strip().startswith("minutes:"):
                 if minutes is not None:
-                    raise refused(number, ONLY_ONCE, "minutes")
+                    raise refused(number, REFUSALS["only-once"], "minutes")
                 minutes = number_in(text.partition(":")[2].strip(), number, 0, 1000)
             elif re.match(r"\s*min\w*\s*[:=]\s*\d", text, re.IGNORECASE):
-                raise refused(number, UNEXPECTED, "minutes", value=text.strip()[:60])
+                raise refused(number, REFUSALS["unexpected"], "minutes", value=text.strip()[:60])
             else:
                 lines.append(text)
                 first = first or (number if text.strip() else 0)

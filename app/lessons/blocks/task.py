@@ -8,9 +8,8 @@ from app.document.settings import set_values
 from app.document.view import PANES, View
 from app.lessons.blocks.block import Asked, Here, State, Trial, Verdict, state_in
 from app.lessons.blocks.question import Reply
-from app.lessons.lines import LACKS, Body, on_line, refused
+from app.lessons.lines import Body, on_line, refused
 from app.lessons.quantities import Condition
-from app.model.limits import ONE_OF
 from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
 from app.model.refusal import REFUSALS, Refusal
 
@@ -46,7 +45,7 @@ class Task(Asked):
         text, items = body.items("until", "done", "hint", "why", "wrong", "right")
         until = items.conditions("until")
         if not until:
-            raise refused(body.line, LACKS, "“until: CONDITION”")
+            raise refused(body.line, REFUSALS["lacks"], "“until: CONDITION”")
         wrong = zip(items.every("wrong"), items.conditions("wrong"), strict=True)
         replies = tuple(Wrong.of(item, condition=each) for item, (_, each) in wrong)
         return cls(
@@ -150,6 +149,6 @@ def _with_sample(document: Document, assignments: Sequence[str]) -> Document:
         names = each.removeprefix(_PANES) if each.startswith(_PANES) else ""
         for name in filter(None, names.split(",")):
             if name not in PANES:
-                raise Refusal("view.panes", name, ONE_OF, ", ".join(PANES))
+                raise Refusal("view.panes", name, REFUSALS["one-of"], ", ".join(PANES))
             turned[name] = document.projection.camera
     return replace(document, view=replace(document.view, panes=turned))

@@ -16,8 +16,8 @@ from typing import Any, ClassVar
 import numpy as np
 
 from app.model.lenses.answers import ExactWindow, Window
-from app.model.limits import ONE_OF, Array
-from app.model.refusal import Refusal
+from app.model.limits import Array
+from app.model.refusal import REFUSALS, Refusal
 
 LENSES: dict[str, Any] = {}  # lenses with fields, by kind; `app.model.lenses` fills in this table
 
@@ -55,7 +55,7 @@ class Geometry:
 
     @classmethod
     def _refusal(cls) -> Refusal:
-        return Refusal("kind", cls.kind, ONE_OF, ", ".join(LENSES))
+        return Refusal("kind", cls.kind, REFUSALS["one-of"], ", ".join(LENSES))
 
     # -- projectors
 

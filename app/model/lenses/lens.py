@@ -21,16 +21,8 @@ from app.arithmetic.rationals import Rationals
 from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Window
 from app.model.lenses.geometry import Geometry
 from app.model.limits import (
-    ABOVE,
-    AT_LEAST,
-    BOTTOM_BEFORE_TOP,
-    DISTINCT,
-    LEFT_BEFORE_RIGHT,
-    NEAR_BEFORE_FAR,
-    ONE_OF,
     SMALLEST,
     SMALLEST_WINDOW,
-    WIDER,
     Array,
     Cells,
     Keep,
@@ -39,7 +31,7 @@ from app.model.limits import (
     real,
 )
 from app.model.parameter import Parameter, read_sections, section_of, stated
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import REFUSALS, Refusal, format_value
 from app.model.tables import TO_PYRAMID, PipelineStep, Table
 
 
@@ -162,16 +154,16 @@ class Lens(Geometry):
             near = finite(NEAR.name, near)
         if not cls.parallel:
             if near <= 0.0:
-                raise Refusal(NEAR.name, near, ABOVE, 0)
+                raise Refusal(NEAR.name, near, REFUSALS["above"], 0)
             if near < SMALLEST:
-                raise Refusal(NEAR.name, near, AT_LEAST, SMALLEST)
+                raise Refusal(NEAR.name, near, REFUSALS["at-least"], SMALLEST)
         far = real(FAR.name, far)
         if cls.parallel or far != math.inf:
             far = finite(FAR.name, far)
         if near >= far:
-            raise Refusal(NEAR.name, near, NEAR_BEFORE_FAR, format_value(far))
+            raise Refusal(NEAR.name, near, REFUSALS["near-before-far"], format_value(far))
         if cls.parallel and far - near < SMALLEST:  # where only their ratio counts, it may be less
-            raise Refusal(NEAR.name, near, DISTINCT, format_value(far))
+            raise Refusal(NEAR.name, near, REFUSALS["distinct"], format_value(far))
         return near, far
 
     # -- the image
@@ -194,7 +186,7 @@ class Lens(Geometry):
 
     def intrinsics(self, image_size: tuple[int, int]) -> Intrinsics:
         """The perspective camera's K, or a `Refusal` if the projectors do not meet."""
-        raise Refusal("kind", self.kind, ONE_OF, "perspective, frustum")
+        raise Refusal("kind", self.kind, REFUSALS["one-of"], "perspective, frustum")
 
     def stretch(self, window: Window) -> float:
         """How much the lens enlarges rounding errors of view coordinates: `Projection.stretch`."""
@@ -310,14 +302,14 @@ class Windowed(Lens):
         near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, left=left, right=right, bottom=bottom, top=top, near=near, far=far)
         for name, low, high, bound in (
-            ("left", left, right, LEFT_BEFORE_RIGHT),
-            ("bottom", bottom, top, BOTTOM_BEFORE_TOP),
+            ("left", left, right, REFUSALS["left-before-right"]),
+            ("bottom", bottom, top, REFUSALS["bottom-before-top"]),
         ):
             if low >= high:
                 raise Refusal(name, low, bound, format_value(high))
         self.check_window(left, right, bottom, top)
         if self.keep not in ("stretch", "x", "y"):
-            raise Refusal("keep", self.keep, ONE_OF, "stretch, x, y")
+            raise Refusal("keep", self.keep, REFUSALS["one-of"], "stretch, x, y")
 
     @property
     def least_window(self) -> float:
@@ -328,7 +320,7 @@ class Windowed(Lens):
         """Raise a `Refusal` if the window, as typed or after `keep`, is too small for the lens."""
         for name, low, high in (("left", left, right), ("bottom", bottom, top)):
             if high - low < self.least_window:
-                bound = DISTINCT if self.parallel else WIDER
+                bound = REFUSALS["distinct"] if self.parallel else REFUSALS["wider"]
                 raise Refusal(name, low, bound, format_value(high))
 
     def exact_window(self, aspect: Fraction) -> ExactWindow:
@@ -360,7 +352,7 @@ class Windowed(Lens):
         ):
             extent = float(exact)
             if abs(high - low - extent) > extent / 2.0:
-                raise Refusal(name, low, DISTINCT, format_value(high))
+                raise Refusal(name, low, REFUSALS["distinct"], format_value(high))
         self.check_window(*window)
 
     def fits(self, aspect: float) -> bool:

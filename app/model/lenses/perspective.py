@@ -18,9 +18,9 @@ from app.model.lenses.answers import Angles, Axes, ExactWindow, Intrinsics, Wind
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM, Central
 from app.model.lenses.lens import NEAR, LensTable, plane_letters
 from app.model.lenses.solving import shortest
-from app.model.limits import AT_LEAST, SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
+from app.model.limits import SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter, stated
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
 
 # --------------------------------------------------------------------------- the table
@@ -160,7 +160,7 @@ class Perspective(Central):
     def __post_init__(self) -> None:
         fov_y_deg = between("fov_y_deg", self.fov_y_deg, 0, 180)
         if fov_y_deg < SMALLEST_FIELD:
-            raise Refusal("fov_y_deg", fov_y_deg, AT_LEAST, SMALLEST_FIELD)
+            raise Refusal("fov_y_deg", fov_y_deg, REFUSALS["at-least"], SMALLEST_FIELD)
         near, far = self.checked_planes(self.near, self.far)
         keep_checked(self, fov_y_deg=fov_y_deg, near=near, far=far)
 

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.limits import NOT_ZERO, vector
+from app.model.limits import vector
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import REFUSALS, Refusal, format_value
@@ -93,7 +93,7 @@ def _check(settings: Settings) -> None:
     light, height = point(settings, "light"), number(settings, "height")
     if settings["kind"] == "sun":
         if not any(light):
-            raise Refusal("settings.light", light, NOT_ZERO)
+            raise Refusal("settings.light", light, REFUSALS["not-zero"])
         if light[1] <= 0.0:
             raise Refusal("settings.light", light, REFUSALS["from-above"])
     elif light[1] <= height:

@@ -17,10 +17,10 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.limits import ABOVE, vector
+from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
 from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
 from app.scenes.phenomena.picture import SIDES, cut_in_picture
@@ -110,7 +110,7 @@ def _check(settings: Settings) -> None:
     for low, high in (("fog_start", "fog_end"), ("detail_1", "detail_2")):
         first, second = number(settings, low), number(settings, high)
         if second <= first:
-            raise Refusal(f"settings.{high}", second, ABOVE, first)
+            raise Refusal(f"settings.{high}", second, REFUSALS["above"], first)
 
 
 def fog_of(settings: Settings) -> Fog | None:

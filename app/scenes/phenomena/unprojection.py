@@ -16,10 +16,10 @@ from functools import partial
 
 import numpy as np
 
-from app.model.limits import NO_POINT, vector
+from app.model.limits import vector
 from app.model.parameter import Parameter, Settings, number, point
 from app.model.projection import Camera, Perspective, Projection, Vector
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 from app.precision.unprojecting import (
     THERE,
     check_pixel,
@@ -107,7 +107,7 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
         check_pixel(projection, pixel)
     except Refusal as error:
         most = dict(zip("xy", projection.image_size, strict=True)).get(error.field, 1)
-        key = "nowhere" if error.bound == NO_POINT else "outside"
+        key = "nowhere" if error.bound == REFUSALS["no-point"] else "outside"
         return WORDS.phrase(key, error.field, float(str(error.value)), float(most))
     return None
 
