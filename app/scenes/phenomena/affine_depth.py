@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
-from app.model.parameter import Parameter, Settings, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, point
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
@@ -230,10 +230,5 @@ def _readings(
 
 
 PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(60.0, 1.0, 14.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
-    show=_show,
-    adjustable=(Parameter("start", (3.0, 2.9, 4.0)), Parameter("end", (-9.0, 3.5, -2.5))),
-    cube_side=(75.0, 10.0),
+    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)), show=_show
 )

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
-from app.model.parameter import Parameter, Settings, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, point
+from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
@@ -480,14 +480,5 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
 
 
 PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(75.0, 0.05, 30.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
-    show=_show,
-    adjustable=(
-        Parameter("start", (-2.5, 1.5, 0.0)),
-        Parameter("end", (2.5, 1.8, 2.5)),
-        Parameter("drawn", "faces"),
-    ),
-    own_mesh_crosses=True,
+    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)), show=_show
 )

@@ -13,17 +13,17 @@ show the same. `marks` defines what is drawn, `words` the texts, readout and dia
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
-from app.model.projection import Array, Projection, Vector
+from app.model.projection import LENSES, Array, Camera, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
-from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading
+from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading, value_of
 from app.scenes.shapes import Coloured
 
 _FREE = QT_TRANSLATE_NOOP(
@@ -151,15 +151,26 @@ def _shot(text: str) -> Shot:
     return Shot(float(azimuth_deg), float(elevation_deg), "camera" if about else "scene")
 
 
+def _start(text: str) -> Projection:
+    """Read eye, target, the lens with its numbers, and perhaps the image's size."""
+    eye, target, (kind, *numbers), *size = (part.split() for part in text.split(" | "))
+    camera = Camera(*(vector([*map(float, place)]) for place in (eye, target)))
+    width_and_height: Any = (tuple(map(int, each)) for each in size)
+    return Projection(camera, LENSES[kind](*map(value_of, numbers)), *width_and_height)
+
+
 _READ: dict[str, Callable[[str], Any]] = {
     **dict.fromkeys(
         ("lectures", "controls", "replaces", "names"), lambda text: tuple(text.split())
     ),
-    **dict.fromkeys(("leaves_out", "pale"), lambda text: frozenset(text.split())),
+    **dict.fromkeys(("leaves_out", "pale", "requires"), lambda text: frozenset(text.split())),
     **dict.fromkeys(("shot", "upright"), _shot),
-    **dict.fromkeys(("leading", "fixed"), str),
+    **dict.fromkeys(("leading", "fixed", "clicked"), str),
+    **dict.fromkeys(("own_mesh", "own_mesh_crosses"), lambda text: text == "yes"),
     "numbers": int,
-    "own_mesh": lambda text: text == "yes",
+    "inks": lambda text: dict(each.split("=") for each in text.split()),
+    "cube_side": lambda text: tuple(map(float, text.split())),
+    "start": _start,
 }
 """How the content file of a phenomenon states these fields: below the heading "Shown"."""
 
@@ -173,7 +184,6 @@ class Phenomenon(Appearance):
     - `start`: the camera and lens with which it opens.
     - `geometry`: ``geometry() -> (faces, lines)`` makes the scene.
     - `show`: ``show(projection, settings, subject) -> Illustration``.
-    - `adjustable`: its settings, without their words.
     - `controls`: the model's controls that matter here: ``lens.near``, ``camera.distance``. With
       the settings there are 2 to 4 at a time.
     - `replaces`: the model's controls that the settings replace, such as the lens's ``preset``.
@@ -196,7 +206,6 @@ class Phenomenon(Appearance):
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
     show: Callable[[Projection, Settings, Subject], Illustration]
-    adjustable: tuple[Parameter, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     clicked: str = ""
@@ -218,9 +227,9 @@ class Phenomenon(Appearance):
         """The scene's name: ``similar-triangles``."""
         return self.words.name
 
-    @cached_property
+    @property
     def settings(self) -> tuple[Parameter, ...]:
-        return tuple(map(self.words.worded, self.adjustable))
+        return tuple(self.words.settings.values())
 
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject
@@ -238,7 +247,7 @@ class Phenomenon(Appearance):
         if is_free(projection):
             return settings
         implied = dict(self.implied(projection, settings))
-        for setting in self.adjustable:
+        for setting in self.settings:
             value = implied.get(setting.name)
             if isinstance(value, float):
                 implied[setting.name] = setting.rounded(value, number(settings, setting.name))

@@ -17,8 +17,8 @@ from functools import partial
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter, Settings, number, point
-from app.model.projection import Camera, Perspective, Projection, Vector
+from app.model.parameter import Settings, number, point
+from app.model.projection import Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.unprojecting import (
     THERE,
@@ -113,15 +113,5 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
 
 
 PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 0.1, 1000.0)),
-    geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
-    show=_show,
-    adjustable=(
-        Parameter("way", "inverse"),
-        Parameter("numbers", "float32"),
-        Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
-        Parameter("point", (1.5, 4.5, 0.5)),
-    ),
-    clicked="point",
+    WORDS, geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)), show=_show
 )
