@@ -6,7 +6,6 @@ cube, but it is linear in w: a segment becomes a bow. ``A + B/z`` (000, (12); 00
 """
 
 import math
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -19,7 +18,7 @@ from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon,
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("affine-depth")
 
@@ -229,6 +228,4 @@ def _readings(
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)), show=_show
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -6,8 +6,6 @@ The synthetic camera (lecture 001) has the same centre and puts its film in fron
 distance, where the image is ``+d h / z`` high. In this scene that film is the near plane.
 """
 
-from functools import partial
-
 import numpy as np
 
 from app.model.parameter import ImpliedSettings, Settings, number
@@ -17,7 +15,6 @@ from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, n
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("camera-obscura")
 
@@ -142,7 +139,6 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 
 PHENOMENON = Phenomenon.of(
     WORDS,
-    geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
     follow=_follow,
     implied=lambda at, _: {"distance": at.lens.near if at.lens.central else None},

@@ -6,7 +6,6 @@ and in the image alike.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 
@@ -18,7 +17,6 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading, figure
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("drift")
 
@@ -101,6 +99,4 @@ def _image_marks(
     return Marks.of(segment(start, end, "accent", 1.5), Text("drift", end, "accent", text=text))
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)), show=_show
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -11,7 +11,6 @@ No picture here is cut at near and far, which would take away more and correct n
 
 import itertools
 import math
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -37,7 +36,7 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("eye-plane")
 
@@ -479,6 +478,4 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
     return Marks.of(*marks)
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)), show=_show
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -13,6 +13,7 @@ show the same. `marks` defines what is drawn, `words` the texts, readout and dia
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
@@ -24,7 +25,7 @@ from app.model.projection import LENSES, Array, Camera, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
 from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading, value_of
-from app.scenes.shapes import Coloured
+from app.scenes.shapes import Coloured, letter_f_on_grid
 
 _FREE = QT_TRANSLATE_NOOP(
     "phenomena", "a free matrix has no near, no far and no window: choose a lens to see this"
@@ -151,11 +152,16 @@ def _shot(text: str) -> Shot:
     return Shot(float(azimuth_deg), float(elevation_deg), "camera" if about else "scene")
 
 
+def _numbers(text: str) -> tuple[float, ...]:
+    return tuple(map(float, text.split()))
+
+
 def _start(text: str) -> Projection:
     """Read eye, target, the lens with its numbers, and perhaps the image's size."""
-    eye, target, (kind, *numbers), *size = (part.split() for part in text.split(" | "))
-    camera = Camera(*(vector([*map(float, place)]) for place in (eye, target)))
-    width_and_height: Any = (tuple(map(int, each)) for each in size)
+    eye, target, lens, *size = text.split(" | ")
+    kind, *numbers = lens.split()
+    camera = Camera(vector(_numbers(eye)), vector(_numbers(target)))
+    width_and_height: Any = (tuple(map(int, _numbers(each))) for each in size)
     return Projection(camera, LENSES[kind](*map(value_of, numbers)), *width_and_height)
 
 
@@ -169,7 +175,8 @@ _READ: dict[str, Callable[[str], Any]] = {
     **dict.fromkeys(("own_mesh", "own_mesh_crosses"), lambda text: text == "yes"),
     "numbers": int,
     "inks": lambda text: dict(each.split("=") for each in text.split()),
-    "cube_side": lambda text: tuple(map(float, text.split())),
+    "cube_side": _numbers,
+    "letter_f_on_grid": lambda text: map(_numbers, text.split(" | ")),
     "start": _start,
 }
 """How the content file of a phenomenon states these fields: below the heading "Shown"."""
@@ -220,6 +227,8 @@ class Phenomenon(Appearance):
     def of(cls, words: PhenomenonWords, **computed: Any) -> "Phenomenon":
         """The phenomenon of a content file, with what is computed."""
         shown = {name: _READ[name](text) for name, text in words.shown.items()}
+        if "letter_f_on_grid" in shown:
+            computed["geometry"] = partial(letter_f_on_grid, *shown.pop("letter_f_on_grid"))
         return cls(words, **shown, **computed)
 
     @property

@@ -12,7 +12,6 @@ of both bounds at most.
 """
 
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -27,7 +26,6 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("jitter")
 
@@ -145,6 +143,4 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
     ), times
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)), show=_show
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -15,7 +15,6 @@ the far plane.)
 """
 
 import math
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -28,7 +27,6 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("planar-shadow")
 
@@ -247,6 +245,4 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
 
 
 # The lamp casts the shadow, whatever the eye sees; beside the eye it would be half as large.
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)), show=_show, check=_check
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show, check=_check)

@@ -7,7 +7,6 @@ coordinates change their signs.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 
@@ -32,7 +31,6 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
 from app.scenes.phenomena.words import PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("similar-triangles")
 
@@ -175,6 +173,4 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
     return np.array([eye, hit if distance > w else end])
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)), show=_show, check=_check
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show, check=_check)

@@ -12,7 +12,6 @@ there. The world shows each point where the arithmetic puts it, its error enlarg
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import partial
 
 import numpy as np
 
@@ -33,7 +32,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("unprojection")
 
@@ -112,6 +111,4 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
     return None
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS, geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)), show=_show
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)
