@@ -115,7 +115,7 @@ SYSTEM = (
     *map(_library, _OF_WINDOWS.split()),
     _Fonts("a font", "fonts-dejavu-core"),
     System("libglib-2.0.so.0", "libglib2.0-0"),
-    _library("libgssapi_krb5.so.2", ("tests",)),  # pyside6-lrelease, for translations, needs it
+    _library("libgssapi_krb5.so.2", ("tests",)),  # pyside6-lupdate, for translations, needs it
     System("Xvfb", "xvfb xauth", ("tests",)),
 )
 

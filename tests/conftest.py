@@ -31,6 +31,8 @@ _displays = os.environ.get("TEST_DISPLAYS", "").split()
 if _worker and _displays:
     os.environ["DISPLAY"] = _displays[int(_worker.removeprefix("gw")) % len(_displays)]
 
+os.environ["LANGUAGE"] = "en"  # whatever the machine speaks
+
 # Every run has the same examples, so that a red test means a change. `--hypothesis-seed` and
 # `--hypothesis-profile default` search further. No deadline, because other jobs slow the machine.
 settings.register_profile("default", deadline=None)

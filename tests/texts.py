@@ -1,20 +1,27 @@
-"""``python3 -m tests.texts OUT.py``: the texts of the content files, as a source for lupdate.
+"""``python3 -m tests.texts``: bring the files of ``app/translations`` up to date.
 
-It reads no Markdown, but finds what is marked in Python::
-
-    python3 -m tests.texts texts.py
-    pyside6-lupdate app widgets texts.py -ts frustum_lab_hr.ts
+Qt's lupdate finds what is marked in Python. It reads no Markdown, so that the texts of the content
+files and the sentences of the lessons are given to it as Python that marks them. Then Qt Linguist,
+or an editor, fills in what is ``unfinished``.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import subprocess
+import sys
+import tempfile
+from functools import partial
 from pathlib import Path
 
 from app.bootstrap import ROOT
+from app.commands import options
 from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
+from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS
 from app.lecture.kinds import KINDS
+from app.lessons.course import CONTENT
+from app.lessons.translating import in_language
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
@@ -22,6 +29,7 @@ from app.model.refusal import SENTENCES
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
+TRANSLATED = [each for each in LANGUAGES if each not in (ENGLISH, "sr-Latn")]
 EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
@@ -89,6 +97,29 @@ def wording_texts() -> list[tuple[str, set[str]]]:
     return texts
 
 
+def command_texts() -> set[str]:
+    """What ``--help`` says of the commands, their words and their options."""
+    return {
+        options.COMMANDS, options.LANGUAGE, options.SET,
+        *(text for name, page in options.pages().items() if name != "--set" for text in page.texts),
+    } - {argparse.SUPPRESS}  # fmt: skip
+
+
+def _noted(sentences: list[str], text: str) -> str:
+    sentences.append(text)
+    return text
+
+
+def lesson_texts() -> list[tuple[str, list[str]]]:
+    """The sentences of the lessons, the talks and the wrong ideas, by the names of their files."""
+    texts = []
+    for path in sorted(CONTENT.glob("*.md")):
+        sentences: list[str] = []
+        in_language(path.read_text("utf-8"), partial(_noted, sentences))
+        texts.append((path.stem, list(dict.fromkeys(sentences))))
+    return texts
+
+
 def source() -> str:
     """Python that marks them all."""
     from widgets.panels.frame_panel import STEP_TEXTS
@@ -110,6 +141,7 @@ def source() -> str:
             ("Factor", set(FACTORS.values())),
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
+            ("Options", command_texts()),
             *sentence_texts(),
             *wording_texts(),
         )
@@ -118,7 +150,30 @@ def source() -> str:
     return "".join(lines)
 
 
+def lesson_source() -> str:
+    """Python that marks the sentences of the lessons."""
+    return "".join(
+        f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
+        for context, texts in lesson_texts()
+        for text in texts
+    )
+
+
+def update(folder: Path = TRANSLATIONS) -> None:
+    """Bring the files of all languages up to date: Qt's lupdate marks what is new or has gone."""
+    code = [path for room in ("app", "widgets") for path in sorted((ROOT / room).rglob("*.py"))]
+    with tempfile.TemporaryDirectory() as made:
+        for part, text, more in (("program", source(), code), ("lessons", lesson_source(), [])):
+            page = Path(made) / f"{part}.py"
+            page.write_text(text, encoding="utf-8")
+            for language in TRANSLATED:
+                file = folder / f"{part}_{language}.ts"
+                given = [*more, page, "-locations", "none", "-source-language", "en"]
+                tool = [Path(sys.executable).with_name("pyside6-lupdate"), *given]
+                tool += ["-target-language", language, "-ts", file]
+                subprocess.run(tool, check=True, capture_output=True)
+
+
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(prog="python3 -m tests.texts", description=__doc__)
-    parser.add_argument("out", type=Path)
-    parser.parse_args().out.write_text(source(), encoding="utf-8")
+    argparse.ArgumentParser(prog="python3 -m tests.texts", description=__doc__).parse_args()
+    update()

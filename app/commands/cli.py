@@ -19,7 +19,7 @@ from app.commands.arguments import (
     set_letters,
     with_values,
 )
-from app.commands.options import SUMMARIES, Parser, check_file
+from app.commands.options import SUMMARIES, Parser, check_file, choose_language
 from app.commands.terminal import CANNOT_DRAW, CliError, outcome, write_out
 from app.document.document import is_mesh
 from app.lessons.lesson import is_lesson
@@ -38,6 +38,7 @@ def main(argv: list[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str]) -> int:
+    choose_language(arguments)
     try:
         if arguments and arguments[0] in SUMMARIES:
             with importing():
@@ -89,7 +90,7 @@ def _window(arguments: Sequence[str]) -> int:
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if options.screenshot is None else Path(options.screenshot)
     window_options = application.Options(
-        options.theme, options.size, screenshot, options.canvas, is_bare, letters
+        options.theme, options.size, screenshot, options.canvas, is_bare, letters, options.language
     )
     try:
         if lesson:

@@ -12,10 +12,11 @@ import os
 import re
 from collections.abc import Callable, Sequence
 from functools import cache, partial
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
-from app import __version__, bootstrap
+from app import __version__, bootstrap, languages
 from app.commands.terminal import CliError, write_out
 from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
 from app.model.numerals import number
@@ -35,9 +36,14 @@ class Page(NamedTuple):
     about: str  # what its words are
     options: Sequence[Sequence[str]]  # name, value or "", text
 
+    @property
+    def texts(self) -> tuple[str, ...]:
+        return (self.summary, self.about, *(text for _, _, text in self.options))
+
 
 @cache
-def _pages() -> dict[str, Page]:
+def pages() -> dict[str, Page]:
+    """Return what the page says, by the names of the commands."""
     text = (Path(__file__).parent / "content" / "options.md").read_text("utf-8")
     pages = {}
     for section in text.split("\n## ")[1:]:
@@ -49,42 +55,53 @@ def _pages() -> dict[str, Page]:
     return pages
 
 
-SETTABLE = _pages()["--set"].summary.split(", ")
+COMMANDS = "commands, each with its own --help:"
+LANGUAGE = "language of messages, lessons and figures (default: the system's)"
+SET = (
+    "change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and"
+    " settings.NAME for a setting of the scene"
+)
+_tr = partial(languages.translate, context="Options")
+SETTABLE = pages()["--set"].summary.split(", ")
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
 The list, and `SWEEPS`, repeat names from modules with dependencies; a test compares them.
 """
 SUMMARIES = {
-    name: page.summary for name, page in _pages().items() if name not in ("window", "--set")
+    name: page.summary for name, page in pages().items() if name not in ("window", "--set")
 }
 
 
 def choices(command: str, option: str) -> list[str]:
     """The values that an option may have."""
-    return next(value for name, value, _ in _pages()[command].options if name == option).split("|")
+    return next(value for name, value, _ in pages()[command].options if name == option).split("|")
 
 
 class Parser(argparse.ArgumentParser):
     """An argument parser that refuses in sentences and names the nearest option."""
 
     def __init__(self, command: str) -> None:
-        names, summary, about, options = _pages()[command or "window"]
+        names, summary, about, options = pages()[command or "window"]
         usage = " ".join(f"{bootstrap.PROGRAM} {command} [options] {names}".split())
-        lines = "\n".join(f"  {name:<10}{text}" for name, text in SUMMARIES.items())
+        lines = "\n".join(f"  {name:<10}{_tr(text)}" for name, text in SUMMARIES.items())
         super().__init__(
             usage=usage,
-            description=summary,
-            epilog="" if command else f"commands, each with its own --help:\n{lines}",
+            description=_tr(summary),
+            epilog="" if command else f"{_tr(COMMANDS)}\n{lines}",
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
         self._command, self._names = command, names
-        self.add_argument("words", nargs="*", metavar=names, help=about.replace("%", "%%"))
+        about = about if about == argparse.SUPPRESS else _tr(about).replace("%", "%%")
+        self.add_argument("words", nargs="*", metavar=names, help=about)
         details = _DETAILS.get(command, {})
         for option, value, text in options:
-            self._add(option, value, text.replace("%", "%%"), **details.get(option, {}))
+            self._add(option, value, _tr(text).replace("%", "%%"), **details.get(option, {}))
         if "--set" in details:
-            self.add_argument("--set", **details["--set"])
+            names = ", ".join(SETTABLE)
+            self.add_argument("--set", metavar="NAME=VALUE", action="append", default=[],
+                              help=_tr(SET).format(names))  # fmt: skip
+        self._add("--language", "|".join(languages.LANGUAGES), _tr(LANGUAGE))
 
     def _print_message(self, message: str, _file: object = None) -> None:
         """Print the help or the version; argparse would ignore write errors."""
@@ -222,11 +239,6 @@ def _sweep(value: str) -> tuple[str, str]:
     return name, ends
 
 
-_SET = {
-    "metavar": "NAME=VALUE", "action": "append", "default": [],
-    "help": "change a value of the document, such as lens.far=inf; may be repeated; the names are "
-    f"{', '.join(SETTABLE)} and settings.NAME for a setting of the scene",
-}  # fmt: skip
 _COUNT = partial(_whole, "[0-9]{1,9}")
 _SIZE = f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600"
 _LENGTH = f"a length in {', '.join(PX_PER)}, such as 84mm"
@@ -240,7 +252,7 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
     "": {
         "--size": {"type": _size},
         "--version": {"action": "version", "version": f"Frustum Lab {__version__}"},
-        "--set": _SET,
+        "--set": {},
     },
     "export": {
         **_PAPER,
@@ -252,10 +264,10 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
         },
         "--frames": {"type": _parsed("--frames", "a whole number", _COUNT)},
         "--fps": {"type": _parsed("--fps", "a finite number")},
-        "--set": _SET,
+        "--set": {},
     },
     "project": {
-        "--format": {"default": "table"}, "--space": {"default": "world"}, "--set": _SET,
+        "--format": {"default": "table"}, "--space": {"default": "world"}, "--set": {},
     },
     "matrices": {
         "--format": {"default": "text"},
@@ -265,14 +277,14 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
             )
         },
         "--width": {"type": _width},
-        "--set": _SET,
+        "--set": {},
     },
     "measure": {
         **_PAPER,
         "--trade": {"action": "append"},
         "--sweep": {"type": _sweep, "action": "append"},
         "--cost": {"default": "time"},
-        "--set": _SET,
+        "--set": {},
     },
     "talk": {"--for": {"dest": "readers", "type": str}},
     "bundle": {"--platform": {"action": "append"}, "--python": {"action": "append", "default": []}},
@@ -280,8 +292,21 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
 """How options are read that are not text, a choice or yes or no: arguments for argparse."""
 
 
+def choose_language(arguments: Sequence[str]) -> None:
+    """Speak the language of ``--language``, or of the system, before anything is said."""
+    asked = ""
+    for word, after in pairwise([*arguments, ""]):
+        if word == "--":
+            break
+        name, equals, value = word.partition("=")
+        if name == "--language":
+            asked = value if equals else after
+    languages.choose(asked if asked in languages.LANGUAGES else languages.of_system())
+
+
 def check(arguments: Sequence[str]) -> None:
     """Refuse what is no command or option; print help or version, and raise `SystemExit`."""
+    choose_language(arguments)
     if arguments and arguments[0] in SUMMARIES:
         Parser(arguments[0]).read(arguments[1:])
     else:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Self
 
 from PySide6.QtCore import QObject, Signal
 
@@ -131,6 +131,11 @@ class Store(QObject):
         if self._gestures:
             self._gesture_start = document
         return self._show(document)
+
+    def take_steps(self, other: Self) -> None:
+        """Take over what undo and redo know in another store, whose document this one has."""
+        self.origin, self._undo, self._redo = other.origin, other._undo, other._redo
+        self.history_changed.emit()
 
     def mark_saved(self) -> None:
         """Record that the current document is in its file."""

@@ -1,6 +1,6 @@
 """A document in words: what each pane shows, what is cut off, and what is risky."""
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -9,6 +9,7 @@ from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
 from app.drawings.scene_bounds import bounds_px, predictions
+from app.languages import translate, with_comma
 from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
 from app.model.infinity import trace_at_infinity
@@ -20,14 +21,8 @@ from app.precision.risks import risks
 from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
-Translate = Callable[[str, str], str]  # from a text and its context to the text in another language
-
 WORLDS = SENTENCES["Description/worlds"]
 STAGES = tuple(SENTENCES["Description/stages"].values())
-
-
-def in_english(text: str, _context: str) -> str:
-    return text
 
 
 class Description(NamedTuple):
@@ -56,12 +51,8 @@ def describe(
     document: Document,
     scene: Scene,
     panes: Sequence[str] = PANES,
-    translate: Translate = in_english,
 ) -> Description:
-    """Say in words what the panes of a document show, what is cut off, and what is risky.
-
-    `translate` puts every text of the program into another language.
-    """
+    """Say in words what the panes of a document show, what is cut off, and what is risky."""
     projection, letters = document.projection, document.view.letters
     illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()
@@ -70,10 +61,8 @@ def describe(
         general.append(in_letters(explanation, letters))
     own = int(scene.own_lines.sum()), scene.dot_count
     if any(own):
-        general.append(
-            translate(DESCRIPTION["content"], "Description").format(scene.triangles, *own)
-        )
-    general += [*_camera(projection, translate), *_points(document, translate)]
+        general.append(_said(DESCRIPTION["content"], scene.triangles, *own))
+    general += [*_camera(projection), *_points(document)]
     risky = []
     if scene.has_vertices:
         drawing_px = max(bounds_px(projection, scene))
@@ -83,50 +72,47 @@ def describe(
             projection, scene.lower, scene.upper, drawn, drawing_px, predictions(projection, scene)
         )
     said = [
-        translate(risk.template, "Health").format(*(translate(f, "Plane") for f in risk.figures))
+        _said(risk.template, *(translate(f, "Plane") for f in risk.figures), context="Health")
         for risk in risky
     ]
     if illustration is not None and illustration.warning is not None:
         warning = illustration.warning.sentence(lambda text: translate(text, "phenomena"))
-        said.append(in_letters(warning, letters))
+        said.append(with_comma(in_letters(warning, letters)))
     cut = list(_cut(projection, scene))
     if any(risk.template == HEALTH["no-picture"] for risk in risky):  # which says more
         cut = [each for each in cut if each[0] != DESCRIPTION["beyond"]]
     return Description(
         title,
         tuple(general),
-        {pane: _pane(pane, document, scene, translate) for pane in panes},
+        {pane: _pane(pane, document, scene) for pane in panes},
         tuple(
-            translate(template, "Description").format(
-                ", ".join(translate(plane, "Plane") for plane in planes)
-            )
-            for template, planes in cut
+            _said(each, ", ".join(translate(p, "Plane") for p in planes)) for each, planes in cut
         ),
         tuple(f"{sentence}." for sentence in said),
     )
 
 
-def _camera(projection: Projection, translate: Translate) -> Iterator[str]:
+def _said(template: str, *values: object, context: str = "Description") -> str:
+    return with_comma(translate(template, context).format(*values))
+
+
+def _camera(projection: Projection) -> Iterator[str]:
     camera, lens = projection.camera, projection.lens
     if projection.has_camera:
-        yield translate(DESCRIPTION["camera"], "Description").format(
-            *_rows(camera.eye, camera.target)
-        )
+        yield _said(DESCRIPTION["camera"], *_rows(camera.eye, camera.target))
     title = translate(lens.title, "Lens")
     if lens.planes is None:
-        yield translate(DESCRIPTION["no-planes"], "Description").format(title)
+        yield _said(DESCRIPTION["no-planes"], title)
         return
     digits = digits_apart(lens.near, lens.far)
     far = "∞" if lens.far == np.inf else figure(lens.far, digits)
-    yield translate(DESCRIPTION["lens"], "Description").format(
-        title, figure(lens.near, digits), far
-    )
+    yield _said(DESCRIPTION["lens"], title, figure(lens.near, digits), far)
     if lens.fov_y_deg is not None:
         angle = figure(lens.fov_y_deg, digits_apart(lens.fov_y_deg, 180.0))
-        yield translate(DESCRIPTION["angle"], "Description").format(angle)
+        yield _said(DESCRIPTION["angle"], angle)
 
 
-def _points(document: Document, translate: Translate) -> Iterator[str]:
+def _points(document: Document) -> Iterator[str]:
     """Say where the marked points are; omit the rays of pixels."""
     probes = [probe for probe in document.view.probes if probe.row is not None]
     places, pixels = list[Vector](), list[list[float]]()
@@ -142,25 +128,25 @@ def _points(document: Document, translate: Translate) -> Iterator[str]:
     for probe, place, pixel in zip(probes, _rows(*places), _rows(*pixels), strict=True):
         template = DESCRIPTION["point"] if probe.direction is None else DESCRIPTION["direction"]
         template = DESCRIPTION["nowhere"] if "nan" in pixel else template
-        yield translate(template, "Description").format(probe.number, place, pixel)
+        yield _said(template, probe.number, place, pixel)
 
 
-def _pane(pane: str, document: Document, scene: Scene, translate: Translate) -> str:
+def _pane(pane: str, document: Document, scene: Scene) -> str:
     view, projection = document.view, document.projection
     if pane == "world":
-        said = translate(WORLDS[seen_from(view, scene) or "free"], "Description")
+        said = _said(WORLDS[seen_from(view, scene) or "free"])
     elif pane == "equation":
-        said = translate(DESCRIPTION["equation"], "Description").format(view.equation)
+        said = _said(DESCRIPTION["equation"], view.equation)
     elif pane == "ndc":
-        said = _stage(view.stage, projection, translate)
+        said = _stage(view.stage, projection)
     else:
-        said = translate(DESCRIPTION["image"], "Description").format(*projection.image_size)
+        said = _said(DESCRIPTION["image"], *projection.image_size)
     if view.compare and view.compares_in == pane:
-        said += " " + translate(DESCRIPTION["compared"], "Description").format(len(view.compare))
+        said += " " + _said(DESCRIPTION["compared"], len(view.compare))
     return said
 
 
-def _stage(at: float, projection: Projection, translate: Translate) -> str:
+def _stage(at: float, projection: Projection) -> str:
     before, after = int(max(at, 0.0)), int(np.ceil(max(at, 0.0)))
     lens = projection.lens
     if not lens.has_steps:  # a typed matrix leads from view to NDC at once
@@ -169,9 +155,9 @@ def _stage(at: float, projection: Projection, translate: Translate) -> str:
     stops = [
         stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
     ]
-    names = [translate(STAGES[stop], "Description") for stop in stops]
+    names = [_said(STAGES[stop]) for stop in stops]
     template = DESCRIPTION["at-a-stage"] if stops[0] == stops[1] else DESCRIPTION["between-stages"]
-    return translate(template, "Description").format(*names)
+    return _said(template, *names)
 
 
 def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]]:

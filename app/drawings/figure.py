@@ -23,7 +23,7 @@ from app.document.files import write_bytes_atomically
 from app.document.lengths import DPI, PX_PER, Size, whole_pixels
 from app.document.view import PANES
 from app.drawings import DrawingWords
-from app.drawings.describing import Description, Translate, describe, in_english
+from app.drawings.describing import Description, describe
 from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
@@ -84,8 +84,7 @@ class Figure:
     - `width`: of what is seen, in pixels at scale 1; it is cropped to that, and its height is free.
     - `fit`: one of `FITS`.
     - `transparent`: leave the background transparent.
-    - `words`: the words in the drawings; by default English with the view's letters.
-    - `translate`: puts the texts of the description into another language.
+    - `words`: the words in the drawings; by default those with the view's letters.
     - `note`: a line below the panes.
     - `labels`: where they stand in a frame of a film, a `Standing` for each picture.
     """
@@ -102,7 +101,6 @@ class Figure:
     crop: bool = False
     transparent: bool = False
     words: Mapping[str, str] | None = field(default=None, hash=False)
-    translate: Translate = in_english
     width: float | None = None
     fit: str = "named"
     note: str = ""
@@ -194,7 +192,7 @@ class Figure:
     @cached_property
     def description(self) -> Description:
         """What it shows, for those who do not see it."""
-        return describe(self.document, self.scene, self.panes, self.translate)
+        return describe(self.document, self.scene, self.panes)
 
     # -- drawing
 

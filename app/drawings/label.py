@@ -17,6 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkImageData, vtkPolyDat
 from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkTexturedActor2D
 
 from app.drawings.style import Style, rgb
+from app.languages import with_comma
 from app.lecture.typesetting import line_of, piece_of
 
 Pixels = NDArray[np.uint8]
@@ -184,8 +185,8 @@ class SceneLabel:
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self._text, self._tone = text, style.tone(colour)
-        self.size_px = size_px(text, self.em, **self._how)
+        self._text, self._tone = with_comma(text), style.tone(colour)
+        self.size_px = size_px(self._text, self.em, **self._how)
         """Width and height of the letters without halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
@@ -217,6 +218,7 @@ class SceneLabel:
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
+        text = with_comma(text)
         if text != self._text:
             self._text = text
             self.size_px = size_px(text, self.em, **self._how)

@@ -7,23 +7,23 @@ whatever the user did in the window meanwhile.
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from functools import cache, cached_property, lru_cache
+from functools import cached_property, lru_cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from app import languages
 from app.document import files
 from app.document.document import Document, is_mesh
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
 from app.lessons.blocks.block import Asked, Idea, State, path_of
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.lesson import CONTENT, Lesson, Step, read
 from app.lessons.lines import on_line, refused
 from app.lessons.quantities import Quantities
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
 
-CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
 _ALONG = {"frame_step": "panel", "probes": "pinned", "compare": "dividers"}
 """Fields of the view that are set together with another one."""
 
@@ -258,7 +258,7 @@ def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:
 # --------------------------------------------------------------------------- wrong ideas
 
 
-@cache
+@languages.cached
 def ideas() -> Course:
     """Return the wrong ideas that the program knows; each is a step of one file."""
     return Course(read(CONTENT / "ideas.md"))

@@ -12,9 +12,11 @@ import os
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 
+from app import languages
 from app.document.codec import Path as AnyPath
 from app.document.files import blamed_on, content_of, read_letters
 from app.lecture.letters import LETTERS, Letters
@@ -23,6 +25,7 @@ from app.lessons.blocks.block import Block, StepContent, TextBlock
 from app.lessons.blocks.shown import ShownState
 from app.lessons.lines import LONGEST_LINE, Body, Lines, number_in, refused
 from app.lessons.text import markdown
+from app.lessons.translating import in_language
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, log_warning, open_regular
 
@@ -30,6 +33,7 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 ENDINGS = (".md", ".markdown")  # endings of lesson files
+CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
 VERSION = 1  # version of the format; a file may state the one it needs (``version: 1``)
 LARGEST = 2 * 2**20  # largest file in bytes
 MOST_STEPS = 500  # most steps of a talk
@@ -100,12 +104,19 @@ def read(path: AnyPath, complain: AddFault | None = None, letters: Letters | Non
     """
     with blamed_on(path, REFUSALS["files-unreadable"]):
         text, note = decode(content_of(path, LARGEST))
-        lesson = parse_lesson(text, Path(path), complain, letters)
+        lesson = parse_lesson(_in_language(text, Path(path)), Path(path), complain, letters)
         if note and complain is not None:
             complain(Refusal.in_document(REFUSALS["not-utf8"], file=os.fspath(path)))
         else:
             log_warning(path, note)
         return lesson
+
+
+def _in_language(text: str, path: Path) -> str:
+    """Return a lesson of the program in the language that it speaks; of others, the same text."""
+    if languages.chosen() == languages.ENGLISH or path.parent != CONTENT:
+        return text
+    return in_language(text, partial(languages.sentence_of, path.stem))
 
 
 class Head(NamedTuple):
@@ -123,6 +134,8 @@ def head_of(path: Path) -> Head:
         with open_regular(path) as file:
             text, _ = decode(file.read(LARGEST))
         top, _ = _top(text.split("\n"))
+        if path.parent == CONTENT:
+            top["title"] = languages.sentence_of(path.stem, top["title"])
         is_talk = re.search(r"^(```+|~~~+)\s*note\b", text, re.MULTILINE) is not None
         about = (top["lecture"],) if is_talk else top["topics"]
         return Head(path, top["title"], about, is_talk)

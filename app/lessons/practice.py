@@ -10,15 +10,16 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from datetime import date
-from functools import cache, cached_property
+from functools import cached_property
 from itertools import islice
 from pathlib import Path
 from typing import NamedTuple
 
+from app import languages
 from app.lessons.blocks.block import Asked, Here, TextBlock, Variant
 from app.lessons.blocks.exercise import LARGEST_SEED
-from app.lessons.course import CONTENT, AtStep, Course, ShownStep, contained, file_of
-from app.lessons.lesson import Lesson, Step, read
+from app.lessons.course import AtStep, Course, ShownStep, contained, file_of
+from app.lessons.lesson import CONTENT, Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
 from app.model.refusal import Refusal
 
@@ -106,12 +107,12 @@ def exercises_of(course: Course) -> Iterator[PlacedExercise]:
                 yield PlacedExercise(course, place, part)
 
 
-@cache
+@languages.cached
 def _contained(path: Path) -> Course:
     return Course(read(path))
 
 
-@cache
+@languages.cached
 def topics() -> Mapping[str, Course]:
     """Return the lessons that come with the program by their topics, ``L1`` to ``L27``."""
     courses = [_contained(path) for path in contained() if path.stem.startswith("l")]

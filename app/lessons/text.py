@@ -6,6 +6,8 @@ from collections.abc import Callable
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Any
 
+from app.languages import translate, with_comma
+
 if TYPE_CHECKING:
     from markdown_it import MarkdownIt
     from markdown_it.rules_inline import StateInline
@@ -63,7 +65,8 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     formulas: list[str] = []
 
     def math(tokens: Any, place: int, _options: Any, _environment: Any) -> str:
-        pieces = _pieces(tokens[place].content, tokens[place].markup == "$$")
+        tex = with_comma(tokens[place].content, in_tex=True)
+        pieces = _pieces(tex, tokens[place].markup == "$$")
         formulas.extend(pieces)
         return " ".join((DISPLAYED if tokens[place].markup == "$$" else FORMULA) for _ in pieces)
 
@@ -77,7 +80,7 @@ def html_of(text: str) -> tuple[str, tuple[str, ...]]:
 
 def _words(text: str) -> str:
     """A text's words as HTML; a hyphen before a number is a minus."""
-    return html.escape(_MINUS.sub("\N{MINUS SIGN}", text))
+    return html.escape(with_comma(_MINUS.sub("\N{MINUS SIGN}", text)))
 
 
 def _parted(whole: str) -> str:
@@ -133,6 +136,8 @@ _WORDS = {
     "sum": "sum of", "quad": "", "qquad": "", "left": "", "right": "", ",": "", " ": "",
 }  # fmt: skip
 _SPOKEN = {"=": "equals", "+": "plus", "-": "minus", "/": "over", "'": "prime", "\u00b0": "degrees"}
+SPOKEN = {*_WORDS.values(), *_SPOKEN.values(), "vector", "root of", "to the power"} - {""}
+_SPOKEN_WORDS = re.compile(rf"\b({'|'.join(sorted(SPOKEN, key=len, reverse=True))})\b")
 _OF_BRACES = (
     (r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r" (\1) / (\2) "),
     (r"\^\{?\\circ\}?", " degrees "),
@@ -156,6 +161,7 @@ def spoken_tex(tex: str) -> str:
     tex = re.sub(r"\((\s*\w+\s*)\)(?=\s*/)|(?<=/)\s*\((\s*\w+\s*)\)", r" \1\2 ", tex)
     tex = re.sub(r"\b([A-Z](?: [a-z0-9]+)?) (?=[A-Z]\b)", r"\1 times ", " ".join(tex.split()))
     tex = re.sub("[=+\\-/'\u00b0]", lambda match: f" {_SPOKEN[match[0]]} ", tex)
+    tex = _SPOKEN_WORDS.sub(lambda match: translate(match[0], "Spoken"), with_comma(tex))
     return " ".join(tex.split()).replace(" ,", ",").replace("( ", "(").replace(" )", ")")
 
 
@@ -167,7 +173,8 @@ def plain_of(text: str, formula: Callable[[str], str] = str) -> str:
             if part.type in ("softbreak", "hardbreak"):
                 words.append(" ")
             else:
-                words.append(formula(part.content) if part.type == "math" else part.content)
+                is_text = part.type != "math"
+                words.append(with_comma(part.content) if is_text else formula(part.content))
         if token.type in ("fence", "code_block"):
             words.append(token.content)
         if token.nesting < 0 and not token.hidden:

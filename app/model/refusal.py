@@ -10,9 +10,11 @@ import json
 import math
 import numbers
 from collections.abc import Callable, Iterable, Mapping
+from functools import partial
 from pathlib import Path
 from typing import Any, NewType, cast
 
+from app import languages
 from app.strangers import printable
 
 Bound = NewType("Bound", str)
@@ -80,7 +82,7 @@ class Refusal(ValueError):
         return cls("", ..., template, *parts)
 
     def __str__(self) -> str:
-        return self.sentence()
+        return self.sentence(partial(languages.translate, context="Refusal"))
 
     def sentence(
         self,

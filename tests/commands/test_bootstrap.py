@@ -154,6 +154,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__main__.py",
         "bootstrap.py",
         "held_lock.py",
+        "languages.py",
         "modules.py",
         "python_packages.py",
         "strangers.py",

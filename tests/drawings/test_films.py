@@ -19,6 +19,8 @@ from app.drawings.film import shown_values, steady, still
 from app.drawings.film_labels import Wanted, placed_in_film
 from app.drawings.label import LabelActor
 from app.drawings.label_placement import Ground, Wish, around
+from app.drawings.style import LIGHT
+from app.drawings.vectors import box_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
@@ -99,6 +101,26 @@ def test_no_label_jumps_in_a_film(scene: str, sweep: str, ease: str) -> None:
                 assert math.dist(one[key][:2], other[key][:2]) < 1.0, key
         for key in one.keys() ^ other.keys():
             assert (one | other)[key][2] < 1.0, "what comes or goes fades"
+
+
+def test_frames_of_a_width_are_as_wide_as_asked_and_keep_their_labels() -> None:
+    """Each is cropped by itself, so numbered files have such a width; a film has none."""
+    document, scene = Document("jitter", PHENOMENA["jitter"].start), load("jitter")
+    values = swept(parse_sweeps(["settings.frame=1:24"]), document, 6)
+    states = [set_values(document, each) for each in values]
+    figures = [Figure(state, scene, ("world",), width=300.0, text_pt=4.0) for state in states]
+    placed = steady(still(figures))
+    assert all(each.labels for each in placed)
+    offsets = [{name: spot.offset for name, (spot, _) in each.labels[0].items()} for each in placed]
+    for one, other in pairwise(offsets):
+        for name in one.keys() & other.keys():
+            assert math.dist(one[name], other[name]) < 3.0 * 4.0 * 300.0 / 72.0, name
+    for each in placed[::5]:
+        assert each.pixels().shape[1] == 300
+        (width, height), shapes = replace(each, note="near n = 1").shapes()
+        box = box_of(shapes, LIGHT.background)
+        assert width == 300.0 and box is not None
+        assert box[0] >= -0.5 and box[2] <= 300.5 and box[3] == pytest.approx(height, abs=0.5)
 
 
 def test_values_change_together_in_steps_ratios_or_slowly() -> None:

@@ -150,6 +150,16 @@ def test_what_is_drawn_fills_a_pane_of_any_shape(
     assert less >= {"similar-triangles": 0.28, "cracks": 0.35}.get(name, 0.38)
 
 
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_no_face_of_the_marks_is_cut_at_the_border(off_screen: MakeScreen, name: str) -> None:
+    """A name frames it, as the horizon frames the plane of *Vanishing points*."""
+    drawing = opened(off_screen(640, 640), name, live=False, own=True)
+    shown = illustrated(load(name))
+    for face in () if shown is None else shown.world.faces:
+        points = np.reshape(face.points, (-1, 3)) - drawing.state.origin
+        assert drawing.own.pane.outside_px(points) < 1.0
+
+
 @pytest.mark.parametrize("name", ["letter-f", "cube"])
 def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
     off_screen: MakeScreen, name: str

@@ -68,6 +68,7 @@ LATE: dict[str, tuple[str, ...]] = {
 #: What everyone may know: standard library only. Each knows only those before it.
 GROUND = (
     "app.modules",
+    "app.languages",
     "app.strangers",
     "app.python_packages",
     "app.held_lock",

@@ -184,6 +184,26 @@ def test_commands_take_the_file(tmp_path: Path) -> None:
     assert "MVP" in refused("matrices", "--letters", "MVP", "--format", "latex")
 
 
+def test_lessons_are_checked_and_printed_with_the_file(qapp: Any, tmp_path: Path) -> None:
+    """Its names are known there, and nowhere else."""
+    letters, lesson, out = (tmp_path / name for name in ("letters.toml", "own.md", "tests"))
+    letters.write_text(OWN, encoding="utf-8")
+    lesson.write_text(
+        "---\ntitle: Own\n---\n# One {#one}\n```state\nscene=letter-f\nview.equation=MVP\n```\n"
+        "```exercise half\nvary d: 1..30\nHalf of {=2*d}?\nvalue: d\n```\n",
+        encoding="utf-8",
+    )
+    check = "lesson", "check", lesson
+    done = run_here(*check, "--letters", letters)
+    assert (done.returncode, done.stderr) == (0, "") and ", 0 wrong" in done.stdout
+    assert run_here(*check).returncode == 1
+    test = "lesson", "print", "--topics", lesson, "--seeds", "1", "--out", out
+    assert "MVP" in run_here(*test).stderr
+    done = run_here(*test, "--letters", letters)
+    assert (done.returncode, done.stderr) == (0, "") and [*out.iterdir()]
+    assert "--letters: is an option of lesson check" in refused("lesson", "list", "--letters=001")
+
+
 @pytest.mark.parametrize(
     ("text", "sentence"),
     [

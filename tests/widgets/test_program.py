@@ -959,28 +959,23 @@ def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[s
     assert done.stdout == "0.5\n0.0\n", done.stderr
 
 
-def test_a_translation_beside_the_code_is_loaded(
-    display: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    from PySide6.QtCore import QCoreApplication, QTranslator
+def test_the_translator_gives_qt_the_texts_of_the_language(display: Any) -> None:
+    from PySide6.QtCore import QCoreApplication
 
-    (tmp_path / "frustum_lab_hr.ts").write_text(
-        '<?xml version="1.0" encoding="utf-8"?><!DOCTYPE TS><TS version="2.1" language="hr">'
-        "<context><name>Report</name><message><source>Copy details</source>"
-        "<translation>Kopiraj pojedinosti</translation></message></context></TS>",
-        encoding="utf-8",
-    )
-    tool = Path(sys.executable).parent / "pyside6-lrelease"
-    subprocess.run([tool, "frustum_lab_hr.ts"], cwd=tmp_path, check=True, capture_output=True)
-    monkeypatch.setattr(application, "TRANSLATIONS", tmp_path)
-    assert application.translate(display, "et") is False
-    assert application.translate(display, "hr_HR") is True
+    from app import languages
+
+    translator = application.Translator(display)
+    display.installTranslator(translator)
     try:
-        assert QCoreApplication.translate("Report", "Copy details") == "Kopiraj pojedinosti"
+        assert QCoreApplication.translate("Report", "Copy details") == "Copy details"
+        application.choose_language("hr")
+        assert QCoreApplication.translate("Actions", "&File") == "&Datoteka"
+        count = QCoreApplication.translate("SelfTestDialog", "%n exercises", "", 22)
+        assert count == "broj vježbi: 22"
+        assert QCoreApplication.translate("Nowhere", "as it is") == "as it is"
     finally:
-        for translator in display.findChildren(QTranslator):
-            display.removeTranslator(translator)
-            translator.deleteLater()
+        languages.choose("en")
+        display.removeTranslator(translator)
 
 
 # --------------------------------------------------------------------------- the screenshot

@@ -8,6 +8,7 @@ from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QPalette
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QWidget
 
+from app.languages import listed
 from app.lecture.highlight import NOTHING, Highlight
 from app.scenes.phenomena.words import Reading
 from widgets.parts.icons import show_icon
@@ -47,9 +48,9 @@ def value_text(value: Any, write: Callable[[float], str]) -> str:
         return write(value)
     side, parts = _side(value), [write(part) for part in value]
     if not side:
-        text, half = f"({', '.join(parts)})", (len(parts) + 1) // 2
+        text, half = f"({listed(parts)})", (len(parts) + 1) // 2
         if len(text) > ON_A_LINE:
-            return f"({', '.join(parts[:half])},\n{', '.join(parts[half:])})"
+            return f"({listed(parts[:half])}{listed(('', ''))[0]}\n{listed(parts[half:])})"
         return text
     return matrix(parts[first : first + side] for first in range(0, len(parts), side))
 

@@ -19,6 +19,7 @@ import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
 from app.drawings.drawing import Taken
+from app.languages import listed
 from app.model.limits import OTHER_SIDE, vector
 from app.model.parameter import Settings
 from app.model.projection import Array, Projection, Vector
@@ -430,5 +431,5 @@ def _value(grip: Grip) -> Vector | float:
 
 def _shown(value: Any) -> str:
     if isinstance(value, tuple):
-        return f"({', '.join(read_text(part) for part in value)})"
+        return f"({listed(map(read_text, value))})"
     return read_text(value)

@@ -18,6 +18,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
 from PySide6.QtWidgets import QFrame, QPushButton, QWidget
 
+from app.languages import with_comma
 from app.lecture.letters import Letters, in_letters
 from app.model.limits import OTHER_SIDE
 from app.model.parameter import Parameter, read_sections
@@ -114,17 +115,17 @@ def figure_text(value: float, digits: int = 6) -> str:
     if math.isinf(value) or value == 0.0 or 1e-3 <= abs(value) < 10.0 ** max(5, digits):
         text = number_text(value) if math.isinf(value) else f"{value + 0.0:.{digits}g}"
         if "e" not in text:
-            return text.replace("-", "−")
+            return with_comma(text.replace("-", "−"))
     mantissa, _, exponent = f"{value:.{digits - 1}e}".partition("e")
     factor = mantissa.rstrip("0").rstrip(".") if "." in mantissa else mantissa
     power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    text = power if factor in ("1", "-1") else f"{factor.lstrip('-')}·{power}"
+    text = power if factor in ("1", "-1") else f"{with_comma(factor.lstrip('-'))}·{power}"
     return f"−{text}" if value < 0.0 else text
 
 
 def read_text(value: float, digits: int = FEW) -> str:
     """Write a number for display: with four digits, or with all of them."""
-    return number_text(value) if all_digits.now else figure_text(value, digits)
+    return with_comma(number_text(value)) if all_digits.now else figure_text(value, digits)
 
 
 def of_phenomena(text: str, letters: Letters | None = None) -> str:
@@ -169,7 +170,7 @@ def of_measurements(text: str) -> str:
 def sentence(error: Exception) -> str:
     """Write a refusal in the window's language; other errors are not translated."""
     if isinstance(error, Refusal):
-        return error.sentence(translated, field_name, _value_text)
+        return with_comma(error.sentence(translated, field_name, _value_text))
     return str(error)
 
 

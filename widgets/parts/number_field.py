@@ -8,6 +8,7 @@ from PySide6.QtCore import QCoreApplication, QEvent, QSize, Qt
 from PySide6.QtGui import QFocusEvent, QInputMethodEvent, QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QLineEdit, QWidget
 
+from app.languages import with_comma
 from app.model.limits import within
 from app.model.refusal import Refusal
 from widgets.parts.labels import RefusalLabel
@@ -97,7 +98,7 @@ class NumberField(QLineEdit):
     def _set_text(self, text: str) -> None:
         """Show a text from its start; a selection of the whole text stays."""
         all_selected = self.hasSelectedText() and self.selectedText() == self.text()
-        self.setText(text)
+        self.setText(with_comma(text))
         self.setCursorPosition(0)
         if all_selected:
             self._select_to_start()

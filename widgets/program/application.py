@@ -10,6 +10,8 @@ Later errors of slots, threads, Qt and VTK go to one log file; an uncaught excep
 `ErrorReport`.
 """
 
+from __future__ import annotations
+
 import contextlib
 import gc
 import locale
@@ -20,7 +22,7 @@ import socket
 import sys
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from types import FrameType
@@ -40,7 +42,7 @@ from PySide6.QtCore import (
 )
 from PySide6.QtWidgets import QApplication, QWidget
 
-from app import __version__, python_packages, strangers
+from app import __version__, languages, python_packages, strangers
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.lecture.letters import Letters
@@ -54,10 +56,10 @@ from widgets.window.settings import Settings, labels_path, log_path, name_applic
 
 if TYPE_CHECKING:
     from app.scenes.scene import Scene
+    from widgets.window.main_window import MainWindow, Work
 
 log = logging.getLogger(__name__)
 
-TRANSLATIONS = Path(__file__).parent / "translations"
 FIRST_PICTURE_S = 60.0  # longest wait for the window of a screenshot to appear
 MESSAGE_MS = 15_000  # duration of the status line's message that Qt has no OpenGL
 
@@ -75,6 +77,7 @@ class Options:
     canvas: str | None = None  # ``"opengl"`` or ``"raster"``: how panes draw; None for the faster
     start_card: bool = True  # whether to offer the start card: no file and no value was given
     letters: Letters | None = None  # for lessons, instead of their own
+    language: str | None = None  # for this run only
 
 
 def make_application() -> QApplication:
@@ -90,13 +93,19 @@ def make_application() -> QApplication:
     return application
 
 
-def translate(application: QApplication, language: str) -> bool:
-    """Load the translation for a locale, or for the system's if it is empty, if there is one."""
-    translator = QTranslator(application)
-    wanted = QLocale(language) if language else QLocale.system()
-    if not translator.load(wanted, "frustum_lab", "_", str(TRANSLATIONS)):
-        return False
-    return application.installTranslator(translator)
+class Translator(QTranslator):
+    """Gives Qt the texts of `app.languages`."""
+
+    def translate(
+        self, context: str, text: str, _disambiguation: str | None = None, count: int = -1
+    ) -> str:
+        """Return a text of the window in its language; as it is where none is known."""
+        return languages.translate(text, context, None if count < 0 else count)
+
+
+def choose_language(asked: str) -> None:
+    """Speak the language that is asked for, or that of the system."""
+    languages.choose(asked or languages.known(QLocale.system().uiLanguages()))
 
 
 def close_on_interrupt(application: QApplication) -> Callable[[], None]:
@@ -164,7 +173,7 @@ def run_window(
     saved: Document,
     path: Path | None,
     options: Options,
-    scene: "Scene | None" = None,
+    scene: Scene | None = None,
     lesson: Path | None = None,
 ) -> int:
     """Open the window on a document; return 0 when it is closed, 1 if a part of it stayed empty.
@@ -189,62 +198,88 @@ def run_window(
         settings = Settings(None if options.screenshot else settings_path())
         if options.theme or options.screenshot:
             settings.override("theme", options.theme or "light")
-        translate(application, settings.language)
+        application.installTranslator(Translator(application))
+        if options.language is None:
+            choose_language(settings.language)
 
         with python_packages.for_good():
-            from widgets.window.main_window import MainWindow
+            from widgets.window.main_window import Work
 
-        try:
-            window = MainWindow(
-                document,
-                settings=settings,
-                software_rendering=graphics.software,
-                canvas=canvas,
-                saved=document if options.screenshot else saved,  # and closes without a question
-                path=path,
-                scene=scene,
-            )
-        except Refusal as error:
-            if path is None or error.file is not None:
-                raise
-            raise Refusal.saying(REFUSALS["in-file"], path, error) from error
-        if options.size:
-            window.resize(*options.size)
-        elif settings.geometry is None and not options.screenshot:
-            window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
-        window.lessons.letters = options.letters
-        if lesson is not None:
-            window.lesson_card.open(lesson)
-        window.first_painted.connect(partial(_open_panes, window))
-        if graphics is opengl.NO_OPENGL:
-            said = QCoreApplication.translate(
-                "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
-            )
-            window.filled.connect(partial(window.status.showMessage, said, MESSAGE_MS))
-        if options.start_card and settings.start_card and not options.screenshot:
-            window.filled.connect(window.show_start_card)
-        window.present.switched.connect(watch.put_off)
-        notes = EncodingNotes(window.messages.show_message)
-        logging.getLogger(strangers.__name__).addHandler(notes)
         failed: list[bool] = []
-        window.filled.connect(lambda: failed.append(bool(watch.caught)))
-        show_window(window)
-        if options.screenshot:
-            _take_screenshot(application, window, options.screenshot, watch)
-        else:
-            application.exec()
-            from app.drawings import kept_labels
+        work: Work | None = Work(document, saved, path, lesson)
+        while work is not None:
+            window = _window_with(work, scene, settings, graphics, canvas, options)
+            window.first_painted.connect(partial(_open_panes, window))
+            window.present.switched.connect(watch.put_off)
+            notes = EncodingNotes(window.messages.show_message)
+            logging.getLogger(strangers.__name__).addHandler(notes)
+            window.filled.connect(lambda: failed.append(bool(watch.caught)))
+            show_window(window)
+            if options.screenshot:
+                _take_screenshot(application, window, options.screenshot, watch)
+            else:
+                application.exec()
+                from app.drawings import kept_labels
 
-            kept_labels.save(labels_path())
-        logging.getLogger(strangers.__name__).removeHandler(notes)
-        window.deleteLater()
-        application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+                kept_labels.save(labels_path())
+            logging.getLogger(strangers.__name__).removeHandler(notes)
+            work = window.work_left
+            window.deleteLater()
+            application.sendPostedEvents(None, QEvent.Type.DeferredDelete)
+            if work is not None:  # in another language: a window's texts are made with it
+                choose_language(settings.language)
+                options, scene = replace(options, start_card=False, size=None), None
     finally:
         undo_interrupt()
         undo_idle()
         watch.remove()
         qInstallMessageHandler(None)
     return 1 if any(failed) else 0
+
+
+def _window_with(
+    work: Work,
+    scene: Scene | None,
+    settings: Settings,
+    graphics: opengl.OpenGL,
+    canvas: str,
+    options: Options,
+) -> MainWindow:
+    """Make a window that goes on with some work."""
+    from widgets.window.main_window import MainWindow
+
+    saved = work.document if options.screenshot else work.saved  # and closes without a question
+    try:
+        window = MainWindow(
+            work.document,
+            settings=settings,
+            software_rendering=graphics.software,
+            canvas=canvas,
+            saved=saved,
+            path=work.path,
+            scene=scene,
+        )
+    except Refusal as error:
+        if work.path is None or error.file is not None:
+            raise
+        raise Refusal.saying(REFUSALS["in-file"], work.path, error) from error
+    if options.size:
+        window.resize(*options.size)
+    elif settings.geometry is None and not options.screenshot:
+        window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
+    if work.store is not None:
+        window.store.take_steps(work.store)
+    window.lessons.letters = options.letters
+    if work.lesson is not None:
+        window.lesson_card.open(work.lesson, work.step)
+    if graphics is opengl.NO_OPENGL:
+        said = QCoreApplication.translate(
+            "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
+        )
+        window.filled.connect(partial(window.status.showMessage, said, MESSAGE_MS))
+    if options.start_card and settings.start_card and not options.screenshot:
+        window.filled.connect(window.show_start_card)
+    return window
 
 
 def find_graphics(options: Options) -> tuple[opengl.OpenGL, str]:

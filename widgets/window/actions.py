@@ -18,6 +18,7 @@ from PySide6.QtWidgets import (
 )
 
 from app.document.view import LAYOUTS
+from app.languages import LANGUAGES
 from app.model.parameter import read_sections
 from app.scenes.built_in import WORDS
 from app.scenes.phenomena import PHENOMENA
@@ -35,6 +36,7 @@ from widgets.window.slots import Slots
 
 ICON_PX = 18
 SEPARATOR = "-"
+_NO_MORE: Mapping[str, str] = {}
 _NAMED_KEYS = {
     "Play": PLAY_KEY, "FullScreen": FULL_SCREEN_KEY,
     "Again": AGAIN_KEY, "Next": NEXT_KEY, "Back": BACK_KEY,
@@ -100,6 +102,7 @@ class Actions(QObject):
 
     scene_chosen = Signal(str)
     theme_chosen = Signal(str)
+    language_chosen = Signal(str)
 
     def __init__(
         self,
@@ -111,6 +114,7 @@ class Actions(QObject):
         slots: Slots,
         panes: Mapping[str, Pane],
         theme: str,
+        language: str,
         all_digits: bool,
     ) -> None:
         super().__init__(window)
@@ -152,6 +156,8 @@ class Actions(QObject):
         self.layers = self._choices("layers")
         for value, action in self._choices("theme", theme).items():
             action.triggered.connect(partial(self.theme_chosen.emit, value))
+        for value, action in self._choices("language", language, LANGUAGES).items():
+            action.triggered.connect(partial(self.language_chosen.emit, value))
         make("full_screen", self._toggle_full_screen)
         self.help = make("help", help_.show_keys)
         self.start_card, self.trades = make("start_card"), make("trades")
@@ -207,10 +213,13 @@ class Actions(QObject):
         self._made[name] = [menu.menuAction()]
         return menu
 
-    def _choices(self, name: str, now: str | None = None) -> dict[str, QAction]:
+    def _choices(
+        self, name: str, now: str | None = None, more: Mapping[str, str] = _NO_MORE
+    ) -> dict[str, QAction]:
         """Make a menu of switches, or of choices of which one holds `now`; return its actions."""
-        entries = menus()[name].entries.items()
-        made = {value: self._action(_tr(e.text), on=now in (value, None)) for value, e in entries}
+        texts = {value: _tr(entry.text) for value, entry in menus()[name].entries.items()}
+        texts |= more
+        made = {value: self._action(text, on=now in (value, None)) for value, text in texts.items()}
         self._submenu(name).addActions(list(made.values()))
         if now is not None:
             group = QActionGroup(self)

@@ -8,18 +8,16 @@ from PySide6.QtGui import QGuiApplication
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.document.store import Store
-from app.drawings import SENTENCES, WORDS
+from app.drawings import DrawingWords
 from app.drawings.style import Style
-from app.lecture.highlight import ENDS
 from app.lecture.letters import Letters, axis_letters
-from app.model.parameters import TITLES
 from app.model.projection import Camera
 from app.scenes.scene import Scene
 from widgets.panes.adaptive import Adaptive
 from widgets.panes.canvas import SCALES
 from widgets.panes.pane import Pane
 from widgets.parts import icons, palette
-from widgets.parts.messages import TranslatedWords, field_name, plane_name, translated
+from widgets.parts.messages import TranslatedWords
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
 from widgets.window.settings import Settings
@@ -56,14 +54,7 @@ class Look(QObject):
     ) -> None:
         super().__init__(window)
         self._panes, self._settings, self._store, self._window = panes, settings, store, window
-        self.words = TranslatedWords(
-            {
-                **WORDS,
-                **{english: field_name(name) for name, english in TITLES.items()},
-                **{plane: plane_name(plane) for plane in ENDS},
-                **{name: translated(text, "Look") for name, text in SENTENCES.items()},
-            }
-        )
+        self.words = TranslatedWords(DrawingWords())
         self._shown: ShownData | None = None
         self._glides = False
         self._screen_px = 0.0

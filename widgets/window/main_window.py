@@ -13,7 +13,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
 from PySide6.QtGui import (
@@ -94,6 +94,17 @@ LONGEST_UNSEEN_MS = 100
 """Longest wait for a pane that shows nothing: it may be hidden, or its drawing has failed."""
 
 
+class Work(NamedTuple):
+    """What a window works on: a document with its file, or a lesson's step, and what led there."""
+
+    document: Document
+    saved: Document | None
+    path: Path | None
+    lesson: Path | None = None
+    step: str = ""
+    store: Store | None = None
+
+
 class MainWindow(QMainWindow):
     """One document in three linked panes.
 
@@ -123,6 +134,7 @@ class MainWindow(QMainWindow):
         self.cover: CoverCard | None = None  # the card over the window
         self._folded: Panel | None = None
         """The panel to reopen when no pane fills the window and nothing is presented."""
+        self.work_left: Work | None = None  # for another window, in another language
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
@@ -162,7 +174,8 @@ class MainWindow(QMainWindow):
         )  # fmt: skip
         self.menus = Actions(
             self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
-            panes=self.panes, theme=settings.theme, all_digits=settings.all_digits,
+            panes=self.panes, theme=settings.theme, language=settings.language,
+            all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self.laser = Laser(self)
@@ -347,6 +360,25 @@ class MainWindow(QMainWindow):
         if self.controls.isHidden():
             self.menus.controls.trigger()
         self.controls.find_control()
+
+    def choose_language(self, language: str) -> None:
+        """Close, for a window in another language that goes on with the same work."""
+        if language == self.settings.language:
+            return
+        take_typed(self)
+        self.present.leave()
+        self.history.stand_still()
+        self.settings.language = language
+        origin, lesson = self.store.origin, self.lessons.lesson
+        self.work_left = Work(
+            self.store.seen,
+            origin.saved,
+            origin.path,
+            lesson.path if lesson is not None else None,
+            lesson.steps[self.lessons.place].name if lesson is not None else "",
+            self.store,
+        )
+        self.close()
 
     # -- showing the document
 
@@ -556,7 +588,7 @@ class MainWindow(QMainWindow):
     def closeEvent(self, event: QCloseEvent) -> None:
         take_typed(self)
         self.recovery.autosave.save_now()  # in case the program ends while the question is open
-        if not self.files.may_discard():
+        if self.work_left is None and not self.files.may_discard():
             event.ignore()
             return
         self._is_closed = True

@@ -9,7 +9,6 @@ from app.document.store import Store
 from app.drawings.describing import describe
 from app.scenes.scene import Scene
 from widgets.panes.pane import Pane
-from widgets.parts.messages import translated
 from widgets.window.status_line import RESTS_AFTER_MS
 
 
@@ -37,7 +36,7 @@ class PaneWords(QObject):
             self._describe_panes()
 
     def _describe_panes(self) -> None:
-        about = describe(self._store.seen, self._scene(), translate=translated)
+        about = describe(self._store.seen, self._scene())
         for name, pane in self._panes.items():
             said = about.panes[name] if self._hidden else about.of_pane(name)
             pane.hand.describe("" if name in self._hidden else said)

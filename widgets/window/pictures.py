@@ -18,7 +18,7 @@ from app.drawings.figure import Figure
 from app.model.refusal import REFUSALS, Cancelled, Refusal
 from app.scenes.scene import Scene
 from widgets.panes.canvas import release_context
-from widgets.parts.messages import MessageBar, sentence, translated
+from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.progress import ReportProgress, progress
 from widgets.parts.saving import ask_where
 from widgets.window.settings import Settings
@@ -67,7 +67,7 @@ class Pictures(QObject):
         """Return a figure of what the window shows, in its language."""
         document = self._seen()
         scene = self._scene(document.scene, document.mesh)
-        return Figure(document, scene, words=self._words, translate=translated, **choices)
+        return Figure(document, scene, words=self._words, **choices)
 
     def export_dialog(self) -> None:
         from widgets.window.export_dialog import ExportDialog

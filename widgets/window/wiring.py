@@ -68,6 +68,7 @@ def _wire_components(window: Any) -> None:
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
         (menus.theme_chosen, look.set_theme),
+        (menus.language_chosen, window.choose_language),
         (menus.present.triggered, window.lesson_card.reopen, window.present.toggle),
         (menus.present_all.triggered, window.lesson_card.reopen),
         (menus.present_all.triggered, lambda: window.lessons.go(0), window.present.begin),

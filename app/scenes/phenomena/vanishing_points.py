@@ -313,8 +313,9 @@ def _world_marks(
     """Rays from the eye parallel to the box's edges, and where they meet the near plane."""
     eye = np.array(projection.camera.eye)
     longest = _LONGEST * subject.size
-    # Of the frustum, whose walls would hide the rays, only the plane is drawn.
-    marks: list[Mark] = [plate(section(projection, projection.lens.near), "near", 1.5, 0.15)]
+    # Of the frustum, whose walls would hide the rays, only the plane is drawn, with the horizon.
+    plane = section(projection, projection.lens.near)
+    marks: list[Mark] = [plate(plane, "near", 1.5, 0.15, name="horizon")]
     for axis, (point, colour) in enumerate(zip(points, _COLOURS, strict=True)):
         if not point.is_finite:
             continue

@@ -1,0 +1,164 @@
+"""The languages of the program: which one it speaks, and its texts in it.
+
+The English text is the key. Qt Linguist's files ``translations/*.ts`` have the others and are read
+as they are, without a compiled form: what a translator saves is there at the next start.
+``program_hr.ts`` has the texts of window and commands, ``lessons_hr.ts`` those of lessons and
+talks, which are read when a lesson opens. ``docs/glossary.md`` has the terms.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Callable, Iterable, Mapping
+from functools import cache, wraps
+from pathlib import Path
+from typing import Any, ParamSpec, TypeAlias, TypeVar
+from xml.etree import ElementTree
+
+_T = TypeVar("_T")
+_P = ParamSpec("_P")
+Forms: TypeAlias = tuple[str, ...]
+"""A text in another language; its plural forms if it has a number."""
+
+ENGLISH = "en"
+LANGUAGES = {
+    ENGLISH: "English", "hr": "Hrvatski", "sr": "Српски", "sr-Latn": "Srpski (latinica)",
+    "et": "Eesti",
+}  # fmt: skip
+"""What each language is called in itself, by its code in BCP 47."""
+TRANSLATIONS = Path(__file__).with_name("translations")
+
+_LATIN = str.maketrans(
+    dict(zip("абвгдђежзијклмнопрстћуфхцчшАБВГДЂЕЖЗИЈКЛМНОПРСТЋУФХЦЧШ",
+             "abvgdđežzijklmnoprstćufhcčšABVGDĐEŽZIJKLMNOPRSTĆUFHCČŠ", strict=True))
+    | {"љ": "lj", "њ": "nj", "џ": "dž", "Љ": "Lj", "Њ": "Nj", "Џ": "Dž"}
+)  # fmt: skip
+_CAPITAL = "[\u0402-\u040f\u0410-\u042f]"
+_IN_CAPITALS = re.compile(f"(?<={_CAPITAL})[ЉЊЏ]|[ЉЊЏ](?={_CAPITAL})")
+_NUMBERS = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?:, *[-−+]?\d+(?:\.\d+)?)+(?![\w.]*\d)")
+_TYPED = re.compile(r"[=:]\S*\d\.\d|ndc: |16\.16")  # texts with what stays as it is typed
+_POINT = re.compile(r"(?<=\d)\.(?=\d)(?!\d+\.\d)(?<!\d\.\d\.)")
+
+
+class _Chosen:
+    """The language that the program speaks, and that of an open lesson, if it has its own."""
+
+    program = lesson = ENGLISH
+
+
+def chosen() -> str:
+    return _Chosen.program
+
+
+def choose(language: str) -> None:
+    """Speak a language from now on; what is shown already stays as it is."""
+    _Chosen.program = _Chosen.lesson = language
+
+
+def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
+    """Keep the results of a function, for each language."""
+
+    @cache
+    def kept(_language: str, *given: Any) -> _T:
+        return function(*given)  # type: ignore[call-arg]
+
+    @wraps(function)
+    def result(*given: _P.args, **_named: _P.kwargs) -> _T:
+        return kept(_Chosen.program, *given)
+
+    return result
+
+
+def known(names: Iterable[str]) -> str:
+    """Return the first language that the program has, of locales such as ``sr_RS@latin``."""
+    for name in names:
+        parts = set(re.split("[-_.@]", name.lower()))
+        code = re.split("[-_.@]", name.lower())[0]
+        if code == "sr" and parts & {"latn", "latin"}:
+            return "sr-Latn"
+        if code in LANGUAGES:
+            return code
+    return ENGLISH
+
+
+def of_system(environment: Mapping[str, str] = os.environ) -> str:
+    """Return the language of a terminal, as GNU programs find it."""
+    names = (environment.get(name, "") for name in ("LC_ALL", "LC_MESSAGES", "LANG"))
+    locale = next(filter(None, names), "C")
+    if locale.partition(".")[0] in ("C", "POSIX"):
+        return ENGLISH
+    return known([*filter(None, environment.get("LANGUAGE", "").split(":")), locale])
+
+
+def translate(text: str, context: str, count: int | None = None) -> str:
+    """Return a text in the language of the program; in English where it has no translation."""
+    if _Chosen.program == ENGLISH:
+        return text
+    forms = texts("program", _Chosen.program).get((context, text))
+    if forms is None:
+        return text
+    return forms[0 if count is None or len(forms) == 1 else plural(_Chosen.program, count)]
+
+
+def sentence_of(lesson: str, text: str) -> str:
+    """Return a sentence of a lesson of the program, by the name of its file."""
+    if _Chosen.program == ENGLISH:
+        return text
+    return texts("lessons", _Chosen.program).get((lesson, text), (text,))[0]
+
+
+@cache
+def texts(part: str, language: str) -> Mapping[tuple[str, str], Forms]:
+    """Return the translations of ``program`` or ``lessons``, by context and English text."""
+    if language == "sr-Latn":
+        cyrillic = texts(part, "sr")
+        return {key: tuple(map(in_latin, forms)) for key, forms in cyrillic.items()}
+    known_texts: dict[tuple[str, str], Forms] = {}
+    for context in ElementTree.parse(TRANSLATIONS / f"{part}_{language}.ts").getroot():
+        name = context.findtext("name", "")
+        for message in context.iter("message"):
+            translation = message.find("translation")
+            if translation is None or translation.get("type") in ("vanished", "obsolete"):
+                continue
+            forms = tuple(form.text or "" for form in translation) or (translation.text or "",)
+            if all(forms):
+                source = message.findtext("source", "")
+                is_typed = name == "Options" or _TYPED.search(source)
+                known_texts[name, source] = forms if is_typed else tuple(map(with_comma, forms))
+    return known_texts
+
+
+def plural(language: str, count: int) -> int:
+    """Return which form of a text a number takes, as Qt's rules count them."""
+    if language == "et":
+        return int(count != 1)
+    if count % 10 == 1 and count % 100 != 11:
+        return 0
+    return 1 if 2 <= count % 10 <= 4 and not 12 <= count % 100 <= 14 else 2
+
+
+def in_latin(text: str) -> str:
+    """Return a Serbian text in Latin letters: ``Њ`` is ``Nj``, and ``NJ`` among capitals.
+
+    Each Cyrillic letter has one Latin form, so this needs no list of exceptions.
+    """
+    text = _IN_CAPITALS.sub(lambda letter: letter[0].translate(_LATIN).upper(), text)
+    return text.translate(_LATIN)
+
+
+def listed(numbers: Iterable[str]) -> str:
+    """Return numbers in a row: ``0.5, 1, 2``, and ``0,5; 1; 2`` where they have commas."""
+    return (", " if _Chosen.program == ENGLISH else "; ").join(numbers)
+
+
+def with_comma(text: str, *, in_tex: bool = False) -> str:
+    """Return a text with its numbers as the language writes them: 1,5 and (0,5; 1; 2)."""
+    if _Chosen.program == ENGLISH or "." not in text:
+        return text
+    if in_tex:  # where a bare comma has a space behind it
+        return _POINT.sub("{,}", text)
+    text = _NUMBERS.sub(
+        lambda match: re.sub(", *", "; ", match[0]) if "." in match[0] else match[0], text
+    )
+    return _POINT.sub(",", text)

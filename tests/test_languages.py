@@ -1,0 +1,114 @@
+"""The language of the program: which one, its texts, plural forms, letters and numbers."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterator
+
+import pytest
+
+from app import languages
+from app.lessons.course import contained, ideas
+from app.lessons.lesson import head_of, read
+from app.lessons.translating import in_language
+from app.model.limits import AT_LEAST
+from app.model.refusal import Refusal
+
+
+@pytest.fixture(autouse=True)
+def _in_english_again() -> Iterator[None]:
+    yield
+    languages.choose("en")
+
+
+@pytest.mark.parametrize(
+    ("environment", "language"),
+    [
+        ({}, "en"),
+        ({"LANG": "hr_HR.UTF-8"}, "hr"),
+        ({"LANG": "en_US.UTF-8", "LC_MESSAGES": "et_EE"}, "et"),
+        ({"LANG": "et_EE", "LC_ALL": "C.UTF-8"}, "en"),
+        ({"LANG": "sr_RS.UTF-8@latin"}, "sr-Latn"),
+        ({"LANG": "sr_RS"}, "sr"),
+        ({"LANG": "de_DE", "LANGUAGE": "nl:hr"}, "hr"),
+        ({"LANG": "C", "LANGUAGE": "hr"}, "en"),
+        ({"LANG": "fi_FI"}, "en"),
+    ],
+)
+def test_the_language_of_the_system(environment: dict[str, str], language: str) -> None:
+    assert languages.of_system(environment) == language
+
+
+def test_serbian_in_latin_letters() -> None:
+    assert languages.in_latin("Његош воли џез; ЊЕГОШ, Љ и w, NDC") == (
+        "Njegoš voli džez; NJEGOŠ, Lj i w, NDC"
+    )
+
+
+@pytest.mark.parametrize(
+    ("language", "count", "form"),
+    [("hr", 1, 0), ("hr", 2, 1), ("hr", 5, 2), ("hr", 11, 2), ("hr", 12, 2), ("hr", 21, 0),
+     ("hr", 22, 1), ("sr", 112, 2), ("et", 1, 0), ("et", 0, 1), ("et", 21, 1)],
+)  # fmt: skip
+def test_plural_forms(language: str, count: int, form: int) -> None:
+    assert languages.plural(language, count) == form
+
+
+@pytest.mark.parametrize(
+    ("english", "other"),
+    [
+        ("1.5 and 2.5.", "1,5 and 2,5."), ("(0.5, 1, 2)", "(0,5; 1; 2)"),
+        ("(3, 1, 0)", "(3, 1, 0)"), ("3, and 0.5", "3, and 0,5"), ("1.2.3", "1.2.3"),
+        ("-0.25, 3", "-0,25; 3"), ("house.obj", "house.obj"),
+    ],
+)  # fmt: skip
+def test_numbers_have_a_comma(english: str, other: str) -> None:
+    assert languages.with_comma(english) == english
+    languages.choose("hr")
+    assert languages.with_comma(english) == other
+
+
+def test_only_the_sentences_of_a_lesson_change() -> None:
+    for path in contained():
+        text = path.read_text("utf-8")
+        same = in_language(text, str)
+        assert " ".join(same.split()) == " ".join(text.split()), path
+        assert same.count("\n") == text.count("\n")
+        other = in_language(text, lambda sentence: f"{sentence} x")
+        assert other.count("\n") == text.count("\n"), path
+
+
+def test_a_lesson_is_the_same_in_every_language() -> None:
+    paths = contained()
+    english = [read(path) for path in paths]
+    for language in languages.LANGUAGES:
+        languages.choose(language)
+        for path, before in zip(paths, english, strict=True):
+            lesson = read(path)
+            assert head_of(path).title == lesson.title
+            for one, other in zip(before.steps, lesson.steps, strict=True):
+                assert (one.name, one.samples) == (other.name, other.samples)
+                assert [type(part) for part in one.parts] == [type(part) for part in other.parts]
+        assert len(ideas().lesson.steps) > 30
+
+
+def test_a_refusal_speaks_the_language() -> None:
+    error = Refusal("near", 0.0, AT_LEAST, 1)
+    before = str(error)
+    languages.choose("hr")
+    assert str(error) != before and str(error).startswith("near = 0: ")
+
+
+def test_a_command_speaks_the_language_asked_for() -> None:
+    def said(*arguments: str) -> str:
+        command = [sys.executable, "-m", "app", *arguments]
+        done = subprocess.run(command, capture_output=True, text=True, encoding="utf-8")
+        return done.stdout + done.stderr
+
+    assert "the lens" not in said("matrices", "--help", "--language", "hr")
+    assert "--language = 'xx': must be one of en, hr, sr, sr-Latn, et." in said(
+        "matrices", "--language=xx"
+    )
+    refused = said("matrices", "--set", "lens.near=-1", "--language", "et")
+    assert refused.startswith("lens.near = -1: ") and "must be" not in refused
