@@ -21,8 +21,10 @@ from widgets.window.main_window import MainWindow
 
 POINT_PX, EDGE_PX = 12.0, 9.0
 """So near to a point or an edge, another place is not free."""
-PLACES = 10 if "ALL_SCENES" in os.environ else 4
-GRID_PX, TRIES = 14, 2
+PLACES = 10 if "ALL_SCENES" in os.environ else 3
+GRID_PX = {"world": 14, "ndc": 20, "image": 20}
+"""So near that nothing that lights up lies between; only the world has small grips."""
+TRIES = 2
 SIDES = {"left": (0, 3), "right": (1, 2), "bottom": (0, 1), "top": (3, 2)}
 SAMPLE: tuple[str, ...] = (
     "letter-f",
@@ -205,7 +207,6 @@ def drag_from(
         move_mouse(canvas, at + QPoint(round(part * way[0]), round(part * way[1])), LEFT)
         moved |= model(window.store.document) != model(before)
     QTest.mouseRelease(canvas, LEFT, pos=at + QPoint(*way))
-    settle()
     if window.store.document != before:
         window.store.undo()
     window.panes[pane].reset_view()  # a drag may have framed it anew
@@ -216,8 +217,8 @@ def drag_from(
 def groups(window: MainWindow, pane: str) -> dict[Highlight, list[tuple[int, int]]]:
     """Places of a pane, on a grid, by what lights up under the pointer there."""
     canvas, places = window.panes[pane].canvas, dict[Highlight, list[tuple[int, int]]]()
-    for x in range(7, canvas.width() - 7, GRID_PX):
-        for y in range(50, canvas.height() - 7, GRID_PX):
+    for x in range(7, canvas.width() - 7, GRID_PX[pane]):
+        for y in range(50, canvas.height() - 7, GRID_PX[pane]):
             drawing = window.panes[pane].drawing
             assert drawing is not None
             places.setdefault(lit_at(drawing, x + 0.5, y + 0.5), []).append((x, y))
