@@ -130,15 +130,15 @@ def _about_others(factor: Factor) -> Iterator[Factors]:
     return ((_of_tile(replace(tile, kind=kind)),) for kind in _AXES if kind != tile.kind)
 
 
-def _made(chain: Factors, how: Callable[[Any], Any]) -> Factors:
-    """Change the matrices of a chain; of one with a divide, none."""
+def _made(chain: Factors, how: Callable[[Any], Any]) -> list[Factors]:
+    """Change every matrix of a chain; there is no such chain with a divide."""
     matrices = [factor.matrix for factor in chain if factor.matrix is not None]
-    is_whole = len(matrices) == len(chain)
-    return tuple(Factor("", "", how(matrix)) for matrix in matrices) if is_whole else chain
+    whole = tuple(Factor("", "", how(matrix)) for matrix in matrices)
+    return [whole] if len(whole) == len(chain) else []
 
 
 def _single(kinds: Kinds, how: Callable[[Any], Any]) -> Change:
-    return _each(kinds, lambda factor: [_made((factor,), how)])
+    return _each(kinds, lambda factor: _made((factor,), how))
 
 
 MISTAKES: dict[str, Change] = {
@@ -166,9 +166,9 @@ MISTAKES: dict[str, Change] = {
     "row-move": _single(("translate", "translation"), np.transpose),
     "left-out": _each("", lambda factor: [()]),
     "inverse": _single("view_from_world", np.linalg.pinv),
-    "undone": lambda chain: [_made(chain, np.linalg.pinv)[::-1]],
-    "inverse-kept": lambda chain: [_made(chain, np.linalg.pinv)],
-    "transposed": lambda chain: [_made(chain, np.transpose)[::-1]],
+    "undone": lambda chain: _made(chain[::-1], np.linalg.pinv),
+    "inverse-kept": lambda chain: _made(chain, np.linalg.pinv),
+    "transposed": lambda chain: _made(chain[::-1], np.transpose),
     "order": lambda chain: [chain[::-1]],
 }
 """What students do to a right chain, by the names of wrong ideas; the first that fits counts."""

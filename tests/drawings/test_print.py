@@ -124,7 +124,7 @@ def test_a_world_frames_what_is_asked_for() -> None:
     for fit in ("named", "frustum", "scene"):
         shown = figure("letter-f", "world", values, size=Size(60.0, 60.0, "mm"), fit=fit)
         cameras = []
-        shown.pixels(seen=lambda drawing, _finer, to=cameras: to.append(drawing.pose))
+        shown.pixels(seen=lambda drawing, _finer, to=cameras: to.append(drawing.own.pose))
         corners.append(cameras[0])
     assert len({repr(each) for each in corners}) == 3
 

@@ -15,6 +15,7 @@ from PySide6.QtTest import QTest
 from app.document.document import Document
 from app.lecture.highlight import NOTHING, WINDOW, Highlight
 from app.scenes.scene import BUILT_IN
+from tests.support.drawings import lit_at
 from tests.support.window import LEFT, Highlighted, MakeWindow, move_mouse, settle, show_scene
 from widgets.window.main_window import MainWindow
 
@@ -220,7 +221,7 @@ def groups(window: MainWindow, pane: str) -> dict[Highlight, list[tuple[int, int
         for y in range(50, canvas.height() - 7, GRID_PX[pane]):
             drawing = window.panes[pane].drawing
             assert drawing is not None
-            places.setdefault(drawing.highlight_at(x + 0.5, y + 0.5), []).append((x, y))
+            places.setdefault(lit_at(drawing, x + 0.5, y + 0.5), []).append((x, y))
     return places
 
 
@@ -272,7 +273,7 @@ def test_what_lights_up_is_dragged_and_nothing_else(make_window: MakeWindow, nam
             for i in random.permutation(len(places))[: TRIES if lit else 3 * TRIES]:
                 x, y = places[i]
                 move_mouse(pane.canvas, QPoint(x, y), Qt.MouseButton.NoButton)
-                about = pane.drawing.highlight_at(x + 0.5, y + 0.5)
+                about = lit_at(pane.drawing, x + 0.5, y + 0.5)
                 is_lit = highlighted.now == about != NOTHING
                 has_own = pane.canvas.cursor().shape() != pane.cursor().shape()
                 ways = ((28, 9), (-9, 28)) if about else ((28, 9),)
