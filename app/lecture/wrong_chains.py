@@ -17,7 +17,7 @@ from app.lecture.letters import Letters
 from app.model.chain import KINDS, Chain, Tile
 from app.model.limits import Array
 from app.model.projection import Projection
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Bound, Refusal
 from app.model.tables import VIEWPORT
 
 DIVIDE, DIVIDE_XYZ = "divide", "xyz/w"
@@ -191,25 +191,25 @@ def difference(right: Factors, given: Factors) -> Refusal:
     """Say in one sentence what a wrong chain does that the right one does not."""
     place, wanted = (effect(chain)[:, 1] for chain in (given, right))
     if any(factor.matrix is None for factor in (*right, *given)):
-        return _saying("chain-ends", place[:2], wanted[:2])
+        return _saying(REFUSALS["chain-ends"], place[:2], wanted[:2])
     if abs(place[3] - wanted[3]) > SAME * max(1.0, abs(wanted[3])):
-        return _saying("chain-w", place[3], wanted[3])
+        return _saying(REFUSALS["chain-w"], place[3], wanted[3])
     mine, its = (effect(chain, np.eye(4))[:3] for chain in (given, right))
     size = SAME * max(1.0, float(np.abs(its).max()))
     axis = int(np.abs(mine - its)[:, :3].max(axis=0).argmax())
     far, its_far, away = (math.hypot(*each[:, 3]) for each in (mine, its, mine - its))
     if np.abs(mine - its).max() <= size:
-        return _saying("chain-same")
+        return _saying(REFUSALS["chain-same"])
     if away <= size:
-        return _saying("chain-axis", "xyz"[axis], mine[:, axis], its[:, axis])
+        return _saying(REFUSALS["chain-axis"], "xyz"[axis], mine[:, axis], its[:, axis])
     if abs(far - its_far) <= size:
-        return _saying("chain-swings", away)
-    return _saying("chain-origin", mine[:, 3], its[:, 3])
+        return _saying(REFUSALS["chain-swings"], away)
+    return _saying(REFUSALS["chain-origin"], mine[:, 3], its[:, 3])
 
 
-def _saying(name: str, *parts: Any) -> Refusal:
+def _saying(said: Bound, *parts: Any) -> Refusal:
     written = (part if isinstance(part, str) else written_numbers(part) for part in parts)
-    return Refusal.saying(REFUSALS[name], *written)
+    return Refusal.saying(said, *written)
 
 
 def written_numbers(numbers: Any) -> str:
