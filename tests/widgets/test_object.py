@@ -22,7 +22,7 @@ from tests.support.controls import enter
 from tests.support.drawings import lit_at
 from tests.support.window import move_mouse, pixels, settle, show_scene
 from widgets.controls.chain_editor import ChainEditor
-from widgets.parts.movable import Grip
+from widgets.parts.movable import MoveButton
 from widgets.parts.number_rows import NumberRow
 from widgets.window.main_window import MainWindow
 
@@ -79,7 +79,7 @@ def remove(card: Any) -> None:
 
 def drag(editor: ChainEditor, place: int, to: int) -> None:
     """Drag a tile by its grip to the middle of another one's place."""
-    grip = editor.cards[place].findChild(Grip)
+    grip = editor.cards[place].findChild(MoveButton)
     end = editor.cards[to]
     y = end.mapTo(editor, QPoint(0, end.height() // 2)).y()
     y = grip.mapFrom(editor, QPoint(0, y)).y() + (3 if to > place else -3)
@@ -96,7 +96,7 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
     assert chain_of(window).text == "translate 0,0,0; rotate z 90"
     enter(row_of(window, "translate_x"), "3")
     card = editor.cards[0]
-    grip = card.findChild(Grip)
+    grip = card.findChild(MoveButton)
     QTest.keyClick(grip, Qt.Key.Key_Up)  # it is at the top
     QTest.keyClick(grip, Qt.Key.Key_Down)
     assert chain_of(window).text == "rotate z 90; translate 3,0,0"

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QPushButton
 
 from tests.support.window import settle
 from widgets.parts.lesson_text import LessonText
-from widgets.parts.movable import Grip
+from widgets.parts.movable import MoveButton
 from widgets.window.lesson_blocks.order import OrderView
 from widgets.window.main_window import MainWindow
 
@@ -60,7 +60,7 @@ def arrange(view: OrderView, *heads: str) -> None:
     for place, head in enumerate(heads):
         at = next(n for n, row in enumerate(view.rows) if row.text.startswith(head))
         for _ in range(at - place):
-            QTest.keyClick(view.rows[at].findChild(Grip), Qt.Key.Key_Up)
+            QTest.keyClick(view.rows[at].findChild(MoveButton), Qt.Key.Key_Up)
             at -= 1
     assert all(row.text.startswith(head) for row, head in zip(view.rows, heads, strict=False))
 

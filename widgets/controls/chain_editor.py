@@ -26,7 +26,7 @@ from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import parameter_text, sentence, stage_title
-from widgets.parts.movable import Grip, MovableColumn
+from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.plain import PlainLabel, set_tip
@@ -54,7 +54,7 @@ class _TileCard(Rows):
             icon="close", tip=tip, name=f"{title}: {tip}", act=lambda: owner.put(self), flat=True
         )
         head = QWidget()
-        in_row(Grip(title), (self.switch, 1), away, on=head, margins=(0, 0, 0, 0), gap=0)
+        in_row(MoveButton(title), (self.switch, 1), away, on=head, margins=(0, 0, 0, 0), gap=0)
         self._column.insertWidget(0, head)
         self.rows = dict(self._made_rows(tile, title))
         self.set_reach(reach)

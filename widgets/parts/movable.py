@@ -12,7 +12,7 @@ from widgets.parts.plain import set_tip
 
 
 class MovableColumn(QWidget):
-    """Parts, one below the other; each has a `Grip` somewhere."""
+    """Parts, one below the other; each has a `MoveButton` somewhere."""
 
     moved = Signal(int, int)  # the user moved the part from one place to another
 
@@ -35,7 +35,7 @@ class MovableColumn(QWidget):
         self._column.insertWidget(to, part)
 
 
-class Grip(QToolButton):
+class MoveButton(QToolButton):
     """Moves the part that it belongs to: dragged, or by the arrow keys while it has the focus."""
 
     def __init__(self, name: str) -> None:

@@ -12,7 +12,7 @@ from app.model.chain import KINDS
 from widgets.parts.layouts import FREE, in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import stage_title
-from widgets.parts.movable import Grip, MovableColumn
+from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
 from widgets.window.lesson_blocks.view import on_holder
@@ -39,7 +39,7 @@ class _TileRow(QWidget):
         self.field.setHidden(not numbers)
         for part in (self.switch, self.field):
             part.setAccessibleName(spoken_text(title))
-        parts = Grip(spoken_text(title)), self.switch, (LessonText(title), 1), (self.field, 1)
+        parts = MoveButton(spoken_text(title)), self.switch, (LessonText(title), 1), (self.field, 1)
         in_row(*parts, on=self, margins=(0, 0, 0, 0), gap=4)
 
     @property
