@@ -170,7 +170,7 @@ def update(folder: Path = TRANSLATIONS) -> None:
             page.write_text(text, encoding="utf-8")
             for language in TRANSLATED:
                 file = folder / f"{part}_{language}.ts"
-                given = [*more, page, "-locations", "none", "-source-language", "en"]
+                given = [*more, page, "-locations", "none", "-no-obsolete", "-source-language", "en"]
                 tool = [Path(sys.executable).with_name("pyside6-lupdate"), *given]
                 tool += ["-target-language", language, "-ts", file]
                 subprocess.run(tool, check=True, capture_output=True)

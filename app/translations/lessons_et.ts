@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>This assumes that widths are proportional to angles. They are proportional to the tangent of half the angle: with 120° high and 16:9 that tangent is 1.73 upwards and 3.08 sideways, so the picture is 144.0° wide: 72.0° on each side, not 213°, which no picture can be.</source>
-        <translation>Nii eeldatakse, et laiused on võrdelised nurkadega. Need on võrdelised poole nurga tangensiga: kui kõrgus on 120° ja pilt 16:9, on see tangens üles 1.73 ja kõrvale 3.08, nii et pildi laius on 144.0°: kummalgi pool 72.0°, mitte 213°, mida ühelgi pildil olla ei saa.</translation>
+        <translation>Nii eeldatakse, et laiused on võrdelised nurkadega. Need on võrdelised poole nurga tangensiga: kui vertikaalne nurk on 120° ja pilt 16:9, on see tangens üles 1.73 ja kõrvale 3.08, nii et pildi laius on 144.0°: kummalgi pool 72.0°, mitte 213°, mida ühelgi pildil olla ei saa.</translation>
     </message>
     <message>
         <source>An angle is an angle</source>
@@ -387,6 +387,190 @@
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Nii peetakse paberil olevat pöördmaatriksit arvutis olevaks. Selle lahtrid on ümardatud ja ümardatud on ka iga korrutis. Alguspunktist kaugel on silma koordinaadid suured ja pöördmaatriks korrutab need ümardatud arvude väikese vahega: float32 läheb punktist mööda protsentide võrra selle kaugusest.</translation>
     </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l01-camera-frame</name>
@@ -448,7 +632,7 @@
     </message>
     <message>
         <source>{0}; {1} and {2} are unit vectors at a right angle, so {3} needs no division.</source>
-        <translation>{0}; {1} ja {2} on ristuvad ühikvektorid, nii et {3} jagamist ei vaja.</translation>
+        <translation>{0}; {1} ja {2} on teineteisega risti olevad ühikvektorid, nii et {3} jagamist ei vaja.</translation>
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
@@ -556,7 +740,7 @@
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
-        <translation>n-il kõrgust ei ole: kaamera vaatab horisontaalselt.</translation>
+        <translation>n-il kõrguse komponenti ei ole: kaamera vaatab horisontaalselt.</translation>
     </message>
     <message>
         <source>From the target, go along n to the eye: 6 along x for every 8 along z. Then Elevation is 0 and Azimuth 36.87.</source>
@@ -666,13 +850,61 @@
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
         <translation>Teie kaamera vaatab suunas {0}. Vaadake selle vektorit {1}: see näitab teisele poole, sihtpunktist silma.</translation>
     </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l02-columns</name>
-    <message>
-        <source>The columns are the axes</source>
-        <translation>Veerud on teljed</translation>
-    </message>
     <message>
         <source>First rotate, then move</source>
         <translation>Enne pööre, siis nihe</translation>
@@ -726,62 +958,6 @@
         <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
-        <source>An axis straight up</source>
-        <translation>Telg otse üles</translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation>Objekt on tagasi oma kohal.</translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation>Paigutage objekt nii, et selle x-telg näitab otse üles: maatriksi maailm ← objekt veerg 1 on (0, 1, 0, 0).</translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation>Avage külgribal Objekt.</translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation>90° pööre ümber z-telje viib x-telje y-teljeks.</translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation>Õige: veerg ütleb, kuhu telg näitab, olgu teised veerud millised tahes.</translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation>Pöörde lahter</translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation>Pööre ümber z-telje nurga {0} võrra viib x-telje vektoriks {1} ja y-telje vektoriks {2}. Siin on tähte pööratud 30°.</translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation>Milline arv on maatriksi {0} reas 2 ja veerus 1?</translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation>See on rida 1, veerg 2. Veerg 1 on x-telg pärast pööret. Vaadake tähe enda x-telge: see tõuseb, seega on selle y positiivne.</translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation>Siinusele kõlbab minu 30</translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation>See on 30 radiaani siinus. 30 kraadi on {0} radiaani. Vaadake tähte, mida on pööratud 30 radiaani: selle x-telg näitab alla.</translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation>Veerg 1 on x-telg pärast pööret. Rida 2 on selle y.</translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation>x-telg tõuseb sin 30° = 0.5 võrra. Rida 1, veerg 2 on {0}, pööratud y-telje x.</translation>
-    </message>
-    <message>
         <source>A point through T and R</source>
         <translation>Punkt läbi T ja R</translation>
     </message>
@@ -819,7 +995,7 @@
     </message>
     <message>
         <source>Keep the turn, and move the object so that its point (1, 0, 0) comes to probe 1.</source>
-        <translation>Jätke pööre samaks ja nihutage objekti nii, et selle punkt (1, 0, 0) satub sondi 1.</translation>
+        <translation>Jätke pööre samaks ja nihutage objekti nii, et selle punkt (1, 0, 0) langeb kokku sondiga 1.</translation>
     </message>
     <message>
         <source>Where is the point now, when it is turned but not moved?</source>
@@ -838,12 +1014,64 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
-        <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Objekt* on **Järjekord** R T S.</translation>
+        <source>Object, world, camera</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
-        <translation>T R S-iga pööratakse tähte paigal ja nihutatakse siis ning veerg 4 on nihe nii, nagu te selle sisestasite. R T S-iga on veerg 4 nihe pärast pööret, {0}.</translation>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -915,7 +1143,7 @@
     </message>
     <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
-        <translation>Jätke pööre {0}° samaks ja nihutage tähte nii, et selle punkt {1} satub sondi 1, mis on kohal {2}.</translation>
+        <translation>Jätke pööre {0}° samaks ja nihutage tähte nii, et selle punkt {1} langeb kokku sondiga 1, mis on kohal {2}.</translation>
     </message>
     <message>
         <source>Where does the turn alone take {0}?</source>
@@ -931,7 +1159,59 @@
     </message>
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
-        <translation>See nihe on õige, kui see mõjub enne pööret. Vaadake tähte järjekorraga R T S: ainult seal viib see punkti sondi 1.</translation>
+        <translation>See nihe on õige, kui see mõjub enne pööret. Vaadake tähte järjekorraga R T S: ainult seal viib see punkti kokku sondiga 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1002,7 +1282,7 @@
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
+        <translation>Pilt, mille laius on kahekordne kõrgus</translation>
     </message>
     <message>
         <source>Now the picture is 1000 by 500 pixels, and the vertical angle is 40°.</source>
@@ -1074,7 +1354,7 @@
     </message>
     <message>
         <source>Keep the picture twice as wide as high, and make the horizontal angle 100°.</source>
-        <translation>Jätke pildi laiuseks kaks korda kõrgus ja tehke horisontaalseks nurgaks 100°.</translation>
+        <translation>Jätke pildi laiuseks kahekordne kõrgus ja tehke horisontaalseks nurgaks 100°.</translation>
     </message>
     <message>
         <source>Half of 100° has the tangent 1.192.</source>
@@ -1835,7 +2115,7 @@
     </message>
     <message>
         <source>The plus in {0} does not contradict this. The cell is multiplied by {1}, and {2} is {3} at probe 1: {4}. Lecture 002 writes a plus where its own signs require a minus. So always try such a sign on a point.</source>
-        <translation>Plussmärk avaldises {0} ei räägi sellele vastu. Lahter korrutatakse suurusega {1}, ja sondi 1 juures on {2} {3}: {4}. Loeng 002 kirjutab plussi kohta, kus tema enda märgid nõuavad miinust. Proovige seepärast sellist märki alati mõne punktiga.</translation>
+        <translation>Plussmärk avaldises {0} ei räägi sellele vastu. Lahter korrutatakse suurusega {1}, ja sondi 1 juures on {2} võrdne arvuga {3}: {4}. Loeng 002 kirjutab plussi kohta, kus tema enda märgid nõuavad miinust. Proovige seepärast sellist märki alati mõne punktiga.</translation>
     </message>
     <message>
         <source>Two eyes, one window</source>
@@ -1986,7 +2266,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Aken lähitasandil on 4 lai ja 2 kõrge: {0} -2-st 2-ni, {1} -1-st 1-ni. Pildis on 720 korda 720 pikslit. Sellesse venitatult on F-täht kaks korda kõrgem, kui see olema peaks. Loengus 000 on kaks abinõu. Variant X asendab suuruse {2} suurusega {3} (ja {4} suurusega {5}), nii et proportsioonid on õiged.</translation>
+        <translation>Akna laius lähitasandil on 4 ja kõrgus 2: {0} -2-st 2-ni, {1} -1-st 1-ni. Pildis on 720 korda 720 pikslit. Sellesse venitatult on F-täht kaks korda kõrgem, kui see olema peaks. Loengus 000 on kaks abinõu. Variant X asendab suuruse {2} suurusega {3} (ja {4} suurusega {5}), nii et proportsioonid on õiged.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -1998,7 +2278,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 6 high and 4 wide now, and the F is too low.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 6 kõrge ja 4 lai ning F on liiga madal.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 6 ja laius 4 ning F on liiga madal.</translation>
     </message>
     <message>
         <source>The window must become as high as it is wide, 4. It grows equally at both ends: by 1 below and by 1 above.</source>
@@ -2054,7 +2334,7 @@
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
+        <translation>Pilt, mille laius on kahekordne kõrgus</translation>
     </message>
     <message>
         <source>The window is {0} from -3 to 3, {1} from -1 to 1. The picture has 1000 by 500 pixels.</source>
@@ -2066,15 +2346,15 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 4 high and 6 wide now, not twice as wide as high, and the F is too low.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 4 kõrge ja 6 lai, laius ei ole kaks korda kõrgus ja F on liiga madal.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 4 ja laius 6, see ei ole kahekordne kõrgus, ja F on liiga madal.</translation>
     </message>
     <message>
         <source>How high must a window be that is 6 wide, for a picture of 1000 by 500?</source>
-        <translation>Kui kõrge peab olema aken, mis on 6 lai, kui pilt on 1000 korda 500?</translation>
+        <translation>Kui kõrge peab olema aken laiusega 6, kui pilt on 1000 korda 500?</translation>
     </message>
     <message>
         <source>3 high, and it is 2 high now.</source>
-        <translation>3 kõrge, aga praegu on see 2 kõrge.</translation>
+        <translation>Kõrgus peab olema 3, aga praegu on see 2.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 1.5.</source>
@@ -2094,7 +2374,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 12 wide and 4 high now, not twice as wide as high, and the F is too narrow.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 12 lai ja 4 kõrge, laius ei ole kaks korda kõrgus ja F on liiga kitsas.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna laius on nüüd 12 ja kõrgus 4, see ei ole kahekordne kõrgus, ja F on liiga kitsas.</translation>
     </message>
     <message>
         <source>Variant Y *keeps* y. Look at variant X: it is the one that leaves x as it is, and adjusts y.</source>
@@ -2102,7 +2382,7 @@
     </message>
     <message>
         <source>The window must become 8 wide.</source>
-        <translation>Aken peab saama 8 laiaks.</translation>
+        <translation>Akna laiuseks peab saama 8.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 5. Its middle is still 1.</source>
@@ -2162,7 +2442,7 @@
     </message>
     <message>
         <source>{0} wide; it is {1} wide now. Both ends get the same share.</source>
-        <translation>{0} lai; praegu on see {1} lai. Mõlemad otsad saavad sama palju.</translation>
+        <translation>Laius peab olema {0}; praegu on see {1}. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>Practise: where does X put it?</source>
@@ -2210,11 +2490,11 @@
     </message>
     <message>
         <source>How high must a window be that is {0} wide, for {1} by 600 pixels?</source>
-        <translation>Kui kõrge peab olema aken, mis on {0} lai, kui piksleid on {1} korda 600?</translation>
+        <translation>Kui kõrge peab olema aken laiusega {0}, kui piksleid on {1} korda 600?</translation>
     </message>
     <message>
         <source>{0} high; it is {1} high now. Both ends get the same share.</source>
-        <translation>{0} kõrge; praegu on see {1} kõrge. Mõlemad otsad saavad sama palju.</translation>
+        <translation>Kõrgus peab olema {0}; praegu on see {1}. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>{0} {1}. Half of it goes to each end: {2} and {3}.</source>
@@ -2433,7 +2713,7 @@
     </message>
     <message>
         <source>This stops before the division by {0}. Look at point 1, moved to far: there {1} is {2}, and only the division makes it 1.</source>
-        <translation>Nii jäädakse pooleli enne jagamist suurusega {0}. Vaadake punkti 1, mis on viidud kaugtasandile: seal on {1} {2} ja alles jagamine teeb sellest 1.</translation>
+        <translation>Nii jäädakse pooleli enne jagamist suurusega {0}. Vaadake punkti 1, mis on viidud kaugtasandile: seal on {1} võrdne arvuga {2} ja alles jagamine teeb sellest 1.</translation>
     </message>
     <message>
         <source>{0}, with {1} and {2}.</source>
@@ -2573,6 +2853,26 @@
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
         <translation>{0} viib vahemiku 0 … −1 OpenGL-i vahemikku −1 … 1: {1}. Klõpsake kuubi all *Püramiid*, *Risttahukas* ja *NDC*.</translation>
+    </message>
+    <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Half-way through the box</source>
@@ -2749,6 +3049,54 @@
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
         <translation>Nii on lähitasand maailmas silmast {0} eespool. Teel püramiidi jagatakse kõik sügavused suurusega {1}. Vaadake lähitasandit: see on palju liiga lähedal, püramiidis kohal {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2955,7 +3303,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2}. The depth of {3} has no part in it.</source>
-        <translation>{0} {1} ja {2}. Sügavus {3} ei puutu siia.</translation>
+        <translation>{0} {1} ja {2}. Sügavus {3} ei puutu asjasse.</translation>
     </message>
     <message>
         <source>A parallel lens divides by nothing but the half height of its box. Look at a box with {0}, twice as high as the point: there the point is at {1}, whatever its depth.</source>
@@ -3465,7 +3813,7 @@
     </message>
     <message>
         <source>Azimuth {0}° looks straight at one side of the cube.</source>
-        <translation>Asimuut {0}° vaatab otse kuubi üht külge.</translation>
+        <translation>Asimuudilt {0}° vaatab kaamera otse kuubi üht külge.</translation>
     </message>
     <message>
         <source>The uprights are parallel to the picture if the camera looks level. From azimuth {0}° one more direction is; from another azimuth two have a vanishing point.</source>
@@ -3708,7 +4056,7 @@
     </message>
     <message>
         <source>{0}. Which {1} has {2} in row 4, column 3? Give its rows 3 and 4, columns 3 and 4.</source>
-        <translation>{0}. Millisel {1} on reas 4 ja veerus 3 {2}? Kirjutage selle read 3 ja 4, veerud 3 ja 4.</translation>
+        <translation>{0}. Millisel maatriksil {1} on reas 4 ja veerus 3 {2}? Kirjutage selle read 3 ja 4, veerud 3 ja 4.</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2}: {3} is this length.</source>
@@ -3770,6 +4118,54 @@
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
         <translation>Punkti asemele tuleb suund: {0} ja {1} on selle kärperuumi koordinaadid, jagatud nende suurusega {2}.</translation>
     </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l14-to-pixels</name>
@@ -3827,7 +4223,7 @@
     </message>
     <message>
         <source>Bring point 1 within one pixel of (0, 0).</source>
-        <translation>Viige punkt 1 kohale (0, 0) lähemale kui üks piksel.</translation>
+        <translation>Viige punkt 1 kohast (0, 0) vähem kui ühe piksli kaugusele.</translation>
     </message>
     <message>
         <source>Drag its mark in *Image*, or move the camera.</source>
@@ -3867,7 +4263,7 @@
     </message>
     <message>
         <source>{0}: half the height, because NDC is 2 high, and negative, because y is reversed.</source>
-        <translation>{0}: pool kõrgusest, sest NDC on 2 kõrge, ja negatiivne, sest y on ümber pööratud.</translation>
+        <translation>{0}: pool kõrgusest, sest NDC kõrgus on 2, ja negatiivne, sest y on ümber pööratud.</translation>
     </message>
     <message>
         <source>This counts the rows upwards, like {0}. They are counted from the top, so a point above the middle has a y below 360. Look at point 1: it is above the middle of the picture.</source>
@@ -4202,7 +4598,7 @@
     </message>
     <message>
         <source>{0} is {1} at point 1 and negative at point 2; at {2} it is 0.</source>
-        <translation>{0} on punktis 1 {1} ja punktis 2 negatiivne; kohal {2} on see 0.</translation>
+        <translation>{0} võrdub punktis 1 suurusega {1} ja on punktis 2 negatiivne; kohal {2} on see 0.</translation>
     </message>
     <message>
         <source>Practise: cut by near</source>
@@ -4242,7 +4638,7 @@
     </message>
     <message>
         <source>The far plane cuts the edge from point 1 to point 2; {0} is 0 at point 1 and 1 at point 2.</source>
-        <translation>Kaugtasand lõikab serva punktist 1 punkti 2; {0} on punktis 1 0 ja punktis 2 1.</translation>
+        <translation>Kaugtasand lõikab serva punktist 1 punkti 2; {0} on 0 punktis 1 ja 1 punktis 2.</translation>
     </message>
     <message>
         <source>In view space point 1 is at {0} and point 2 at {1}. Set far so that it cuts the edge at {2}.</source>
@@ -4277,7 +4673,7 @@
     </message>
     <message>
         <source>Which {0} does the image of the segment AB cover?</source>
-        <translation>Millised {0} katab lõigu AB kujutis?</translation>
+        <translation>Milliseid {0} väärtusi katab lõigu AB kujutis?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, the way from one to the other</source>
@@ -4285,7 +4681,7 @@
     </message>
     <message>
         <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
-        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab üle iga tõkke: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -4293,7 +4689,7 @@
     </message>
     <message>
         <source>Just 0.5: B is behind the camera and does not count</source>
-        <translation>Ainult 0.5: B on kaamera taga ja ei loe</translation>
+        <translation>Ainult 0.5: B on kaamera taga ega loe</translation>
     </message>
     <message>
         <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
@@ -4301,7 +4697,7 @@
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
-        <translation>A-st alates läheneb lõik silmatasandile {0}; x jääb 1, nii et {1} kasvab üle iga tõkke. Silmatasandi taga oleval osal kujutist ei ole.</translation>
+        <translation>A-st alates läheneb lõik silmatasandile {0}; x jääb 1, nii et {1} kasvab tõkestamatult. Silmatasandi taga oleval osal kujutist ei ole.</translation>
     </message>
     <message>
         <source>Cut before the divide</source>
@@ -4835,7 +5231,7 @@
     </message>
     <message>
         <source>Practise: a value on the way</source>
-        <translation>Harjutus: väärtus poolel teel</translation>
+        <translation>Harjutus: väärtus vahepeal</translation>
     </message>
     <message>
         <source>Points 1 and 2 are the ends of an edge.</source>
@@ -4871,7 +5267,7 @@
     </message>
     <message>
         <source>Practise: a depth on the way</source>
-        <translation>Harjutus: sügavus poolel teel</translation>
+        <translation>Harjutus: sügavus vahepeal</translation>
     </message>
     <message>
         <source>A thin rod, drawn in colour, begins at point 1 and ends at point 2.</source>
@@ -4923,7 +5319,7 @@
     </message>
     <message>
         <source>At the middle of the rod, {0} is {1}. At which share {2} of the way in the picture is that?</source>
-        <translation>Varda keskkohas on {0} {1}. Kui suur osa {2} teest on siis pildil läbitud?</translation>
+        <translation>Varda keskkohas on {0} võrdne suurusega {1}. Kui suur osa {2} teest on siis pildil läbitud?</translation>
     </message>
     <message>
         <source>{0}, seen from point 1.</source>
@@ -5126,7 +5522,7 @@
     </message>
     <message>
         <source>You look down from above: {0} runs to the right, {1} runs down. The squares of the grid are 1 wide, the middle of the F is at {2}, {3}, and point 2 is at {4}.</source>
-        <translation>Vaatate ülalt alla: {0} kasvab paremale, {1} alla. Ruudustiku ruudud on 1 laiad, F-i keskkoht on {2}, {3} ja punkt 2 on kohal {4}.</translation>
+        <translation>Vaatate ülalt alla: {0} kasvab paremale, {1} alla. Ruudustiku ruutude külg on 1, F-i keskkoht on {2}, {3} ja punkt 2 on kohal {4}.</translation>
     </message>
     <message>
         <source>You see the shadow of the sun in the direction {0}. Mark where the shadow of point 1, {1}, is with a *lamp* at the point {2}.</source>
@@ -5209,7 +5605,7 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Loeng pildistab kassi 29 mm-ga 30 cm kauguselt ja 105 mm-ga. Filmil on asi {0} korda oma tegelik suurus, nii et see jääb sama suureks, kui</translation>
+        <translation>Loeng pildistab kassi 29 mm-ga 30 cm kauguselt ja 105 mm-ga. Filmil on asja suurus {0} korda tegelik suurus, nii et see jääb samaks, kui</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
@@ -5253,7 +5649,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
-        <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea sama kõrge.</translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea kõrgus sama.</translation>
     </message>
     <message>
         <source>The image on the film is as large as before. What happened to {0}?</source>
@@ -5297,7 +5693,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the head is {0} times as large as it is; the angle of view is no measure of that. Look at the head from here with {1} mm: it is {2} times as large.</source>
-        <translation>Nii võetakse suuruseks vaatenurk. Filmil on pea {0} korda oma tegelik suurus; vaatenurk seda ei mõõda. Vaadake pead siit objektiiviga {1} mm: see on {2} korda nii suur.</translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on pea suurus {0} korda tegelik suurus; vaatenurk seda ei mõõda. Vaadake pead siit objektiiviga {1} mm: see on {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A longer lens goes nearer</source>
@@ -5309,7 +5705,7 @@
     </message>
     <message>
         <source>On the film, the head is {0} times as large as it is.</source>
-        <translation>Filmil on pea {0} korda oma tegelik suurus.</translation>
+        <translation>Filmil on pea suurus {0} korda tegelik suurus.</translation>
     </message>
     <message>
         <source>{0} must be equal to {1}: a longer lens needs a distance longer by the same factor.</source>
@@ -5524,7 +5920,7 @@
     </message>
     <message>
         <source>The image is {0} times as high as the arrow, and upside down.</source>
-        <translation>Kujutis on {0} korda noole kõrgune ja tagurpidi.</translation>
+        <translation>Kujutise kõrgus on {0} korda noole kõrgus, ja kujutis on tagurpidi.</translation>
     </message>
     <message>
         <source>Practise: a corner on the film</source>
@@ -5619,7 +6015,7 @@
     </message>
     <message>
         <source>Standing high does not make uprights meet; looking down does. This camera looks level, so the uprights are parallel to the picture and have no vanishing point. Look at both pictures from this height: only where the camera looks down do the uprights lean.</source>
-        <translation>Püstservad ei koondu sellest, et seistakse kõrgel; alla vaatamisest koonduvad. See kaamera vaatab horisontaalselt, nii et püstservad on pildiga paralleelsed ja neil ei ole koondumispunkti. Vaadake mõlemat pilti sellelt kõrguselt: püstservad on kaldu ainult seal, kus kaamera vaatab alla.</translation>
+        <translation>Püstservad ei koondu mitte kõrgel seismisest, vaid alla vaatamisest. See kaamera vaatab horisontaalselt, nii et püstservad on pildiga paralleelsed ja neil ei ole koondumispunkti. Vaadake mõlemat pilti sellelt kõrguselt: püstservad on kaldu ainult seal, kus kaamera vaatab alla.</translation>
     </message>
     <message>
         <source>level</source>
@@ -5910,7 +6306,7 @@
     </message>
     <message>
         <source>Point 1 is on the axis of a tree 44 ahead and 15 to the right. Far is 34. How far must the camera drive until the point is at the far plane?</source>
-        <translation>Punkt 1 on puu teljel, mis on 44 eespool ja 15 paremal. Kaugtasand on 34. Kui palju peab kaamera sõitma, kuni punkt on kaugtasandil?</translation>
+        <translation>Punkt 1 on puu teljel, mis on 44 eespool ja 15 paremal. Kaugtasand on 34. Kui kaugele peab kaamera sõitma, kuni punkt on kaugtasandil?</translation>
     </message>
     <message>
         <source>This waits until the tree is 34 away from the eye, measured straight. Far is a plane across the direction of view, so how far the tree is to the side does not matter. Look from above at far = 44: it goes through point 1, though the point is 46.5 away.</source>
@@ -5946,7 +6342,7 @@
     </message>
     <message>
         <source>Point 1 is {0} ahead and {1} to the right, and far is {2}. How far must the camera drive, straight ahead, until the point is at the far plane?</source>
-        <translation>Punkt 1 on {0} eespool ja {1} paremal ning kaugtasand on {2}. Kui palju peab kaamera otse edasi sõitma, kuni punkt on kaugtasandil?</translation>
+        <translation>Punkt 1 on {0} eespool ja {1} paremal ning kaugtasand on {2}. Kui kaugele peab kaamera otse edasi sõitma, kuni punkt on kaugtasandil?</translation>
     </message>
     <message>
         <source>This waits until the point is {0} away from the eye, measured straight. Far is a plane across the direction of view, so how far the point is to the side does not matter. Look from above at far = {1}: it goes through point 1, however far that is to the side.</source>
@@ -6165,7 +6561,7 @@
     </message>
     <message>
         <source>Here {0} is {1} m, and {2} is {3}.</source>
-        <translation>Siin on {0} {1} m ja {2} {3}.</translation>
+        <translation>Siin võrdub {0} arvuga {1} m ja {2} arvuga {3}.</translation>
     </message>
     <message>
         <source>Practise: where does it end?</source>
@@ -6201,7 +6597,7 @@
     </message>
     <message>
         <source>This lens has {0} mm and {1} mm. Set its focal distance {2} and its aperture {3} so that the picture is sharp from {4} m to {5} m.</source>
-        <translation>Sellel objektiivil on {0} mm ja {1} mm. Seadke selle fookuse kaugus {2} ja diafragma {3} nii, et pilt on terav kaugusest {4} m kauguseni {5} m.</translation>
+        <translation>Sellel objektiivil on {0} mm ja {1} mm. Seadke selle teravustamiskaugus {2} ja diafragma {3} nii, et pilt on terav kaugusest {4} m kauguseni {5} m.</translation>
     </message>
     <message>
         <source>{0} is the middle of {1} and {2}, so {3}.</source>
@@ -6858,7 +7254,7 @@
     </message>
     <message>
         <source>The factor depends on the ratio {0} of a piece alone. In {1} pieces of equal length from 1 to 30 the nearest one has {2}, and it is the worst.</source>
-        <translation>Kordaja sõltub ainult tüki suhtest {0}. Kui tükke võrdse pikkusega 1-st 30-ni on {1}, on lähimal {2}, ja see on kõige halvem.</translation>
+        <translation>Kordaja sõltub ainult tüki suhtest {0}. Kui võrdse pikkusega tükke on 1-st 30-ni {1}, on lähimal {2}, ja see on kõige halvem.</translation>
     </message>
     <message>
         <source>Draw the floor nowhere more than 1.2 times too far, and still compute the logarithm at the vertices only.</source>
@@ -7006,7 +7402,7 @@
     </message>
     <message>
         <source>Bring the point to within 1 % of its distance, in float32 and with the origin where it is.</source>
-        <translation>Viige punkt nii lähedale, et viga on alla 1 % kaugusest, float32-s ja alguspunkt seal, kus see on.</translation>
+        <translation>Tehke nii, et punkt tuleb tagasi veaga alla 1 % oma kaugusest, float32-s ja alguspunkt seal, kus see on.</translation>
     </message>
     <message>
         <source>Which way back does not multiply the eye with anything?</source>
@@ -7368,7 +7764,7 @@
     </message>
     <message>
         <source>A camera takes a 3-D scene and puts it onto film or pixels; the synthetic camera imitates that. The three pictures hold the head at one size: the eye has to go very near, the phone far away. Read the angles under More numbers. Ask which picture looks natural, and from which distance one would have to look at it on the wall.</source>
-        <translation>Kaamera võtab 3-D stseeni ja paneb selle filmile või pikslitesse; sünteetiline kaamera jäljendab seda. Kolmel pildil on pea sama suur: silm peab minema väga lähedale, telefon kaugele. Nurgad lugege jaotisest Veel arve. Küsige, milline pilt tundub loomulik ja kui kaugelt peaks seda seinal vaatama.</translation>
+        <translation>Kaamera võtab 3-D stseeni ja paneb selle filmile või pikslitesse; sünteetiline kaamera jäljendab seda. Kõigil kolmel pildil on pea suurus sama: silm peab minema väga lähedale, telefon kaugele. Nurgad lugege jaotisest Veel arve. Küsige, milline pilt tundub loomulik ja kui kaugelt peaks seda seinal vaatama.</translation>
     </message>
     <message>
         <source>The view volume</source>
@@ -7400,11 +7796,11 @@
     </message>
     <message>
         <source>A real camera has a focal distance, and a depth of field in front of it and behind it. The synthetic camera has neither: everything is sharp.</source>
-        <translation>Tegelikul kaameral on fookuse kaugus ning selle ees ja taga teravussügavus. Sünteetilisel kaameral ei ole kumbagi: kõik on terav.</translation>
+        <translation>Tegelikul kaameral on teravustamiskaugus ning selle ees ja taga teravussügavus. Sünteetilisel kaameral ei ole kumbagi: kõik on terav.</translation>
     </message>
     <message>
         <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel fookuse kaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 5 m peale: terav 4.720 kuni 5.316 m, kontuuriga post. Lohistage fookuse kaugus 10 m peale; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
+        <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel teravustamiskaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 5 m peale: terav 4.720 kuni 5.316 m, kontuuriga post. Lohistage teravustamiskaugus 10 m peale; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
     </message>
     <message>
         <source>Camera obscura</source>
@@ -7452,7 +7848,7 @@
     </message>
     <message>
         <source>The angles of view</source>
-        <translation>Vaate nurgad</translation>
+        <translation>Vaatenurgad</translation>
     </message>
     <message>
         <source>{0} and {1}, or one of them and the aspect. A narrow angle is almost a parallel view, a wide one exaggerates.</source>
@@ -7480,7 +7876,7 @@
     </message>
     <message>
         <source>With 29 mm from 30 cm and with 105 mm from 108.6 cm the head is equally large. With 105 mm from 360 cm it is 0.30 times as large.</source>
-        <translation>29 mm-ga 30 cm kauguselt ja 105 mm-ga 108.6 cm kauguselt on pea võrdse suurusega. 105 mm-ga 360 cm kauguselt on see 0.30 korda nii suur.</translation>
+        <translation>29 mm-ga 30 cm kauguselt ja 105 mm-ga 108.6 cm kauguselt on pea suurus sama. 105 mm-ga 360 cm kauguselt on see 0.30 korda nii suur.</translation>
     </message>
     <message>
         <source>From 30 cm to 108.6 cm, the head kept at its size: what of the background?</source>
@@ -7512,7 +7908,7 @@
     </message>
     <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
-        <translation>20 cm tagapool on see 30 cm kauguselt 0.6 korda pea suurune ja 108.6 cm kauguselt 0.84 korda.</translation>
+        <translation>Mis on peast 20 cm tagapool, paistab 30 cm kauguselt 0.6 ja 108.6 cm kauguselt 0.84 korda nii suur kui pea.</translation>
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
@@ -7568,7 +7964,7 @@
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation>Kaks pinda vahega 0.05, 16 bitti. Kus mõlemad saavad sama koodi, paistab varjatud pind läbi. Hääletage, siis näidake; pärast viige lähitasand tagasi 0.1 peale ja proovige kaugtasandit 50: midagi ei võideta. 24 bitti teeb sama. Reegel: lähitasand nii kaugele, kui stseen lubab. Ärge pange lähitasandit kindluse mõttes 0 peale.</translation>
+        <translation>Kaks pinda vahega 0.05, 16 bitti. Kus mõlemad saavad sama koodi, paistab varjatud pind läbi. Hääletage, siis näidake; pärast viige lähitasand tagasi 0.1 peale ja proovige kaugtasandit 50: midagi ei võideta. Sama hästi aitab 24 bitti. Reegel: lähitasand nii kaugele, kui stseen lubab. Ärge pange lähitasandit kindluse mõttes 0 peale.</translation>
     </message>
     <message>
         <source>Popping</source>
@@ -7580,7 +7976,7 @@
     </message>
     <message>
         <source>Play Position and let them look at the end of the avenue: four trees a second. Choose linear fog, end it at 66: 12 per cent of the contrast are left where they pop. Then switch Level of detail on, and move far out: vertices drawn, with and without. Far is a plane, so trees at the side come at the same depth.</source>
-        <translation>Esitage säte Asukoht ja laske neil vaadata allee lõppu: neli puud sekundis. Valige lineaarne udu lõpuga 66: ilmumise kohas on kontrastist alles 12 protsenti. Siis lülitage Detailsus sisse ja viige kaugtasand kaugemale: joonistatud tipud, koos ja ilma. Kaugtasand on tasand, nii et kõrval olevad puud tulevad samal sügavusel.</translation>
+        <translation>Vajutage sätte Asukoht juures Esita ja laske neil vaadata allee lõppu: neli puud sekundis. Valige lineaarne udu lõpuga 66: ilmumise kohas on kontrastist alles 12 protsenti. Siis lülitage Detailsus sisse ja viige kaugtasand kaugemale: joonistatud tipud, koos ja ilma. Kaugtasand on tasand, nii et kõrval olevad puud tulevad samal sügavusel.</translation>
     </message>
     <message>
         <source>The parallel volume</source>
@@ -7981,12 +8377,36 @@
         <translation>Objektist kaamerani</translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
-        <translation>{0} on ehitatud samamoodi: selle veerud on maailma teljed nii, nagu kaamera neid näeb.</translation>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
-        <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage riba Maailmast Vaateni ja tagasi: kõik liigub, millegi koht ülejäänu suhtes ei muutu. Selle read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
@@ -8066,7 +8486,7 @@
     </message>
     <message>
         <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P&apos; kõrgus on 0.8. Mõlemad koordinaadid käivad koos suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
+        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P&apos; kõrgus on 0.8. Mõlemad koordinaadid on võrdelised suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
@@ -8377,7 +8797,7 @@
     </message>
     <message>
         <source>In the KSK {0}, {1}, and {2}. Which {3} does the image of AB cover?</source>
-        <translation>KSK-s on {0}, {1} ja {2}. Millised {3} katab AB kujutis?</translation>
+        <translation>KSK-s on {0}, {1} ja {2}. Milliseid {3} väärtusi katab AB kujutis?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, from one image to the other</source>
@@ -8389,7 +8809,7 @@
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>
-        <translation>{0} kasvab z = 0 poole üle iga tõkke.</translation>
+        <translation>{0} kasvab z = 0 lähenedes tõkestamatult.</translation>
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>

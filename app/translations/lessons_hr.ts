@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation>Ovo mjeri ravno od kamere do točke. Dubina se mjeri samo duž osi, jer su bliska i daleka ravnina ravnine, a ne sfere: točka sa strane udaljenija je nego što je duboko.</translation>
+        <translation>Ovo mjeri ravno od kamere do točke. Dubina se mjeri samo duž osi, jer su bliska i daleka ravnina ravnine, a ne sfere: točka sa strane udaljenija je nego što joj je dubina.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
@@ -253,15 +253,15 @@
     </message>
     <message>
         <source>The slant grows with alpha</source>
-        <translation>Kosost raste s alfa</translation>
+        <translation>Nagib raste s alfa</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. {1} is the angle between the projectors and the picture, so at 90° they meet it head-on and nothing is shifted. The formula is {2}; at 80° the shift is only 0.18 for each unit of depth.</source>
-        <translation>Ovo uzima {0} kao kosost. {1} je kut između zraka projiciranja i slike, pa je pod 90° sijeku okomito i ništa se ne pomiče. Formula je {2}; kod 80° pomak je samo 0.18 za svaku jedinicu dubine.</translation>
+        <translation>Ovo uzima {0} kao nagib. {1} je kut između zraka projiciranja i slike, pa je pod 90° sijeku okomito i ništa se ne pomiče. Formula je {2}; kod 80° pomak je samo 0.18 za svaku jedinicu dubine.</translation>
     </message>
     <message>
         <source>Half the scale, half the slant</source>
-        <translation>Pola mjerila, pola kososti</translation>
+        <translation>Pola mjerila, pola nagiba</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. The scale is the cotangent of the angle, {0}, so a cabinet drawing with {1} has {2}, not 67.5°.</source>
@@ -313,7 +313,7 @@
     </message>
     <message>
         <source>This puts the far limit as far behind the focus as the near limit is in front of it. The limits are {0} and {1}. Their reciprocals are equally far from {2}, so the sharp range reaches farther behind than in front, and it has no end from {3} on.</source>
-        <translation>Ovo stavlja dalju granicu jednako daleko iza izoštrenoga kao što je bliža ispred njega. Granice su {0} i {1}. Njihove su recipročne vrijednosti jednako udaljene od {2}, pa oštro područje seže dalje iza nego ispred, a od {3} nadalje nema kraja.</translation>
+        <translation>Ovo stavlja dalju granicu jednako daleko iza ravnine izoštravanja kao što je bliža ispred nje. Granice su {0} i {1}. Njihove su recipročne vrijednosti jednako udaljene od {2}, pa oštro područje seže dalje iza nego ispred, a od {3} nadalje nema kraja.</translation>
     </message>
     <message>
         <source>Zooming is walking</source>
@@ -369,7 +369,7 @@
     </message>
     <message>
         <source>This takes a better spread of digits for a better depth. A logarithm at each pixel is right everywhere; at the vertices it is interpolated linearly on the screen, where only {0} is linear. A piece whose far end is {1} times as far as its near end is drawn up to {2} times too far.</source>
-        <translation>Ovo uzima bolji raspored znamenaka kao bolju dubinu. Logaritam u svakom pikselu svuda je točan; u vrhovima se interpolira linearno na ekranu, gdje je linearno samo {0}. Komad čiji je dalji kraj {1} puta dalje od bližega crta se do {2} puta predaleko.</translation>
+        <translation>Ovo uzima bolji raspored znamenaka kao bolju dubinu. Logaritam u svakom pikselu svuda je točan; u vrhovima se interpolira linearno na ekranu, gdje je linearno samo {0}. Komad čiji je dalji kraj {1} puta dalje od bližega crta se do {2} puta dalje nego što treba.</translation>
     </message>
     <message>
         <source>Fine enough is equal</source>
@@ -386,6 +386,190 @@
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Ovo uzima inverz s papira kao onaj u računalu. Njegove su ćelije zaokružene, a tako i svaki umnožak. Daleko od ishodišta koordinate kamere su velike, i inverz ih množi malom razlikom zaokruženih brojeva: float32 promašuje točku za postotke njezine udaljenosti.</translation>
+    </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -644,7 +828,7 @@
     </message>
     <message>
         <source>Use *Azimuth* and *Elevation* in the dock, drag the eye in **World**, or type its coordinates.</source>
-        <translation>Upotrijebite *Azimut* i *Elevacija* na bočnoj ploči, povucite kameru u oknu **Svijet** ili upišite njezine koordinate.</translation>
+        <translation>Upotrijebite kontrole *Azimut* i *Elevacija* na bočnoj ploči, povucite kameru u oknu **Svijet** ili upišite njezine koordinate.</translation>
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
@@ -666,13 +850,61 @@
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
         <translation>Vaša kamera gleda u smjeru {0}. Pogledajte njezin {1}: pokazuje na drugu stranu, od cilja prema kameri.</translation>
     </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l02-columns</name>
-    <message>
-        <source>The columns are the axes</source>
-        <translation>Stupci su osi</translation>
-    </message>
     <message>
         <source>First rotate, then move</source>
         <translation>Najprije rotacija, zatim pomak</translation>
@@ -724,62 +956,6 @@
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
-    </message>
-    <message>
-        <source>An axis straight up</source>
-        <translation>Os ravno gore</translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation>Objekt je opet na svojem mjestu.</translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation>Postavite objekt tako da mu os x pokazuje ravno gore: stupac 1 matrice svijet ← objekt je (0, 1, 0, 0).</translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation>Otvorite Objekt na bočnoj ploči.</translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation>Okret oko z za 90° prebacuje os x u y.</translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation>Točno: stupac kaže kamo os pokazuje, kakvi god bili ostali stupci.</translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation>Ćelija okreta</translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation>Okret oko z za kut {0} prebacuje os x u {1}, a os y u {2}. Ovdje je slovo okrenuto za 30°.</translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation>Koji broj stoji u retku 2, stupcu 1 matrice {0}?</translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation>Ovo je redak 1, stupac 2. Stupac 1 je os x nakon okreta. Pogledajte vlastitu os x slova: diže se, pa joj je y pozitivan.</translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation>Sinus uzima mojih 30</translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation>Ovo je sinus od 30 radijana. 30 stupnjeva je {0} radijana. Pogledajte slovo okrenuto za 30 radijana: os x mu pokazuje dolje.</translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation>Stupac 1 je os x nakon okreta. Redak 2 je njezin y.</translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation>Os x diže se za sin 30° = 0.5. Redak 1, stupac 2 je {0}, x okrenute osi y.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -838,12 +1014,64 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
-        <translation>Primamljivo je najprije pomaknuti, s {0} na {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} prelazi u {3}, gdje je sonda 1. To je {4}, što pokazuje ovaj korak: u odjeljku *Objekt* **Redoslijed** je R T S.</translation>
+        <source>Object, world, camera</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
-        <translation>S T R S slovo se rotira na mjestu, a zatim pomiče, i stupac 4 je pomak kako ste ga upisali. S R T S stupac 4 je pomak nakon rotacije, {0}.</translation>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -932,6 +1160,58 @@
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
         <translation>Ovaj je pomak točan ako djeluje prije okreta. Pogledajte slovo s redoslijedom R T S: samo ondje dovodi točku u sondu 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2118,7 +2398,7 @@
     </message>
     <message>
         <source>Leave Proportions at stretch, and give Bottom and Top the values that variant X would.</source>
-        <translation>Ostavite Proporcije na rastegni i dajte Donjem rubu i Gornjem rubu vrijednosti koje bi dala varijanta X.</translation>
+        <translation>Ostavite Proporcije na postavci rastegni i dajte Donjem rubu i Gornjem rubu vrijednosti koje bi dala varijanta X.</translation>
     </message>
     <message>
         <source>The window must be as high as it is wide.</source>
@@ -2202,7 +2482,7 @@
     </message>
     <message>
         <source>*Proportions*, in *More of the lens*, stay at stretch.</source>
-        <translation>*Proporcije*, u *Više o objektivu*, ostaju na rastegni.</translation>
+        <translation>*Proporcije*, u *Više o objektivu*, ostaju na postavci rastegni.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Give *Bottom* and *Top* the values {1} and {2} of variant X.</source>
@@ -2575,6 +2855,26 @@
         <translation>{0} prebacuje 0 … −1 u OpenGL-ov −1 … 1: {1}. Kliknite *Piramida*, *Kvadar* i *NDC* ispod kocke.</translation>
     </message>
     <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>Half-way through the box</source>
         <translation>Na pola puta kroz kvadar</translation>
     </message>
@@ -2588,7 +2888,7 @@
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation>S bliskom ravninom = 6 točka je u svijetu na pola puta između ravnina. Gdje je tada u kvadru?</translation>
+        <translation>S bliskom ravninom na 6 točka je u svijetu na pola puta između ravnina. Gdje je tada u kvadru?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
@@ -2749,6 +3049,54 @@
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
         <translation>Ovo stavlja blisku ravninu {0} ispred kamere u svijetu. Na putu u piramidu sve se dubine dijele s {1}. Pogledajte blisku ravninu: preblizu je, u piramidi na {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3736,7 +4084,7 @@
     </message>
     <message>
         <source>{0}. All four numbers of a point are {1} times as large, and their quotients are the same.</source>
-        <translation>{0}. Sva četiri broja točke {1} su puta veća, a kvocijenti su im isti.</translation>
+        <translation>{0}. Sva četiri broja točke {1} puta su veća, a kvocijenti su im isti.</translation>
     </message>
     <message>
         <source>Practise: a direction in the picture</source>
@@ -3769,6 +4117,54 @@
     <message>
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
         <translation>Mjesto točke zauzima smjer: {0} i {1} su njegove koordinate odsijecanja podijeljene s njegovim {2}.</translation>
+    </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4138,7 +4534,7 @@
     </message>
     <message>
         <source>This measures straight from the eye to C. The far plane is a plane, not a sphere: only the depth along the axis counts. Look from above at far = 12.5: C is inside, though it is 13.9 away.</source>
-        <translation>Ovo mjeri ravno od kamere do C. Daleka ravnina je ravnina, a ne sfera: računa se samo dubina duž osi. Pogledajte odozgo s dalekom ravninom = 12.5: C je unutra, premda je udaljena 13.9.</translation>
+        <translation>Ovo mjeri ravno od kamere do C. Daleka ravnina je ravnina, a ne sfera: računa se samo dubina duž osi. Pogledajte odozgo s dalekom ravninom na 12.5: C je unutra, premda je udaljena 13.9.</translation>
     </message>
     <message>
         <source>The far plane is a plane: only the depth matters.</source>
@@ -4226,7 +4622,7 @@
     </message>
     <message>
         <source>At which {0} is {1}? Go from {2} to {3}.</source>
-        <translation>Kod kojeg {0} je {1}? Idite od {2} do {3}.</translation>
+        <translation>Kod kojeg {0} vrijedi {1}? Idite od {2} do {3}.</translation>
     </message>
     <message>
         <source>{0} at the cut is {1}; {2} is the right edge of the picture.</source>
@@ -4445,7 +4841,7 @@
     </message>
     <message>
         <source>At which {0} from A to B is {1}? There {2}.</source>
-        <translation>Kod kojeg je {0} od A do B {1}? Ondje je {2}.</translation>
+        <translation>Kod kojeg {0}, od A do B, vrijedi {1}? Ondje je {2}.</translation>
     </message>
     <message>
         <source>{0}; the {1} there is divided by 0.01.</source>
@@ -4481,7 +4877,7 @@
     </message>
     <message>
         <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Počinje u A&apos; i ide od B&apos;. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
+        <translation>Počinje u A&apos; i udaljava se od B&apos;. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4501,7 +4897,7 @@
     </message>
     <message>
         <source>In camera space the ends behind the camera have {0}. So it is with the eye at {1}, if it looks towards {2}.</source>
-        <translation>U koordinatnom sustavu kamere krajevi iza kamere imaju {0}. Tako je s kamerom na {1} ako gleda prema {2}.</translation>
+        <translation>U koordinatnom sustavu kamere krajevi iza kamere imaju {0}. Tako je s kamerom u {1} ako gleda prema {2}.</translation>
     </message>
 </context>
 <context>
@@ -4512,7 +4908,7 @@
     </message>
     <message>
         <source>Half of the range gone</source>
-        <translation>Polovica raspona manje</translation>
+        <translation>Upola manji raspon</translation>
     </message>
     <message>
         <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
@@ -4632,7 +5028,7 @@
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; at the distance {0} the gap is proportional to {1}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; na udaljenosti {0} razmak je proporcionalan s {1}. Pogledajte pruge s bliskom ravninom = 0.1: počinju daleko i s udaljenošću se šire.</translation>
+        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; na udaljenosti {0} razmak je proporcionalan s {1}. Pogledajte pruge s bliskom ravninom na 0.1: počinju daleko i s udaljenošću se šire.</translation>
     </message>
     <message>
         <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
@@ -4688,7 +5084,7 @@
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; the gap is proportional to {0}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; razmak je proporcionalan s {0}. Pogledajte pruge s bliskom ravninom = 0.1: počinju daleko i s udaljenošću se šire.</translation>
+        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; razmak je proporcionalan s {0}. Pogledajte pruge s bliskom ravninom na 0.1: počinju daleko i s udaljenošću se šire.</translation>
     </message>
     <message>
         <source>Twice as far, twice the gap</source>
@@ -4696,7 +5092,7 @@
     </message>
     <message>
         <source>This makes the gap proportional to {0}. The stored number changes with {1}, whose slope is {2}: twice as far needs four times the gap. Look at the stripes with near = 0.1: they widen faster than the distance grows.</source>
-        <translation>Ovo čini razmak proporcionalnim s {0}. Spremljeni broj mijenja se s {1}, čiji je nagib {2}: dvostruko dalje traži četverostruki razmak. Pogledajte pruge s bliskom ravninom = 0.1: šire se brže nego što raste udaljenost.</translation>
+        <translation>Ovo čini razmak proporcionalnim s {0}. Spremljeni broj mijenja se s {1}, čiji je nagib {2}: dvostruko dalje traži četverostruki razmak. Pogledajte pruge s bliskom ravninom na 0.1: šire se brže nego što raste udaljenost.</translation>
     </message>
     <message>
         <source>The 16 bits have {0} steps.</source>
@@ -5209,15 +5605,15 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Predavanje fotografira mačku objektivom od 29 mm s 30 cm i objektivom od 105 mm. Na filmu je stvar {0} puta svoje prave veličine, pa zadržava veličinu ako je</translation>
+        <translation>Predavanje fotografira mačku objektivom od 29 mm s 30 cm i objektivom od 105 mm. Veličina stvari na filmu je {0} puta njezina prava veličina, pa ostaje ista ako je</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
-        <translation>S 360 cm bila bi samo 0.30 puta toliko velika, pa bi se morala povećati.</translation>
+        <translation>S 360 cm njezina bi veličina bila samo 0.30 te veličine, pa bi se morala povećati.</translation>
     </message>
     <message>
         <source>The squares are {0} cm apart. The near one is drawn {1} times as large as the far one, with its own distance {2}: from 30 cm {3} times, from 108.6 cm {4} times. This camera is at 108.6 cm; under *More numbers* its focal length is 105 mm.</source>
-        <translation>Kvadrati su razmaknuti {0} cm. Bliži je nacrtan {1} puta velik kao dalji, gdje je {2} njegova vlastita udaljenost: s 30 cm {3} puta, sa 108.6 cm {4} puta. Ova je kamera na 108.6 cm; pod *Još brojeva* žarišna joj je duljina 105 mm.</translation>
+        <translation>Kvadrati su razmaknuti {0} cm. Bliži je nacrtan {1} puta veći od daljega, gdje je {2} njegova vlastita udaljenost: s 30 cm {3} puta, sa 108.6 cm {4} puta. Ova je kamera na 108.6 cm; pod *Još brojeva* žarišna joj je duljina 105 mm.</translation>
     </message>
     <message>
         <source>Walk, and keep the head</source>
@@ -5297,7 +5693,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the head is {0} times as large as it is; the angle of view is no measure of that. Look at the head from here with {1} mm: it is {2} times as large.</source>
-        <translation>Ovo uzima vidni kut kao veličinu. Na filmu je glava {0} puta svoje prave veličine; vidni kut nije mjera za to. Pogledajte glavu odavde s {1} mm: {2} puta je toliko velika.</translation>
+        <translation>Ovo uzima vidni kut kao veličinu. Veličina glave na filmu je {0} puta njezina prava veličina; vidni kut nije mjera za to. Pogledajte glavu odavde s {1} mm: {2} puta je veća.</translation>
     </message>
     <message>
         <source>A longer lens goes nearer</source>
@@ -5309,7 +5705,7 @@
     </message>
     <message>
         <source>On the film, the head is {0} times as large as it is.</source>
-        <translation>Na filmu je glava {0} puta svoje prave veličine.</translation>
+        <translation>Veličina glave na filmu je {0} puta njezina prava veličina.</translation>
     </message>
     <message>
         <source>{0} must be equal to {1}: a longer lens needs a distance longer by the same factor.</source>
@@ -5321,7 +5717,7 @@
     </message>
     <message>
         <source>The near square is {0} from the eye; the far one is as large and {1} behind it. So the near one is drawn {2} times as large. How many times as large is it drawn from {3}, with a zoom that keeps its size?</source>
-        <translation>Bliži kvadrat je {0} od kamere; dalji je jednako velik i {1} iza njega. Zato je bliži nacrtan {2} puta velik kao dalji. Koliko je puta toliko velik nacrtan s {3}, uz zum koji zadržava njegovu veličinu?</translation>
+        <translation>Bliži kvadrat je {0} od kamere; dalji je jednako velik i {1} iza njega. Zato je bliži nacrtan {2} puta veći od daljega. Koliko je puta veći nacrtan s {3}, uz zum koji zadržava njegovu veličinu?</translation>
     </message>
     <message>
         <source>This keeps the ratio that is seen from {0}. The zoom enlarges both squares alike; only their distances decide how they compare. Look from the side: the camera is now {1} from the near square.</source>
@@ -5337,7 +5733,7 @@
     </message>
     <message>
         <source>Each square is drawn as large as one over its own distance.</source>
-        <translation>Svaki se kvadrat crta velik kao jedan kroz svoju udaljenost.</translation>
+        <translation>Nacrtana veličina svakog kvadrata proporcionalna je s jedan kroz njegovu udaljenost.</translation>
     </message>
     <message>
         <source>The near one is now {0} away. And the far one?</source>
@@ -5357,7 +5753,7 @@
     </message>
     <message>
         <source>Move the camera until the near square is drawn {0} times as large as the far one, and keep the head as high in the picture as it is now.</source>
-        <translation>Pomičite kameru dok bliži kvadrat ne bude nacrtan {0} puta velik kao dalji, i zadržite visinu glave na slici kakva je sada.</translation>
+        <translation>Pomičite kameru dok bliži kvadrat ne bude nacrtan {0} puta veći od daljega, i zadržite visinu glave na slici kakva je sada.</translation>
     </message>
     <message>
         <source>From the near square to the far one it is {0}. At the distance {1} of the near square, the ratio is {2}.</source>
@@ -5468,7 +5864,7 @@
     </message>
     <message>
         <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
-        <translation>Strelica je visoka 5 i 9 ispred rupice. Film se pomiče na 6 iza rupice. Kolika je visina slike strelice na filmu, s predznakom?</translation>
+        <translation>Strelica je visoka 5 i stoji 9 ispred rupice. Film se pomiče na 6 iza rupice. Kolika je visina slike strelice na filmu, s predznakom?</translation>
     </message>
     <message>
         <source>This is the image on a film in front of the hole. Behind the hole the light has crossed the axis, so the sign changes. Look at both films: only the one in front has the arrow upright.</source>
@@ -5512,7 +5908,7 @@
     </message>
     <message>
         <source>An arrow, {0} high, stands before the hole of a dark box.</source>
-        <translation>Strelica, {0}, stoji pred rupicom mračne kutije.</translation>
+        <translation>Strelica visine {0} stoji pred rupicom mračne kutije.</translation>
     </message>
     <message>
         <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
@@ -5524,7 +5920,7 @@
     </message>
     <message>
         <source>The image is {0} times as high as the arrow, and upside down.</source>
-        <translation>Slika je {0} puta visoka kao strelica, i naopačke.</translation>
+        <translation>Visina slike je {0} puta visina strelice, i slika je naopačke.</translation>
     </message>
     <message>
         <source>Practise: a corner on the film</source>
@@ -5560,7 +5956,7 @@
     </message>
     <message>
         <source>On the other side of the middle, and {0} times as far from it.</source>
-        <translation>S druge strane sredine, i {0} puta toliko daleko od nje.</translation>
+        <translation>S druge strane sredine, i na {0} te udaljenosti od nje.</translation>
     </message>
     <message>
         <source>Practise: the film for a size</source>
@@ -5568,11 +5964,11 @@
     </message>
     <message>
         <source>{0} is {1} deep. Put the plane behind the eye so that the image of {2} is upside down and {3} times as far from the axis as {4}.</source>
-        <translation>{0} je na dubini {1}. Stavite ravninu iza kamere tako da slika točke {2} bude naopačke i {3} puta toliko daleko od osi koliko {4}.</translation>
+        <translation>{0} je na dubini {1}. Stavite ravninu iza kamere tako da slika točke {2} bude naopačke, a njezina udaljenost od osi {3} puta udaljenost same točke {4}.</translation>
     </message>
     <message>
         <source>The image is {0} times as far from the axis as {1}. Measure both from the eye.</source>
-        <translation>Slika je {0} puta toliko daleko od osi koliko {1}. Oboje mjerite od kamere.</translation>
+        <translation>Udaljenost slike od osi je {0} puta udaljenost točke {1} od osi. Obje dubine mjerite od kamere.</translation>
     </message>
     <message>
         <source>Behind the eye {0} is negative: type it under Plane distance d.</source>
@@ -5588,7 +5984,7 @@
     </message>
     <message>
         <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
-        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: od osi je udaljena manje od {1} puta koliko {2}.</translation>
+        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: njezina je udaljenost od osi manja od {1} puta udaljenost točke {2}.</translation>
     </message>
 </context>
 <context>
@@ -5603,7 +5999,7 @@
     </message>
     <message>
         <source>The letter F of eight cubes stands on its grid. The camera looks level: its eye is as high as its target. The uprights of the F are parallel in the picture.</source>
-        <translation>Slovo F od osam kocaka stoji na svojoj rešetki. Kamera gleda horizontalno: visoko je koliko i njezin cilj. Uspravni bridovi slova F na slici su paralelni.</translation>
+        <translation>Slovo F od osam kocaka stoji na svojoj rešetki. Kamera gleda horizontalno: na istoj je visini kao njezin cilj. Uspravni bridovi slova F na slici su paralelni.</translation>
     </message>
     <message>
         <source>The camera rises to 5.5, above the F, and keeps looking level. What do the uprights do in the picture?</source>
@@ -5667,7 +6063,7 @@
     </message>
     <message>
         <source>Make the camera look level, with its eye as high as its target and the whole F in the picture.</source>
-        <translation>Neka kamera gleda horizontalno, visoko koliko i njezin cilj, s cijelim slovom F na slici.</translation>
+        <translation>Neka kamera gleda horizontalno, s visine svojega cilja, a cijelo slovo F neka bude na slici.</translation>
     </message>
     <message>
         <source>Which angle in the dock says how steeply the camera looks down?</source>
@@ -5910,11 +6306,11 @@
     </message>
     <message>
         <source>Point 1 is on the axis of a tree 44 ahead and 15 to the right. Far is 34. How far must the camera drive until the point is at the far plane?</source>
-        <translation>Točka 1 je na osi stabla 44 naprijed i 15 udesno. Daleka ravnina je na 34. Koliko kamera mora voziti dok točka ne dođe na daleku ravninu?</translation>
+        <translation>Točka 1 je na osi stabla 44 naprijed i 15 udesno. Daleka ravnina je na 34. Koliko kamera mora prijeći dok točka ne dođe na daleku ravninu?</translation>
     </message>
     <message>
         <source>This waits until the tree is 34 away from the eye, measured straight. Far is a plane across the direction of view, so how far the tree is to the side does not matter. Look from above at far = 44: it goes through point 1, though the point is 46.5 away.</source>
-        <translation>Ovo čeka da stablo bude 34 od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je stablo sa strane. Pogledajte odozgo daleku ravninu = 44: prolazi kroz točku 1, premda je ona udaljena 46.5.</translation>
+        <translation>Ovo čeka da stablo bude 34 od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je stablo sa strane. Pogledajte odozgo daleku ravninu na 44: prolazi kroz točku 1, premda je ona udaljena 46.5.</translation>
     </message>
     <message>
         <source>44 − 34. A tree at the side appears at the same time as one straight ahead.</source>
@@ -5946,11 +6342,11 @@
     </message>
     <message>
         <source>Point 1 is {0} ahead and {1} to the right, and far is {2}. How far must the camera drive, straight ahead, until the point is at the far plane?</source>
-        <translation>Točka 1 je {0} naprijed i {1} udesno, a daleka ravnina je na {2}. Koliko kamera mora voziti, ravno naprijed, dok točka ne dođe na daleku ravninu?</translation>
+        <translation>Točka 1 je {0} naprijed i {1} udesno, a daleka ravnina je na {2}. Koliko kamera mora prijeći, ravno naprijed, dok točka ne dođe na daleku ravninu?</translation>
     </message>
     <message>
         <source>This waits until the point is {0} away from the eye, measured straight. Far is a plane across the direction of view, so how far the point is to the side does not matter. Look from above at far = {1}: it goes through point 1, however far that is to the side.</source>
-        <translation>Ovo čeka da točka bude {0} od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je točka sa strane. Pogledajte odozgo daleku ravninu = {1}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
+        <translation>Ovo čeka da točka bude {0} od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je točka sa strane. Pogledajte odozgo daleku ravninu na {1}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
     </message>
     <message>
         <source>The straight way counts</source>
@@ -5958,7 +6354,7 @@
     </message>
     <message>
         <source>This subtracts far from the straight distance to the point. Far is a plane across the direction of view: only how far the point is ahead counts. Look from above at far = {0}: it goes through point 1, however far that is to the side.</source>
-        <translation>Ovo oduzima udaljenost daleke ravnine od ravne udaljenosti do točke. Daleka ravnina je ravnina okomita na smjer gledanja: računa se samo koliko je točka naprijed. Pogledajte odozgo daleku ravninu = {0}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
+        <translation>Ovo oduzima udaljenost daleke ravnine od ravne udaljenosti do točke. Daleka ravnina je ravnina okomita na smjer gledanja: računa se samo koliko je točka naprijed. Pogledajte odozgo daleku ravninu na {0}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
     </message>
     <message>
         <source>The view from above shows the far plane. Which distance to it does the drive shorten?</source>
@@ -6025,7 +6421,7 @@
     </message>
     <message>
         <source>Behind the focus</source>
-        <translation>Iza izoštrenoga</translation>
+        <translation>Iza ravnine izoštravanja</translation>
     </message>
     <message>
         <source>The lens of the synthetic camera is a point, and everything is sharp. A real lens draws a point as a disc. A disc of diameter {0} or less passes for a point. The lens here has a focal length of 50 mm and an aperture of {1}, and is focused at 2 m.</source>
@@ -6037,19 +6433,19 @@
     </message>
     <message>
         <source>5.713, as far behind the focus as in front</source>
-        <translation>5.713, jednako daleko iza izoštrenoga kao ispred</translation>
+        <translation>5.713, jednako daleko iza ravnine izoštravanja kao ispred</translation>
     </message>
     <message>
         <source>The disc grows more slowly behind the focus than in front of it. So the sharp range reaches farther behind. Look from above: from the focus it is 0.713 m to the near limit, and 0.998 m to the far one.</source>
-        <translation>Krug iza izoštrenoga raste sporije nego ispred njega. Zato oštro područje iza seže dalje. Pogledajte odozgo: od izoštrenoga je 0.713 m do bliže granice, a 0.998 m do dalje.</translation>
+        <translation>Krug iza ravnine izoštravanja raste sporije nego ispred nje. Zato oštro područje iza seže dalje. Pogledajte odozgo: od ravnine izoštravanja je 0.713 m do bliže granice, a 0.998 m do dalje.</translation>
     </message>
     <message>
         <source>Only there are points drawn as points, but discs up to {0} pass for points. Look from above: the sharp range goes on behind the focus.</source>
-        <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza izoštrenoga.</translation>
+        <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>0.713 m ispred izoštrenoga, ali 0.998 m iza njega. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
+        <translation>0.713 m ispred ravnine izoštravanja, ali 0.998 m iza nje. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
     </message>
     <message>
         <source>The two limits</source>
@@ -6081,7 +6477,7 @@
     </message>
     <message>
         <source>Focus at the hyperfocal distance H or farther away, or stop the lens down with a larger N until H is nearer than the focus.</source>
-        <translation>Izoštrite na hiperfokalnu udaljenost H ili dalje, ili zatvorite blendu većim N dok H ne bude bliže od izoštrenoga.</translation>
+        <translation>Izoštrite na hiperfokalnu udaljenost H ili dalje, ili zatvorite blendu većim N dok H ne bude bliže od ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>From {0} on, {1} is 1 or more. If you focus exactly at {2}, everything from {3} on is sharp.</source>
@@ -6097,7 +6493,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The disc grows more slowly behind the focus, so the far limit is farther away. Look from above: the far limit is farther from the focus than the near one.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Krug iza izoštrenoga raste sporije, pa je dalja granica udaljenija. Pogledajte odozgo: dalja je granica udaljenija od izoštrenoga nego bliža.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Krug iza nje raste sporije, pa je dalja granica udaljenija. Pogledajte odozgo: dalja je granica od ravnine izoštravanja udaljenija nego bliža.</translation>
     </message>
     <message>
         <source>{0} m, {1}, and {2}.</source>
@@ -6113,7 +6509,7 @@
     </message>
     <message>
         <source>This puts the focus half-way between the limits. The disc grows more slowly behind the focus, so the focus is closer to the near limit; what is half-way is one over the distance, between {0} and {1}. Look from above at the focus 4.5 with a near limit of 3: the far limit is 9, not 6.</source>
-        <translation>Ovo stavlja izoštreno na pola puta između granica. Krug iza njega raste sporije, pa je izoštreno bliže bližoj granici; na pola puta je jedan kroz udaljenost, između {0} i {1}. Pogledajte odozgo izoštreno na 4.5 s bližom granicom 3: dalja je 9, a ne 6.</translation>
+        <translation>Ovo stavlja ravninu izoštravanja na pola puta između granica. Krug iza nje raste sporije, pa je ona bliže bližoj granici; na pola puta je jedan kroz udaljenost, između {0} i {1}. Pogledajte odozgo izoštravanje na 4.5 s bližom granicom 3: dalja je 9, a ne 6.</translation>
     </message>
     <message>
         <source>{0} is the middle of {1} and {2}: {3}.</source>
@@ -6129,7 +6525,7 @@
     </message>
     <message>
         <source>Half in front and half behind was tempting, because the disc is 0 at the focus and grows on both sides. But it does not grow equally: it is proportional to {0}, and one over the distance changes more slowly the farther away you are. So the far limit is always farther from the focus than the near one, and from the hyperfocal distance on it is at infinity.</source>
-        <translation>Pola ispred i pola iza bilo je primamljivo, jer je krug na izoštrenome 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica uvijek udaljenija od izoštrenoga nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
+        <translation>Pola ispred i pola iza bilo je primamljivo, jer je krug u ravnini izoštravanja 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica od ravnine izoštravanja uvijek udaljenija nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
     </message>
     <message>
         <source>Practise: the far limit</source>
@@ -6145,7 +6541,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The limits are {0} and {1}; the far one is farther from the focus. Look from above: it is farther from the focus than the near one.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Granice su {0} i {1}; dalja je udaljenija od izoštrenoga. Pogledajte odozgo: udaljenija je od izoštrenoga nego bliža.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Granice su {0} i {1}; dalja je od ravnine izoštravanja udaljenija. Pogledajte odozgo: od ravnine izoštravanja udaljenija je nego bliža.</translation>
     </message>
     <message>
         <source>Both limits have a plus</source>
@@ -6153,7 +6549,7 @@
     </message>
     <message>
         <source>This is the near limit, {0}. Behind the focus it is {1}. Look from above: the far limit lies behind the focus.</source>
-        <translation>To je bliža granica, {0}. Iza izoštrenoga je {1}. Pogledajte odozgo: dalja granica leži iza izoštrenoga.</translation>
+        <translation>To je bliža granica, {0}. Iza ravnine izoštravanja je {1}. Pogledajte odozgo: dalja granica leži iza ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>First {0}, in metres: {1} mm are {2} m, and 0.03 mm are 0.00003 m.</source>
@@ -6181,7 +6577,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The far limit, {0}, is farther away. Look from above at both limits.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Dalja granica, {0}, je udaljenija. Pogledajte odozgo obje granice.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Dalja granica, {0}, je udaljenija. Pogledajte odozgo obje granice.</translation>
     </message>
     <message>
         <source>The far limit is {0}. Find its distance between the posts.</source>
@@ -6221,7 +6617,7 @@
     </message>
     <message>
         <source>The far limit is farther from the focus than the near one. Look from above at the focus {0} with a near limit of {1}: the far limit is beyond {2}.</source>
-        <translation>Dalja je granica udaljenija od izoštrenoga nego bliža. Pogledajte odozgo izoštreno na {0} s bližom granicom {1}: dalja je iza {2}.</translation>
+        <translation>Dalja je granica od ravnine izoštravanja udaljenija nego bliža. Pogledajte odozgo izoštravanje na {0} s bližom granicom {1}: dalja je iza {2}.</translation>
     </message>
 </context>
 <context>
@@ -6551,7 +6947,7 @@
     </message>
     <message>
         <source>Such an error is no chance. Each round adds about as much as the one before, and the errors of {0} rounds are {1} times as large. After one round the dock says that an axis leans by {2}.</source>
-        <translation>Takva pogreška nije slučaj. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta toliko velike. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
+        <translation>Takva pogreška nije slučaj. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta veće. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
     </message>
     <message>
         <source>Turn the camera until the picture is off by more than 50 pixels, with nothing else changed.</source>
@@ -6563,7 +6959,7 @@
     </message>
     <message>
         <source>Move Rounds to the right.</source>
-        <translation>Pomaknite Krugova udesno.</translation>
+        <translation>Pomaknite klizač Krugova udesno.</translation>
     </message>
     <message>
         <source>9 or 10 rounds are enough: a minute at 60 frames a second.</source>
@@ -6607,7 +7003,7 @@
     </message>
     <message>
         <source>The lengths are right to ten digits. But an axis still leans by 0.0008°: less than before, and not nothing.</source>
-        <translation>Duljine su točne na deset znamenaka. Ali os je i dalje nagnuta za 0.0008°: manje nego prije, ali ne nimalo.</translation>
+        <translation>Duljine su točne na deset znamenaka. Ali os je i dalje nagnuta za 0.0008°: manje nego prije, ali nije nula.</translation>
     </message>
     <message>
         <source>A step that is too small</source>
@@ -6782,11 +7178,11 @@
     </message>
     <message>
         <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
-        <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Ovdje se računa u svakom vrhu, jer je ondje jeftina, a pod od bliske do daleke ravnine jedan je komad. U oknu **Slika** vidite temelj zida, koji je ispod poda: pod se crta iza njega. Bočna ploča kaže kolika je pogreška: do 3.53 puta predaleko.</translation>
+        <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Ovdje se računa u svakom vrhu, jer je ondje jeftina, a pod od bliske do daleke ravnine jedan je komad. U oknu **Slika** vidite temelj zida, koji je ispod poda: pod se crta iza njega. Bočna ploča kaže kolika je pogreška: do 3.53 puta dalje nego što treba.</translation>
     </message>
     <message>
         <source>Far moves from 30 to 1000, and the floor with it, still one piece. Up to how many times too far is it drawn?</source>
-        <translation>Daleka ravnina pomiče se s 30 na 1000, a s njom i pod, i dalje jedan komad. Do koliko se puta predaleko crta?</translation>
+        <translation>Daleka ravnina pomiče se s 30 na 1000, a s njom i pod, i dalje jedan komad. Koliko se puta dalje nego što treba tada najviše crta?</translation>
     </message>
     <message>
         <source>Still 3.5 times: that is what a logarithm is for</source>
@@ -6810,7 +7206,7 @@
     </message>
     <message>
         <source>Only the two ends of the floor have the right depth. The nearest and the farthest vertex are now 1000 times as far apart as near is from the eye.</source>
-        <translation>Ispravnu dubinu imaju samo dva kraja poda. Najbliži i najudaljeniji vrh sada su razmaknuti 1000 puta koliko je bliska ravnina udaljena od kamere.</translation>
+        <translation>Ispravnu dubinu imaju samo dva kraja poda. Razmak najbližeg i najudaljenijeg vrha sada je 1000 puta veći od udaljenosti bliske ravnine od kamere.</translation>
     </message>
     <message>
         <source>One over w, and log w</source>
@@ -6830,7 +7226,7 @@
     </message>
     <message>
         <source>Near is 1 and far is 100. How many times too far is the floor drawn, half-way along it on the screen?</source>
-        <translation>Bliska ravnina je na 1, daleka na 100. Koliko se puta predaleko crta pod, na pola puta na ekranu?</translation>
+        <translation>Bliska ravnina je na 1, daleka na 100. Koliko se puta dalje nego što treba crta pod, na pola puta na ekranu?</translation>
     </message>
     <message>
         <source>Half-way is half the distance</source>
@@ -6862,7 +7258,7 @@
     </message>
     <message>
         <source>Draw the floor nowhere more than 1.2 times too far, and still compute the logarithm at the vertices only.</source>
-        <translation>Nacrtajte pod tako da nigdje nije više od 1.2 puta predaleko, a logaritam se i dalje računa samo u vrhovima.</translation>
+        <translation>Nacrtajte pod tako da nigdje nije više od 1.2 puta dalje nego što treba, a logaritam se i dalje računa samo u vrhovima.</translation>
     </message>
     <message>
         <source>What makes the ratio of the nearest piece small?</source>
@@ -6870,7 +7266,7 @@
     </message>
     <message>
         <source>Move Pieces of the floor to the right.</source>
-        <translation>Pomaknite Komada poda udesno.</translation>
+        <translation>Pomaknite klizač Komada poda udesno.</translation>
     </message>
     <message>
         <source>13 pieces are enough here. From 1 to 1000 it takes 419: the near pieces need to be short, and the far ones are shorter than they have to be.</source>
@@ -6910,7 +7306,7 @@
     </message>
     <message>
         <source>A step is the box over {0}: with 4 bits more it is 16 times as short.</source>
-        <translation>Korak je kvadar kroz {0}: s 4 bita više 16 je puta kraći.</translation>
+        <translation>Korak je kvadar kroz {0}: s 4 bita više 16 puta je kraći.</translation>
     </message>
     <message>
         <source>Half a step, and half a step</source>
@@ -7038,7 +7434,7 @@
     </message>
     <message>
         <source>Near is {0}, far is {1}. Half-way along the floor on the screen: how many times too far is it drawn?</source>
-        <translation>Bliska ravnina je na {0}, daleka na {1}. Na pola puta po podu na ekranu: koliko se puta predaleko crta?</translation>
+        <translation>Bliska ravnina je na {0}, daleka na {1}. Na pola puta po podu na ekranu: koliko se puta dalje nego što treba crta?</translation>
     </message>
     <message>
         <source>This takes half the distance for the true place. Half-way on the screen {0} is half-way, and {1} is much nearer. Look at the foundation: the floor is drawn behind it, not before it.</source>
@@ -7133,7 +7529,7 @@
     </message>
     <message>
         <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation>Svijet sa strane: najprije imenujte dva trokuta, od kamere do P i od kamere do P&apos;. Očitajte sa slike -z = 5, y = 2 i {0}. Neka studenti glasaju, zatim pustite da se model pomakne. Potom povucite Udaljenost ravnine d ispod 0: film camere obscure, i slika se okreće. To je izvedeno ranije na kolegiju; ne zadržavajte se.</translation>
+        <translation>Svijet sa strane: najprije imenujte dva trokuta, od kamere do P i od kamere do P&apos;. Očitajte sa slike -z = 5, y = 2 i {0}. Neka studenti glasuju, zatim pustite da se model pomakne. Potom povucite Udaljenost ravnine d ispod 0: film camere obscure, i slika se okreće. To je izvedeno ranije na kolegiju; ne zadržavajte se.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
@@ -7221,7 +7617,7 @@
     </message>
     <message>
         <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation>Na ploči izvedite (6) redak po redak. Trik je pomnožiti drugi razlomak s -z/-z, tako da sve ima jedan nazivnik: to će biti w&apos;. S njim se okreće i predznak. Zatim glasanje: mnogi kažu +0.5, jer prozor ide udesno. Nakon toga povucite Lijevi rub i Desni rub i pratite sondu 1 u oknu Slika.</translation>
+        <translation>Na ploči izvedite (6) redak po redak. Trik je pomnožiti drugi razlomak s -z/-z, tako da sve ima jedan nazivnik: to će biti w&apos;. S njim se okreće i predznak. Zatim glasovanje: mnogi kažu +0.5, jer prozor ide udesno. Nakon toga povucite Lijevi rub i Desni rub i pratite sondu 1 u oknu Slika.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
@@ -7253,7 +7649,7 @@
     </message>
     <message>
         <source>Go through (9), (10), (11): the same point three times, then all times -z. Nothing in the last line but -Az² - Bz is new. NDC shows both: A z + B is the bow, -A - B/z the straight line. After the vote drag P in World. Near and far change the bow too: try Near 0.3.</source>
-        <translation>Prođite (9), (10), (11): ista točka triput, zatim sve puta -z. U posljednjem retku novo je samo -Az² - Bz. NDC pokazuje oboje: A z + B je luk, -A - B/z pravac. Nakon glasanja povucite P u oknu Svijet. Luk mijenjaju i bliska i daleka ravnina: isprobajte blisku na 0.3.</translation>
+        <translation>Prođite (9), (10), (11): ista točka triput, zatim sve puta -z. U posljednjem retku novo je samo -Az² - Bz. NDC pokazuje oboje: A z + B je luk, -A - B/z pravac. Nakon glasovanja povucite P u oknu Svijet. Luk mijenjaju i bliska i daleka ravnina: isprobajte blisku na 0.3.</translation>
     </message>
     <message>
         <source>What the depth buffer does with z</source>
@@ -7436,7 +7832,7 @@
     </message>
     <message>
         <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
-        <translation>Svjetlo se u rupici križa, pa je slika na filmu naopačke, a lijevo i desno su zamijenjeni; slikari su se time služili. Usporedite oba filma: jednako veliki, razlikuje se samo predznak. Centar projekcije je rupica; kod nas je to položaj kamere P, a ravnina je između njega i objekta. Neka glasaju, zatim pokažite; povucite i d.</translation>
+        <translation>Svjetlo se u rupici križa, pa je slika na filmu naopačke, a lijevo i desno su zamijenjeni; slikari su se time služili. Usporedite oba filma: jednako veliki, razlikuje se samo predznak. Centar projekcije je rupica; kod nas je to položaj kamere P, a ravnina je između njega i objekta. Neka glasuju, zatim pokažite; povucite i d.</translation>
     </message>
     <message>
         <source>Position, look, up</source>
@@ -7464,7 +7860,7 @@
     </message>
     <message>
         <source>60°, one angle does for both</source>
-        <translation>60°, jedan kut vrijedi za oba</translation>
+        <translation>60°, jedan kut vrijedi za oba smjera</translation>
     </message>
     <message>
         <source>{0}. From above half of it is written at the eye: 45.75°.</source>
@@ -7472,7 +7868,7 @@
     </message>
     <message>
         <source>From the side {0} is written at the eye. Vote first; then the world is seen from above, with {1} at the eye and the half width on the far plane, f tan of it. Make the image 720 x 720 under Image and depth range: both angles are 60. A photographer does this when choosing a lens. Keep window and picture at one aspect, or everything is stretched.</source>
-        <translation>Sa strane kod kamere piše {0}. Najprije glasanje; zatim se svijet gleda odozgo, s {1} kod kamere i polovicom širine na dalekoj ravnini, f puta njegov tangens. Pod Slika i raspon dubine postavite sliku na 720 x 720: oba su kuta 60. Tako radi fotograf kad bira objektiv. Neka prozor i slika imaju isti omjer stranica, inače se sve rastegne.</translation>
+        <translation>Sa strane kod kamere piše {0}. Najprije glasovanje; zatim se svijet gleda odozgo, s {1} kod kamere i polovicom širine na dalekoj ravnini, f puta njegov tangens. Pod Slika i raspon dubine postavite sliku na 720 x 720: oba su kuta 60. Tako radi fotograf kad bira objektiv. Neka prozor i slika imaju isti omjer stranica, inače se sve rastegne.</translation>
     </message>
     <message>
         <source>29 mm and 105 mm</source>
@@ -7516,7 +7912,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7568,7 +7964,7 @@
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation>Dvije plohe razmaknute 0.05, 16 bitova. Gdje obje dobiju isti kod, probija skrivena. Glasanje, zatim pokažite; potom vratite blisku ravninu na 0.1 i isprobajte daleku na 50: ništa se ne dobiva. To rješavaju i 24 bita. Pravilo: bliska ravnina onoliko daleko koliko scena dopušta. Ne stavljajte je na 0 za svaki slučaj.</translation>
+        <translation>Dvije plohe razmaknute 0.05, 16 bitova. Gdje obje dobiju isti kod, probija skrivena. Glasovanje, zatim pokažite; potom vratite blisku ravninu na 0.1 i isprobajte daleku na 50: ništa se ne dobiva. To rješavaju i 24 bita. Pravilo: bliska ravnina onoliko daleko koliko scena dopušta. Ne stavljajte je na 0 za svaki slučaj.</translation>
     </message>
     <message>
         <source>Popping</source>
@@ -7616,7 +8012,7 @@
     </message>
     <message>
         <source>The camera stays, the world is moved the opposite way: inverse transformations. The F has been put in front of the camera. In Matrices, view from world, press its factors open: rotation times translation, the translation at the right, so it acts first. On View of the strip the eye is the origin. Vote on w before you show it.</source>
-        <translation>Kamera ostaje, a svijet se pomiče suprotno: inverzne transformacije. F je stavljen pred kameru. U ploči Matrice, kamera ← svijet, rasklopite faktore: rotacija puta translacija, translacija zdesna, pa djeluje prva. Na postaji Kamera trake kamera je u ishodištu. Neka glasaju o w prije nego što ga pokažete.</translation>
+        <translation>Kamera ostaje, a svijet se pomiče suprotno: inverzne transformacije. F je stavljen pred kameru. U ploči Matrice, kamera ← svijet, rasklopite faktore: rotacija puta translacija, translacija zdesna, pa djeluje prva. Na postaji Kamera trake kamera je u ishodištu. Neka glasuju o w prije nego što ga pokažete.</translation>
     </message>
     <message>
         <source>u, v, w</source>
@@ -7664,7 +8060,7 @@
     </message>
     <message>
         <source>An affine transformation is fixed by four points: P, A, B, C. Here f = 10, {0} is 0.8 and {1} is 0.45, so B is 8 to the side and C 4.5 up. {2} = scale, rotation, translation: move P to the origin, turn u, v, w onto x, y, z, divide by f tan, f tan, f. The slide has the scale alone, for the view matrix has turned and moved before. Vote on the near plane, then the pyramid comes: distances along every ray from P are divided by f, too. Show the formulas in Matrices.</source>
-        <translation>Afinu transformaciju određuju četiri točke: P, A, B, C. Ovdje je f = 10, {0} je 0.8, a {1} je 0.45, pa je B 8 u stranu, a C 4.5 gore. {2} = skaliranje, rotacija, translacija: pomaknite P u ishodište, okrenite u, v, w na x, y, z, podijelite s f tan, f tan, f. Slajd ima samo skaliranje, jer je matrica pogleda prije toga okrenula i pomaknula. Neka glasaju o bliskoj ravnini, zatim dolazi piramida: i udaljenosti duž svake zrake iz P dijele se s f. Pokažite formule u ploči Matrice.</translation>
+        <translation>Afinu transformaciju određuju četiri točke: P, A, B, C. Ovdje je f = 10, {0} je 0.8, a {1} je 0.45, pa je B 8 u stranu, a C 4.5 gore. {2} = skaliranje, rotacija, translacija: pomaknite P u ishodište, okrenite u, v, w na x, y, z, podijelite s f tan, f tan, f. Slajd ima samo skaliranje, jer je matrica pogleda prije toga okrenula i pomaknula. Neka glasuju o bliskoj ravnini, zatim dolazi piramida: i udaljenosti duž svake zrake iz P dijele se s f. Pokažite formule u ploči Matrice.</translation>
     </message>
     <message>
         <source>From pyramid to box to cube</source>
@@ -7767,7 +8163,7 @@
     </message>
     <message>
         <source>World from above has the slanted box with a cube in it. After H and {0} the box is the NDC cube, and the object is sheared. Which faces keep their shape? Those parallel to the picture. Then vote, and show. Open Matrices: H, {1} and their product stand side by side. Read from right to left: H first, which knows the slant alone, then {2}, which knows the box alone. In OpenGL it is glOrtho and one more matrix, multiplied from the right.</source>
-        <translation>Svijet odozgo ima kosi kvadar s kockom u njemu. Nakon H i {0} kvadar je kocka NDC, a na objekt je djelovalo smicanje. Koje strane zadržavaju oblik? One paralelne sa slikom. Zatim glasanje, pa pokažite. Otvorite Matrice: H, {1} i njihov umnožak stoje jedan uz drugi. Čitajte zdesna nalijevo: najprije H, koji zna samo za kosost, zatim {2}, koji zna samo za kvadar. U OpenGL-u je to glOrtho i još jedna matrica, pomnožena zdesna.</translation>
+        <translation>Svijet odozgo ima kosi kvadar s kockom u njemu. Nakon H i {0} kvadar je kocka NDC, a na objekt je primijenjeno smicanje. Koje strane zadržavaju oblik? One paralelne sa slikom. Zatim glasovanje, pa pokažite. Otvorite Matrice: H, {1} i njihov umnožak stoje jedan uz drugi. Čitajte zdesna nalijevo: najprije H, koji zna samo za nagib, zatim {2}, koji zna samo za kvadar. U OpenGL-u je to glOrtho i još jedna matrica, pomnožena zdesna.</translation>
     </message>
     <message>
         <source>Homogeneous coordinates</source>
@@ -7847,7 +8243,7 @@
     </message>
     <message>
         <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
-        <translation>Neka glasaju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postotku duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
+        <translation>Neka glasuju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postotku duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
     </message>
     <message>
         <source>The matrix of perspective</source>
@@ -7974,19 +8370,43 @@
     </message>
     <message>
         <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
-        <translation>Redak x umnoška je zbroj na ploči: koliko daleko svaka os objekta seže duž globalne osi x, puta koordinata. Čitan po stupcima govori više: stupac 1 je ono kamo pokazuje os x objekta. Nakon glasanja otvorite Matrice i prijeđite stupce matrice svijet ← objekt; os zasvijetli u oknu Svijet. Zatim rukom okrenite objekt, za njegov prsten.</translation>
+        <translation>Redak x umnoška je zbroj na ploči: koliko daleko svaka os objekta seže duž globalne osi x, puta koordinata. Čitan po stupcima govori više: stupac 1 je ono kamo pokazuje os x objekta. Nakon glasovanja otvorite Matrice i prijeđite stupce matrice svijet ← objekt; os zasvijetli u oknu Svijet. Zatim rukom okrenite objekt, za njegov prsten.</translation>
     </message>
     <message>
         <source>From the object to the camera</source>
         <translation>Od objekta do kamere</translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
-        <translation>{0} se gradi na isti način: stupci su joj osi svijeta kako ih vidi kamera.</translation>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
-        <translation>Veliko okno pokazuje koordinatni sustav kamere: kamera je u ishodištu, u udesno, v gore, n prema njoj. Povlačite traku od postaje Svijet do Kamera: sve se pomiče, ništa ne mijenja svoj položaj prema ostalome. Retci su joj osi kamere, jer je inverz matrice čiji su to stupci. Obje se matrice množe jednom, a ne za svaki vrh.</translation>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
@@ -8054,7 +8474,7 @@
     </message>
     <message>
         <source>Draw the triangle eye, axis, edge: half the angle is in it. World is seen from above, with half of α at the eye. After the vote: 91.5°, not 106.7°. The tangents of the half angles are in the ratio 16 to 9, not the angles. The wider, the worse: type 120°, multiplied it would be 213°. More of the lens has Focal length e and the focal length of a 35-mm camera. β is not α, unless the picture is square.</source>
-        <translation>Nacrtajte trokut kamera, os, rub: u njemu je polovica kuta. Svijet se gleda odozgo, s polovicom kuta α kod kamere. Nakon glasanja: 91.5°, a ne 106.7°. U omjeru 16 prema 9 su tangensi polovica kutova, a ne kutovi. Što šire, to gore: upišite 120°, pomnožen bio bi 213°. Više o objektivu ima Žarišnu duljinu e i žarišnu duljinu za film od 35 mm. β nije α, osim ako je slika kvadratna.</translation>
+        <translation>Nacrtajte trokut kamera, os, rub: u njemu je polovica kuta. Svijet se gleda odozgo, s polovicom kuta α kod kamere. Nakon glasovanja: 91.5°, a ne 106.7°. U omjeru 16 prema 9 su tangensi polovica kutova, a ne kutovi. Što šire, to gore: upišite 120°, pomnožen bio bi 213°. Više o objektivu ima Žarišnu duljinu e i žarišnu duljinu za film od 35 mm. β nije α, osim ako je slika kvadratna.</translation>
     </message>
     <message>
         <source>Onto the near plane</source>
@@ -8106,7 +8526,7 @@
     </message>
     <message>
         <source>Solve for A and B with the two conditions. Why not just scale? Because then lines would be bent; the reason that the lecture gives is the next part: 1/z is what is linear on the screen. The vote: most say 0, the middle. Show the crowding: half of the cube is used up at 2nf/(n + f) = 1.8.</source>
-        <translation>Izračunajte A i B iz dva uvjeta. Zašto ne samo skalirati? Zato što bi tada pravci bili savijeni; razlog koji daje predavanje dolazi u sljedećem dijelu: na ekranu je linearan 1/z. Glasanje: većina kaže 0, sredina. Pokažite gomilanje: polovica kocke potrošena je kod 2nf/(n + f) = 1.8.</translation>
+        <translation>Izračunajte A i B iz dva uvjeta. Zašto ne samo skalirati? Zato što bi tada pravci bili savijeni; razlog koji daje predavanje dolazi u sljedećem dijelu: na ekranu je linearan 1/z. Glasovanje: većina kaže 0, sredina. Pokažite gomilanje: polovica kocke potrošena je kod 2nf/(n + f) = 1.8.</translation>
     </message>
     <message>
         <source>The matrix of glFrustum</source>
@@ -8193,7 +8613,7 @@
     </message>
     <message>
         <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
-        <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasaju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako se naginje od V. Što ako je V paralelan s N? Okrećite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
+        <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasuju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako se naginje od V. Što ako je V paralelan s N? Okrećite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
     </message>
     <message>
         <source>The camera in the world</source>
@@ -8393,7 +8813,7 @@
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
-        <translation>AB je ravna i prolazi kroz ravninu z = 0; polovica joj je iza kamere. Glasanje, zatim pokažite: ružičasta je slika, narančasto je ono što crta naivni program; crtkano je komad bez slike. U projektivnoj geometriji pravac je kružnica, zatvorena svojom beskonačno dalekom točkom: za to otvorite Objašnjenje i dijagrami. Spajanje A&apos; i B&apos; uzima pogrešan luk. A pramen pravaca kroz jednu točku? F ima mnogo paralelnih bridova; njihovi pogrešni dijelovi svi prolaze kroz nedogled tih bridova. Jedna rečenica predavanja kaže „ravnina projekcije” ondje gdje misli z = 0.</translation>
+        <translation>AB je ravna i prolazi kroz ravninu z = 0; polovica joj je iza kamere. Glasovanje, zatim pokažite: ružičasta je slika, narančasto je ono što crta naivni program; crtkano je komad bez slike. U projektivnoj geometriji pravac je kružnica, zatvorena svojom beskonačno dalekom točkom: za to otvorite Objašnjenje i dijagrami. Spajanje A&apos; i B&apos; uzima pogrešan luk. A pramen pravaca kroz jednu točku? F ima mnogo paralelnih bridova; njihovi pogrešni dijelovi svi prolaze kroz nedogled tih bridova. Jedna rečenica predavanja kaže „ravnina projekcije” ondje gdje misli z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>

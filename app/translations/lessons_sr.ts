@@ -181,7 +181,7 @@
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation>Овде се мери право од камере до тачке. Дубина се мери само дуж осе, јер су предња и задња раван равни, а не сфере: тачка са стране је даље него што је дубоко.</translation>
+        <translation>Овде се мери право од камере до тачке. Дубина се мери само дуж осе, јер су предња и задња раван равни, а не сфере: тачка са стране је даља него што је дубока.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
@@ -289,7 +289,7 @@
     </message>
     <message>
         <source>This divides both ends and joins the results. An end behind the eye has {0}, and its image is mirrored. The right image of the segment runs through infinity, not between the two, so cut the segment in front of the eye before dividing.</source>
-        <translation>Овде се оба краја поделе, па се резултати споје. Крај иза камере има {0}, и његова слика је као у огледалу. Права слика дужи пролази кроз бесконачност, а не између њих двеју, па исеците дуж испред камере пре дељења.</translation>
+        <translation>Овде се оба краја поделе, па се резултати споје. Крај иза камере има {0}, и његова слика је као у огледалу. Исправна слика дужи пролази кроз бесконачност, а не између њих двеју, па исеците дуж испред камере пре дељења.</translation>
     </message>
     <message>
         <source>The middle of the picture is the middle of the edge</source>
@@ -297,7 +297,7 @@
     </message>
     <message>
         <source>This interpolates {0} itself on the screen. There {1} and {2} are linear, so {3}, and the middle of the picture shows a place that is closer to the nearer end.</source>
-        <translation>Овде се на екрану интерполира само {0}. Тамо су линеарни {1} и {2}, па је {3}, и средина слике показује место ближе ближем крају.</translation>
+        <translation>Овде се на екрану интерполира сама величина {0}. Тамо су линеарни {1} и {2}, па је {3}, и средина слике показује место ближе ближем крају.</translation>
     </message>
     <message>
         <source>A lamp is a sun</source>
@@ -321,7 +321,7 @@
     </message>
     <message>
         <source>This keeps the size ratio of the old place after a walk. A zoom enlarges the whole picture by one factor, but sizes are proportional to one over the distance. Walking therefore changes {0}, the size ratio of a thing and an equal one {1} behind it.</source>
-        <translation>Овде је после хода задржан однос величина са старог места. Зум целу слику увећава једним чиниоцем, а величине су сразмерне реципрочној вредности растојања. Зато ход мења {0}, однос величина предмета и једнаког предмета {1} иза њега.</translation>
+        <translation>Овде је после ходања задржан однос величина са старог места. Зум целу слику увећава једним чиниоцем, а величине су сразмерне реципрочној вредности растојања. Зато ходање мења {0}, однос величина предмета и једнаког предмета {1} иза њега.</translation>
     </message>
     <message>
         <source>More places than pixels are enough</source>
@@ -386,6 +386,190 @@
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Овде је инверз на папиру узет за онај у рачунару. Његова поља су заокружена, а тако и сваки производ. Далеко од координатног почетка координате позиције камере су велике, а инверз их множи малом разликом заокружених бројева: float32 промашује тачку за проценте њеног растојања.</translation>
+    </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -464,7 +648,7 @@
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation>Окрећите {0} од {1} док угао између њих не буде 30° или више.</translation>
+        <translation>Удаљавајте {0} од {1} док угао између њих не буде 30° или више.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
@@ -666,13 +850,61 @@
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
         <translation>Ваша камера гледа у смеру {0}. Погледајте њено {1}: показује на другу страну, од циља ка позицији камере.</translation>
     </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l02-columns</name>
-    <message>
-        <source>The columns are the axes</source>
-        <translation>Колоне су осе</translation>
-    </message>
     <message>
         <source>First rotate, then move</source>
         <translation>Прво ротирајте, па померите</translation>
@@ -724,62 +956,6 @@
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
-    </message>
-    <message>
-        <source>An axis straight up</source>
-        <translation>Оса право увис</translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation>Објекат је поново на свом месту.</translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation>Поставите објекат тако да његова оса x показује право увис: колона 1 матрице „свет ← објекат” је (0, 1, 0, 0).</translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation>Отворите „Објекат” у бочном панелу.</translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation>Окретање око z за 90° преводи осу x у y.</translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation>Тачно: колона каже куда оса показује, ма какве биле остале колоне.</translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation>Поље једног окретања</translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation>Окретање око z за угао {0} преводи осу x у {1}, а осу y у {2}. Овде је слово окренуто за 30°.</translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation>Који број стоји у врсти 2, колони 1 матрице {0}?</translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation>Ово је врста 1, колона 2. Колона 1 је оса x после окретања. Погледајте осу x самог слова: она се пење, па је њено y позитивно.</translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation>Синус прима мојих 30</translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation>Ово је синус од 30 радијана. 30 степени је {0} радијана. Погледајте слово окренуто за 30 радијана: његова оса x показује надоле.</translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation>Колона 1 је оса x после окретања. Врста 2 је њено y.</translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation>Оса x се пење за sin 30° = 0.5. Врста 1, колона 2 је {0}, x окренуте осе y.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -838,12 +1014,64 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
-        <translation>Примамљиво је прво померити, из {0} у {1}, па онда ротирати. Али ротација око координатног почетка света ротира и помак: {2} иде у {3}, где је сонда 1. То је {4}, што овај корак показује: у одељку *Објекат*, **Редослед** је R T S.</translation>
+        <source>Object, world, camera</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
-        <translation>Са T R S слово се ротира на месту, па помера, и колона 4 је помак како сте га унели. Са R T S колона 4 је помак после ротације, {0}.</translation>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -932,6 +1160,58 @@
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
         <translation>Овај помак је тачан ако делује пре окретања. Погледајте слово са редоследом R T S: само тамо он доводи тачку у сонду 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -1604,7 +1884,7 @@
     </message>
     <message>
         <source>{0}. For points in front {1} is negative, and so {2} is positive.</source>
-        <translation>{0}. За тачке испред {1} је негативно, па је {2} позитивно.</translation>
+        <translation>{0}. За тачке испред камере {1} је негативно, па је {2} позитивно.</translation>
     </message>
     <message>
         <source>Set the plane</source>
@@ -1636,7 +1916,7 @@
     </message>
     <message>
         <source>This also says what happens to the *picture* when the plane moves: everything grows by the same factor, and nothing moves against the rest.</source>
-        <translation>То говори и шта бива са *сликом* када се раван помера: све расте истим чиниоцем, и ништа се не помера према осталом.</translation>
+        <translation>То говори и шта бива са *сликом* када се раван помера: све расте истим чиниоцем, и ништа се не помера у односу на остало.</translation>
     </message>
     <message>
         <source>Practise: how high is the image?</source>
@@ -2413,7 +2693,7 @@
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
-        <translation>Савијене линије би поквариле бафер дубине: између темена троугла дубине се равномерно интерполирају по пикселима. Израчуната дубина не би била права, и површ која је иза могла би да се нацрта испред.</translation>
+        <translation>Савијене линије би поквариле бафер дубине: између темена троугла дубине се равномерно интерполирају по пикселима. Израчуната дубина не би била стварна, и површ која је иза могла би да се нацрта испред.</translation>
     </message>
     <message>
         <source>Practise: the depth of a point</source>
@@ -2573,6 +2853,26 @@
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
         <translation>{0} преводи 0 … −1 у −1 … 1 за OpenGL: {1}. Кликните на *Пирамида*, *Квадар* и *NDC* испод коцке.</translation>
+    </message>
+    <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Half-way through the box</source>
@@ -2749,6 +3049,54 @@
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
         <translation>Овде је предња раван у свету стављена {0} испред камере. Све дубине се на путу у пирамиду деле са {1}. Погледајте предњу раван: превише је близу, у пирамиди на {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3062,7 +3410,7 @@
     </message>
     <message>
         <source>{0} itself is negative here.</source>
-        <translation>Само {0} је овде негативно.</translation>
+        <translation>Овде је {0} и само негативно.</translation>
     </message>
     <message>
         <source>{0}. With {1} it is 0: the projectors are straight then.</source>
@@ -3070,7 +3418,7 @@
     </message>
     <message>
         <source>By how much does H change x of a point 3 units behind the near plane?</source>
-        <translation>За колико H мења x тачке 3 јединице иза предње равни?</translation>
+        <translation>За колико H мења x тачке која је 3 јединице иза предње равни?</translation>
     </message>
     <message>
         <source>What recedes goes to the right</source>
@@ -3138,7 +3486,7 @@
     </message>
     <message>
         <source>Multiply out: how often is z in {0}, and what is left without x and z?</source>
-        <translation>Измножите: колико је пута z у {0}, и шта остаје без x и z?</translation>
+        <translation>Измножите: колико пута {0} садржи z, и шта остаје без x и z?</translation>
     </message>
     <message>
         <source>{0}: points of the near plane stay where they are.</source>
@@ -3770,6 +4118,54 @@
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
         <translation>Смер заузима место тачке: {0} и {1} су његове координате одсецања подељене својим {2}.</translation>
     </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>l14-to-pixels</name>
@@ -4011,7 +4407,7 @@
     </message>
     <message>
         <source>The centre is at {0}, and {1} pixels are 2 wide in {2}.</source>
-        <translation>Средиште је у {0}, а пикселима, њих {1}, одговара ширина 2 по {2}.</translation>
+        <translation>Средиште је у {0}, а ред од {1} пиксела широк је 2 по {2}.</translation>
     </message>
 </context>
 <context>
@@ -4453,19 +4849,19 @@
     </message>
     <message>
         <source>Practise: the right piece</source>
-        <translation>Вежба: прави део</translation>
+        <translation>Вежба: исправан део</translation>
     </message>
     <message>
         <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
-        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A&apos; и B&apos;, као што чини само дељење.</translation>
+        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A&apos; и B&apos;, као што чини дељење само по себи.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
-        <translation>Обележите где права слика дужи AB излази са слике.</translation>
+        <translation>Обележите где исправна слика дужи AB излази са слике.</translation>
     </message>
     <message>
         <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation>Ово је B&apos;, слика као у огледалу за тачку иза камере. Права слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
+        <translation>Ово је B&apos;, слика као у огледалу за тачку иза камере. Исправна слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
     </message>
     <message>
         <source>Through B&apos; and on</source>
@@ -4473,7 +4869,7 @@
     </message>
     <message>
         <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation>Ово иде од A&apos; кроз B&apos; и даље. B&apos; је као у огледалу, па права слика почиње у A&apos; у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
+        <translation>Ово иде од A&apos; кроз B&apos; и даље. B&apos; је као у огледалу, па исправна слика почиње у A&apos; у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
     </message>
     <message>
         <source>It lies on the same line. On which side of A&apos;?</source>
@@ -4481,7 +4877,7 @@
     </message>
     <message>
         <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Почиње у A&apos; и иде од B&apos;. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
+        <translation>Почиње у A&apos; и удаљава се од B&apos;. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4779,7 +5175,7 @@
     </message>
     <message>
         <source>Now the board is drawn *affine*: {0} itself is interpolated, and the checks bend at the diagonal.</source>
-        <translation>Сада се табла црта *афино*: интерполира се само {0}, и шаховница се прелама на дијагонали.</translation>
+        <translation>Сада се табла црта *афино*: интерполира се сама величина {0}, и шаховница се прелама на дијагонали.</translation>
     </message>
     <message>
         <source>Move the camera until the point half-way in the picture of the marked edge is at most 25 % along the edge. Then affine is wrong by a quarter of the edge. The edge must stay beyond the near plane.</source>
@@ -4847,7 +5243,7 @@
     </message>
     <message>
         <source>This mixes {0} itself. In the picture only the divided quantities change evenly: mix {1} and {2}, then divide. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
-        <translation>Овде се меша само {0}. На слици се равномерно мењају само подељене величине: помешајте {1} и {2}, па поделите. Погледајте две ознаке: пола пута на слици није пола пута дуж ивице.</translation>
+        <translation>Овде се меша сама величина {0}. На слици се равномерно мењају само подељене величине: помешајте {1} и {2}, па поделите. Погледајте две ознаке: пола пута на слици није пола пута дуж ивице.</translation>
     </message>
     <message>
         <source>a/z is a</source>
@@ -4899,7 +5295,7 @@
     </message>
     <message>
         <source>The place {0} of the way along the rod itself is deeper: {1}.</source>
-        <translation>Место на {0} пута дуж самог штапа је дубље: {1}.</translation>
+        <translation>Место на делу {0} пута дуж самог штапа је дубље: {1}.</translation>
     </message>
     <message>
         <source>Practise: the middle of a rod</source>
@@ -5209,7 +5605,7 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Предавање снима мачку објективом од 29 mm са 30 cm, и од 105 mm. На филму је предмет {0} пута своје праве величине, па задржава величину ако је</translation>
+        <translation>Предавање снима мачку објективом од 29 mm са 30 cm, и од 105 mm. На филму је предмет {0} пута своје стварне величине, па задржава величину ако је</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
@@ -5253,7 +5649,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
-        <translation>Овде је видни угао узет за величину. На филму је висина статуе сразмерна жижној даљини кроз растојање, са {0}; угао није сразмеран са {1}. Погледајте две фотографије: 105 mm је 3.62 пута 29 mm, и са 3.62 пута већег растојања глава је једнако висока.</translation>
+        <translation>Овде је видни угао узет за величину. На филму је висина статуе сразмерна жижној даљини подељеној растојањем, дакле са {0}; угао није сразмеран са {1}. Погледајте две фотографије: 105 mm је 3.62 пута 29 mm, и са 3.62 пута већег растојања глава је једнако висока.</translation>
     </message>
     <message>
         <source>The image on the film is as large as before. What happened to {0}?</source>
@@ -5954,11 +6350,11 @@
     </message>
     <message>
         <source>The straight way counts</source>
-        <translation>Рачуна се прави пут</translation>
+        <translation>Рачуна се пут право до тачке</translation>
     </message>
     <message>
         <source>This subtracts far from the straight distance to the point. Far is a plane across the direction of view: only how far the point is ahead counts. Look from above at far = {0}: it goes through point 1, however far that is to the side.</source>
-        <translation>Овде се растојање задње равни одузима од правог растојања до тачке. Задња раван је раван попреко на смер погледа: рачуна се само колико је тачка испред. Погледајте одозго задњу раван на {0}: пролази кроз тачку 1, ма колико она била у страну.</translation>
+        <translation>Овде се растојање задње равни одузима од растојања право до тачке. Задња раван је раван попреко на смер погледа: рачуна се само колико је тачка испред. Погледајте одозго задњу раван на {0}: пролази кроз тачку 1, ма колико она била у страну.</translation>
     </message>
     <message>
         <source>The view from above shows the far plane. Which distance to it does the drive shorten?</source>
@@ -6515,7 +6911,7 @@
     </message>
     <message>
         <source>A camera turns by 1° a frame: each frame multiplies its axes by the same matrix, in float32, and every product is rounded. After 360 frames it should be home. It is off by 0.003 pixels. In **Image** this is drawn 20 000 times as large, beside the pale true picture.</source>
-        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истом матрицом, у float32, и сваки производ се заокружује. После 360 кадрова требало би да буде тамо где је почела. Одступа за 0.003 пиксела. У приказу **Слика** то је нацртано 20 000 пута веће, поред бледе праве слике.</translation>
+        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истом матрицом, у float32, и сваки производ се заокружује. После 360 кадрова требало би да буде тамо где је почела. Одступа за 0.003 пиксела. У приказу **Слика** то је нацртано 20 000 пута веће, поред бледе тачне слике.</translation>
     </message>
     <message>
         <source>Now the axes are made orthonormal every tenth frame, with a fast inverse square root that is off by up to 0.18 %. The numbers are still float32. How far off is the picture after one round?</source>
@@ -6838,7 +7234,7 @@
     </message>
     <message>
         <source>This takes half the distance, 50.5, for the true place. Half-way on the screen is much nearer: there {0} is half-way, and {1}. Look at the diagram: drawn is never nearer than true.</source>
-        <translation>Овде је за право место узета половина растојања, 50.5. Пола пута на екрану је много ближе: тамо је {0} на пола пута, и {1}. Погледајте дијаграм: нацртано никада није ближе од правог.</translation>
+        <translation>Овде је за стварно место узета половина растојања, 50.5. Пола пута на екрану је много ближе: тамо је {0} на пола пута, и {1}. Погледајте дијаграм: нацртано никада није ближе од стварног.</translation>
     </message>
     <message>
         <source>This would be right if {0} were linear on the screen. Only {1} is. Look at the foundation: the floor is drawn behind it.</source>
@@ -6910,7 +7306,7 @@
     </message>
     <message>
         <source>A step is the box over {0}: with 4 bits more it is 16 times as short.</source>
-        <translation>Корак је оквир кроз {0}: са 4 бита више он је 16 пута краћи.</translation>
+        <translation>Корак је ширина оквира подељена са {0}: са 4 бита више он је 16 пута краћи.</translation>
     </message>
     <message>
         <source>Half a step, and half a step</source>
@@ -7042,7 +7438,7 @@
     </message>
     <message>
         <source>This takes half the distance for the true place. Half-way on the screen {0} is half-way, and {1} is much nearer. Look at the foundation: the floor is drawn behind it, not before it.</source>
-        <translation>Овде је за право место узета половина растојања. На пола пута на екрану {0} је на пола пута, и {1} је много ближе. Погледајте темељ: под се црта иза њега, а не испред њега.</translation>
+        <translation>Овде је за стварно место узета половина растојања. На пола пута на екрану {0} је на пола пута, и {1} је много ближе. Погледајте темељ: под се црта иза њега, а не испред њега.</translation>
     </message>
     <message>
         <source>It lies at near</source>
@@ -7050,7 +7446,7 @@
     </message>
     <message>
         <source>This is where it is drawn, over near. But it lies farther away than near: {0} is half-way between {1} and {2}. Look at the diagram: half-way on the screen is a little to the right of near.</source>
-        <translation>Ово је место где се црта, кроз предњу раван. Али под лежи даље од предње равни: {0} је на пола пута између {1} и {2}. Погледајте дијаграм: пола пута на екрану је мало десно од предње равни.</translation>
+        <translation>Ово је место где се црта, подељено растојањем предње равни. Али под лежи даље од предње равни: {0} је на пола пута између {1} и {2}. Погледајте дијаграм: пола пута на екрану је мало десно од предње равни.</translation>
     </message>
     <message>
         <source>It is drawn at {0}, half-way between the logarithms.</source>
@@ -7241,7 +7637,7 @@
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: прав је само {1}.</translation>
+        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7356,7 +7752,7 @@
     </message>
     <message>
         <source>eye 120°</source>
-        <translation>око 120°</translation>
+        <translation>људско око 120°</translation>
     </message>
     <message>
         <source>monitor 30°</source>
@@ -7436,7 +7832,7 @@
     </message>
     <message>
         <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
-        <translation>Светлост се у рупи укршта, па је слика на филму наопачке и са замењеним лево и десно; користили су је сликари. Упоредите оба филма: једнако велики, разликује се само предзнак. Центар пројекције је рупа; за нас је то позиција камере P, а раван је између ње и објекта. Гласајте, па покажите; превуците и d.</translation>
+        <translation>Светлост се у рупи укршта, па је слика на филму наопачке и са замењеним лево и десно; камеру опскуру су користили сликари. Упоредите оба филма: једнако велики, разликује се само предзнак. Центар пројекције је рупа; за нас је то позиција камере P, а раван је између ње и објекта. Гласајте, па покажите; превуците и d.</translation>
     </message>
     <message>
         <source>Position, look, up</source>
@@ -7448,7 +7844,7 @@
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте у панелу „Нагоре од погледа”: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 се камера одбија.</translation>
+        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте у панелу „Нагоре од погледа”: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
     </message>
     <message>
         <source>The angles of view</source>
@@ -7464,7 +7860,7 @@
     </message>
     <message>
         <source>60°, one angle does for both</source>
-        <translation>60°, један угао важи за оба</translation>
+        <translation>60°, исти угао важи за оба смера</translation>
     </message>
     <message>
         <source>{0}. From above half of it is written at the eye: 45.75°.</source>
@@ -7472,7 +7868,7 @@
     </message>
     <message>
         <source>From the side {0} is written at the eye. Vote first; then the world is seen from above, with {1} at the eye and the half width on the far plane, f tan of it. Make the image 720 x 720 under Image and depth range: both angles are 60. A photographer does this when choosing a lens. Keep window and picture at one aspect, or everything is stretched.</source>
-        <translation>Са стране је код камере исписан {0}. Прво гласајте; затим се свет види одозго, са {1} код камере и половином ширине на задњој равни, f tan од тога. Под „Слика и опсег дубине” поставите слику на 720 x 720: оба угла су 60. То ради фотограф када бира објектив. Држите прозор и слику на истом односу ширине и висине, иначе се све растеже.</translation>
+        <translation>Са стране је код камере исписан {0}. Прво гласајте; затим се свет види одозго, са {1} код камере и половином ширине на задњој равни, f пута тангенс тог угла. Под „Слика и опсег дубине” поставите слику на 720 x 720: оба угла су 60. То ради фотограф када бира објектив. Држите прозор и слику на истом односу ширине и висине, иначе се све растеже.</translation>
     </message>
     <message>
         <source>29 mm and 105 mm</source>
@@ -7516,7 +7912,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају према глави. Вративши се на 1 ×, изаберите под „Види је” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
+        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају у односу на главу. Вративши се на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7540,7 +7936,7 @@
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation>Шта од тога двога лечи пруге?</translation>
+        <translation>Шта од овога двога уклања пруге?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
@@ -7695,7 +8091,7 @@
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометријска, са 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
+        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометријска, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>
@@ -7803,7 +8199,7 @@
     </message>
     <message>
         <source>The two triangles of the side view: eye to the plane, eye to P. Both heights over both lengths. The lecture writes {0} for {1}, from above; from the side it is {2}. The plane is drawn with its distance d; here {3}, so {4} is positive in front. A 3 by 3 matrix cannot divide by z. Four coordinates can: the last row writes {5} into w, and the dividing comes afterwards. Move d behind the eye: camera obscura again.</source>
-        <translation>Два троугла погледа са стране: од камере до равни, од камере до P. Обе висине кроз обе дужине. Предавање пише {0} за {1}, одозго; са стране је то {2}. Раван је нацртана са својим растојањем d; овде је {3}, па је {4} испред позитивно. Матрица 3 пута 3 не може да дели са z. Четири координате могу: последња врста уписује {5} у w, а дељење долази после. Померите d иза камере: опет камера опскура.</translation>
+        <translation>Два троугла погледа са стране: од камере до равни, од камере до P. Обе висине поделите обема дужинама. Предавање пише {0} за {1}, одозго; са стране је то {2}. Раван је нацртана са својим растојањем d; овде је {3}, па је {4} испред позитивно. Матрица 3 пута 3 не може да дели са z. Четири координате могу: последња врста уписује {5} у w, а дељење долази после. Померите d иза камере: опет камера опскура.</translation>
     </message>
     <message>
         <source>Frustum to cube</source>
@@ -7815,7 +8211,7 @@
     </message>
     <message>
         <source>The trick of the box once more: make it the cube, then leave z out. Let the strip run, slowly, from View over Pyramid and Box to NDC, and back. Ask what has become of straight lines: they are straight at every place of the strip. What has become of the F? The part nearer to the eye has grown. For x and y that is easily said: after dividing, the window is scaled to −1 to 1. z is the problem.</source>
-        <translation>Још једном трик са квадром: направите од ње коцку, па изоставите z. Пустите траку да полако иде од станице „Камера” преко станица „Пирамида” и „Квадар” до NDC, и назад. Питајте шта је било са правама: праве су на сваком месту траке. А са словом F? Део ближи камери је порастао. За x и y се то лако каже: после дељења прозор се скалира на −1 до 1. Невоља је z.</translation>
+        <translation>Још једном трик са квадром: направите од ње коцку, па изоставите z. Пустите траку да полако иде од станице „Камера” преко станица „Пирамида” и „Квадар” до NDC, и назад. Питајте шта је било са правама: остају праве на сваком месту траке. А са словом F? Део ближи камери је порастао. За x и y се то лако каже: после дељења прозор се скалира на −1 до 1. Невоља је z.</translation>
     </message>
     <message>
         <source>What becomes of z?</source>
@@ -7981,12 +8377,36 @@
         <translation>Од објекта до камере</translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
-        <translation>{0} се гради на исти начин: њене колоне су осе света како их види камера.</translation>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
-        <translation>Велики приказ показује координатни систем камере: камера је у координатном почетку, u удесно, v нагоре, n ка њој. Вуците траку од станице „Свет” до станице „Камера”: све се помера, а ништа не мења положај према осталом. Врсте су јој осе камере, јер је инверз матрице чије су оне колоне. Обе матрице се множе једном, а не за свако теме.</translation>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
@@ -8126,7 +8546,7 @@
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation>Ивица иде од дубине {0} до {1}. Њена тачка на {2} пута на екрану, овде {3}, има дубину {4}:</translation>
+        <translation>Ивица иде од дубине {0} до {1}. Њена тачка на делу {2} пута на екрану, овде {3}, има дубину {4}:</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
@@ -8353,7 +8773,7 @@
     </message>
     <message>
         <source>Two pictures from the same eye: in the second one d is twice as large, and all is twice as large. In the program it is the field of view that does it: {0} from 1.73 to 3.46. Nothing moves against anything else. Then end the comparison and change Distance: now near parts grow faster than far ones. As long as the camera is on a wide enough circle, all is well.</source>
-        <translation>Две слике из исте позиције камере: на другој је d двапут веће, и све је двапут веће. У програму то чини видно поље: {0} са 1.73 на 3.46. Ништа се не помера према нечем другом. Затим завршите поређење и промените „Растојање”: сада ближи делови расту брже од даљих. Докле год је камера на довољно широком кругу, све је у реду.</translation>
+        <translation>Две слике из исте позиције камере: на другој је d двапут веће, и све је двапут веће. У програму то чини видно поље: {0} са 1.73 на 3.46. Ништа се не помера у односу на друго. Затим завршите поређење и промените „Растојање”: сада ближи делови расту брже од даљих. Докле год је камера на довољно широком кругу, све је у реду.</translation>
     </message>
     <message>
         <source>Too close</source>
@@ -8464,7 +8884,7 @@
     </message>
     <message>
         <source>From another side</source>
-        <translation>Са друге стране</translation>
+        <translation>Са неке друге стране</translation>
     </message>
     <message>
         <source>You look at camera, frustum and picture from outside. Nothing changes when you walk round them.</source>

@@ -583,15 +583,15 @@
     </message>
     <message>
         <source>The camera is straight below the target and cannot look level.</source>
-        <translation>Kaamera on otse sihtpunkti all ja ei saa horisontaalselt vaadata.</translation>
+        <translation>Kaamera on otse sihtpunkti all ega saa horisontaalselt vaadata.</translation>
     </message>
     <message>
         <source>The camera stands straight above the target and cannot look level.</source>
-        <translation>Kaamera on otse sihtpunkti kohal ja ei saa horisontaalselt vaadata.</translation>
+        <translation>Kaamera on otse sihtpunkti kohal ega saa horisontaalselt vaadata.</translation>
     </message>
     <message>
         <source>The camera is at the target and cannot look at it.</source>
-        <translation>Kaamera on sihtpunktis ja ei saa seda vaadata.</translation>
+        <translation>Kaamera on sihtpunktis ega saa seda vaadata.</translation>
     </message>
     <message>
         <source>The camera would look along its own up vector.</source>
@@ -634,7 +634,7 @@
     </message>
     <message>
         <source>Your answer is kept until the end.</source>
-        <translation>Teie vastus hoitakse lõpuni alles.</translation>
+        <translation>Teie vastust hoitakse lõpuni alles.</translation>
     </message>
     <message>
         <source>Hint {0}:</source>
@@ -682,7 +682,7 @@
     </message>
     <message>
         <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
-        <translation>Näitab pilti teie arvuga mudeli arvu pildi kõrval (Alt+M)</translation>
+        <translation>Näitab teie arvuga pilti mudeli arvuga pildi kõrval (Alt+M)</translation>
     </message>
     <message>
         <source>Your idea beside the &amp;model</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
-        <translation>Kaamera telje {0} komponent maailma {1}-sihis: see liidab suurusele {2} suuruse {1}, korrutatud arvuga {3}.</translation>
+        <translation>Kaamera telje {0} komponent maailma {1}-sihis: see liidab suurusele {2} arvuga {3} korrutatud suuruse {1}.</translation>
     </message>
     <message>
         <source>The {0} of the eye, where view space has its origin.</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>It leaves the scale of {0} unchanged.</source>
-        <translation>See ei muuda mastaapi: {0}.</translation>
+        <translation>See jätab suuruse {0} mastaabi samaks.</translation>
     </message>
     <message>
         <source>It scales {0} by {2}, which reverses its direction.</source>
@@ -733,7 +733,7 @@
     </message>
     <message>
         <source>It adds {2} times {1} to {0}: a shear.</source>
-        <translation>See liidab suurusele {0} suuruse {1}, korrutatud arvuga {2}: kaldnihe.</translation>
+        <translation>See liidab suurusele {0} arvuga {2} korrutatud suuruse {1}: kaldnihe.</translation>
     </message>
     <message>
         <source>{0} does not depend on {1}.</source>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>It adds {1} times {0} to w, the divisor.</source>
-        <translation>See liidab jagajale w suuruse {0}, korrutatud arvuga {1}.</translation>
+        <translation>See liidab jagajale w arvuga {1} korrutatud suuruse {0}.</translation>
     </message>
     <message>
         <source>w does not depend on {0}.</source>
@@ -917,7 +917,7 @@
     </message>
     <message>
         <source>different shapes: side by side, at equal heights</source>
-        <translation>erinev kuju: kõrvuti, ühekõrgused</translation>
+        <translation>eri kujuga: kõrvuti, ühekõrgustena</translation>
     </message>
 </context>
 <context>
@@ -967,7 +967,7 @@
     </message>
     <message>
         <source>No camera has the typed view matrix: undo, or choose a lens.</source>
-        <translation>Ühelgi kaameral ei ole sisestatud vaatemaatriksit: võtke tagasi või valige objektiiv.</translation>
+        <translation>Sisestatud vaatemaatriks ei sobi ühelegi kaamerale: võtke tagasi või valige objektiiv.</translation>
     </message>
     <message>
         <source>animation play walk turn</source>
@@ -1096,11 +1096,11 @@
     </message>
     <message>
         <source>canonical parallel</source>
-        <translation>kanoonilistes paralleelsetes</translation>
+        <translation>kanoonilise paralleelse ruumi</translation>
     </message>
     <message>
         <source>canonical perspective</source>
-        <translation>kanoonilistes perspektiivsetes</translation>
+        <translation>kanoonilise perspektiivse ruumi</translation>
     </message>
     <message>
         <source>image</source>
@@ -1187,11 +1187,11 @@
     <name>EquationSlide</name>
     <message>
         <source>turns</source>
-        <translation>pööret</translation>
+        <translation>pöörab</translation>
     </message>
     <message>
         <source>moves</source>
-        <translation>liigutust</translation>
+        <translation>nihutab</translation>
     </message>
 </context>
 <context>
@@ -1945,7 +1945,7 @@
     </message>
     <message>
         <source>Turns the camera about its view direction; clockwise as the photographer sees it.</source>
-        <translation>Pöörab kaamerat ümber vaate suuna; fotograafi poolt nähes päripäeva.</translation>
+        <translation>Pöörab kaamerat ümber vaate suuna; fotograafi poolt vaadates päripäeva.</translation>
     </message>
     <message>
         <source>Turns the object about an axis through the origin of the tiles to its left.</source>
@@ -2164,7 +2164,7 @@
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
-        <translation>„Võta tagasi“ toob tagasi salvestamata muudatused: {0}.</translation>
+        <translation>„Võta tagasi“ toob dokumendi {0} salvestamata muudatused tagasi.</translation>
     </message>
     <message>
         <source>Where is the mesh {0} of this picture?</source>
@@ -2184,11 +2184,11 @@
     </message>
     <message>
         <source>Save over it?</source>
-        <translation>Kas salvestada selle peale?</translation>
+        <translation>Kas kirjutada see üle?</translation>
     </message>
     <message>
         <source>Save &amp;over it</source>
-        <translation>Salvesta &amp;peale</translation>
+        <translation>Kirjuta &amp;üle</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2350,7 +2350,7 @@
 An error in {3} is {2} times as large in u and v.</source>
         <translation>Nurk {3} ja vaate suuna vahel: {0}°
 |{3} × {4}| = {1}
-Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
+Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Up is only {0}° from the line of sight: up × n is nearly 0, and an error of {1}° in up turns the picture by up to {2}°.</source>
@@ -2358,7 +2358,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>No camera has the typed view matrix: these are the numbers of the previous camera. Undo, or choose a lens.</source>
-        <translation>Ühelgi kaameral ei ole sisestatud vaatemaatriksit: need on eelmise kaamera arvud. Võtke tagasi või valige objektiiv.</translation>
+        <translation>Sisestatud vaatemaatriks ei sobi ühelegi kaamerale: need on eelmise kaamera arvud. Võtke tagasi või valige objektiiv.</translation>
     </message>
     <message>
         <source>Backwards, from the target to the eye, of length 1: the camera looks along −{n}.</source>
@@ -2459,7 +2459,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>At the target, a 24-bit depth buffer cannot tell any two surfaces apart</source>
-        <translation>Sihtpunkti kaugusel ei erista 24-bitine sügavuspuhver ühtki kahte pinda</translation>
+        <translation>Sihtpunkti kaugusel ei erista 24-bitine sügavuspuhver üht pinda teisest</translation>
     </message>
     <message>
         <source>At the target, a 24-bit depth buffer separates only surfaces at least {0} apart</source>
@@ -2467,7 +2467,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>In float64 few decimals would be certain, {0} of a pixel and {1} of the depth: the numbers are computed exactly</source>
-        <translation>float64-s oleks vähe kümnendkohti kindlad, {0} piksli ja {1} sügavuse puhul: arvud arvutatakse täpselt</translation>
+        <translation>float64-s oleks kindlaid kümnendkohti vähe, pikslil {0} ja sügavusel {1}: arvud arvutatakse täpselt</translation>
     </message>
     <message>
         <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
@@ -3911,7 +3911,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Take letters of your own from a file, letters.toml</source>
-        <translation>Võtke oma tähed failist letters.toml</translation>
+        <translation>Võtab teie oma tähed failist letters.toml</translation>
     </message>
     <message>
         <source>Letters of a file</source>
@@ -4292,11 +4292,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>eye 1 000 from the origin</source>
-        <translation>silm 1 000 alguspunktist</translation>
+        <translation>silm 1 000 ühikut alguspunktist</translation>
     </message>
     <message>
         <source>eye 1 from the origin</source>
-        <translation>silm 1 alguspunktist</translation>
+        <translation>silm 1 ühik alguspunktist</translation>
     </message>
     <message>
         <source>eye first</source>
@@ -4817,6 +4817,13 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
 </context>
 <context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NumberAnswerView</name>
     <message>
         <source>Answer: {0}</source>
@@ -5199,6 +5206,13 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
         <translation>kirjuta tabelid üksteise järel; FILE nagu valikul --json</translation>
+    </message>
+</context>
+<context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Esimesena mõjub kõige alumine lüli.</translation>
     </message>
 </context>
 <context>
@@ -5616,7 +5630,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Keep this probe: the next click makes another one</source>
-        <translation>Hoia see sond alles: järgmine klõps teeb uue</translation>
+        <translation>Hoiab selle sondi alles: järgmine klõps teeb uue</translation>
     </message>
     <message>
         <source>Pin</source>
@@ -5624,7 +5638,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Remove this probe (Esc)</source>
-        <translation>Eemalda see sond (Esc)</translation>
+        <translation>Eemaldab selle sondi (Esc)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5636,7 +5650,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Remove all probes</source>
-        <translation>Eemalda kõik sondid</translation>
+        <translation>Eemaldab kõik sondid</translation>
     </message>
     <message>
         <source>Click a point in any pane to follow it from the world to its pixel; click an empty place in the image for the ray of that pixel.</source>
@@ -5736,8 +5750,16 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Filmi kaadrid on ühe suurusega: jätke crop ja width ära.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Kõik märgid on vastupidised.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5754,6 +5776,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Vastus on liiga väike, umbes {0} korda.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5796,12 +5822,24 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Arvud on õiged, aga read {0} ja {1} on vahetuses.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Vale on märk ja vale on ka suurus.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Suurus on õige, aga märk on vale.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -5821,7 +5859,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>asks for a part that {0} does not have</source>
-        <translation>küsib osa, mida seal ei ole: {0}</translation>
+        <translation>küsib osa, mida {0} ei sisalda</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it</source>
@@ -5857,7 +5895,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points</source>
-        <translation>võib lugeda komakohtadega arvudeks ({0}) või arvudeks ({1}): kasutage komakohtadeks punkti</translation>
+        <translation>võib lugeda nii, et kümnendkomaga arve on {0}, või nii, et arve on {1}: kasutage kümnendpunkti</translation>
     </message>
     <message>
         <source>cannot be moved in the scene {0}, whose objects are fixed</source>
@@ -5913,7 +5951,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation>punktipilv: punktide arv peab olema 1 kuni {1}, aga anti {0}.</translation>
+        <translation>cloud: punktide arv peab olema 1 kuni {1}, aga anti {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
@@ -5945,7 +5983,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>finds no numbers that suit, for seed {0}; the last ones were refused: {1}</source>
-        <translation>ei leia sobivaid arve, algarv {0}; viimased lükati tagasi: {1}</translation>
+        <translation>ei leia sobivaid arve, seemnearv {0}; viimased lükati tagasi: {1}</translation>
     </message>
     <message>
         <source>fps = {0}: must be from 1 to {1}.</source>
@@ -6062,6 +6100,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>has the title of a step, but no line --- above it</source>
         <translation>on sammu pealkiri, aga selle kohal ei ole rida ---</translation>
+    </message>
+    <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6265,7 +6307,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>on liiga lähedal ({0}) tasandile, mis on silmast sama kaugel kui lähitasand</translation>
+        <translation>on arvule {0} liiga lähedal, kui tasand on silmast sama kaugel kui lähitasand</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
@@ -6717,7 +6759,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must be {0} coordinates, separated by spaces</source>
-        <translation>peab olema tühikutega eraldatud koordinaadid, arvuga {0}</translation>
+        <translation>peab olema {0} koordinaati, eraldatud tühikutega</translation>
     </message>
     <message>
         <source>must be {0} finite numbers</source>
@@ -6737,7 +6779,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must begin with a seed, a whole number from 1 to {0}</source>
-        <translation>peab algama algarvuga, täisarv 1 kuni {0}</translation>
+        <translation>peab algama seemnearvuga, mis on täisarv 1 kuni {0}</translation>
     </message>
     <message>
         <source>must begin with “- [x]” if it is right, else “- [ ]”</source>
@@ -6765,7 +6807,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
-        <translation>vasakul 3 x 3 plokil peab olema pöördmaatriks: kaamera on lõpmatuses, nagu paralleelne kaamera</translation>
+        <translation>vasakpoolsel 3 x 3 plokil peab olema pöördmaatriks: kaamera on lõpmatuses, nagu paralleelne kaamera</translation>
     </message>
     <message>
         <source>must have a product with numbers up to {0} only</source>
@@ -6806,6 +6848,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>must have numbers up to {0} in size only</source>
         <translation>arvud tohivad olla suuruselt ainult kuni {0}</translation>
+    </message>
+    <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -6957,7 +7003,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>varies more than {0} numbers</source>
-        <translation>muudab arve, mille arv on suurem kui {0}</translation>
+        <translation>muudab rohkem kui {0} arvu</translation>
     </message>
     <message>
         <source>varies {0} twice</source>
@@ -7834,11 +7880,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>24 topics of the lectures, to work through alone</source>
-        <translation>Loengute 24 teemat, et need üksi läbi töötada</translation>
+        <translation>Loengute 24 teemat iseseisvaks läbitöötamiseks</translation>
     </message>
     <message>
         <source>The five lectures, to present to a class</source>
-        <translation>Viis loengut, et neid klassile esitleda</translation>
+        <translation>Viis loengut klassile esitlemiseks</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -8029,7 +8075,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Added as step {0} of {1}</source>
-        <translation>Lisatud: samm {0} / {1}</translation>
+        <translation>Lisatud sammuna {0} faili {1}</translation>
     </message>
     <message>
         <source>Talks and lessons (*.md)</source>
@@ -8210,20 +8256,27 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Kas see lüli on korrutises</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Vii korrutises vasakule: mõjub hiljem</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Vii paremale: mõjub varem</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Eemalda see</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>telg</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Kas see lüli on korrutises</translation>
     </message>
 </context>
 <context>
@@ -8506,7 +8559,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Choose half floats, products alone.</source>
-        <translation>Valige poolujuk, ainult korrutised.</translation>
+        <translation>Valige pooltäpsed ujukomaarvud, ainult korrutised.</translation>
     </message>
     <message>
         <source>Choose the box: which come, which go?</source>
@@ -8778,7 +8831,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Focal distance s</source>
-        <translation>Fookuse kaugus s</translation>
+        <translation>Teravustamiskaugus s</translation>
     </message>
     <message>
         <source>Focus on the post at 10 m.</source>
@@ -8830,7 +8883,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>From which distance on does P stand still?</source>
-        <translation>Mis kaugusest alates P seisab?</translation>
+        <translation>Mis kaugusest alates P paigal püsib?</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -8862,7 +8915,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Half-way on the screen is not half-way in the world: along an edge 1/w is linear on the screen, and so is s/w, but s is not. If a texture is interpolated linearly (affine), it bends at the diagonal of every quadrangle. Smaller triangles hide this. Twice as many parts leave more than a quarter of the error while they are few, and a quarter in the limit.</source>
-        <translation>Poolel teel ekraanil ei ole poolel teel maailmas: piki serva on ekraanil lineaarne 1/w ja samuti s/w, aga mitte s. Kui tekstuuri interpoleeritakse lineaarselt (afiinselt), murdub see iga nelinurga diagonaalil. Väiksemad kolmnurgad peidavad seda. Kui osi on vähe, jätab kaks korda suurem osade arv alles rohkem kui neljandiku veast, piiril neljandiku.</translation>
+        <translation>Poolel teel ekraanil ei ole poolel teel maailmas: piki serva on ekraanil lineaarne 1/w ja samuti s/w, aga mitte s. Kui tekstuuri interpoleeritakse lineaarselt (afiinselt), murdub see iga nelinurga diagonaalil. Väiksemad kolmnurgad peidavad seda. Kui osi on vähe, jätab kaks korda suurem osade arv alles rohkem kui neljandiku veast, piirjuhul täpselt neljandiku.</translation>
     </message>
     <message>
         <source>Hardware</source>
@@ -9374,7 +9427,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The synthetic camera has a point as its lens, and its whole picture is sharp. A real lens draws only points at the focal distance as points, and all others as discs. Between the two limits the discs are no larger than the circle of confusion and pass for points: sharp posts are outlined. The picture is the average of pinhole pictures from all over the lens, and becomes finer while nothing changes. One world unit is 1 m.</source>
-        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid fookuse kaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
+        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
     </message>
     <message>
         <source>Toe the cameras in: is P still level?</source>
@@ -9458,7 +9511,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Walk round it: drag the azimuth.</source>
-        <translation>Kõndige ringi ümber: lohistage asimuuti.</translation>
+        <translation>Kõndige selle ümber: lohistage asimuuti.</translation>
     </message>
     <message>
         <source>Way back</source>
@@ -10002,7 +10055,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation>poolujuk</translation>
+        <translation>pooltäpsed ujukomaarvud</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
@@ -10422,7 +10475,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
-        <translation>kahe ruudustiku sammud</translation>
+        <translation>kahe ruudustiku astmed</translation>
     </message>
     <message>
         <source>stretch</source>
@@ -10506,7 +10559,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the eye lies in the seam, or the seam behind it: its picture has no width</source>
-        <translation>silm on õmblusel või õmblus selle taga: selle kujutisel ei ole laiust</translation>
+        <translation>silm on õmblusel või on õmblus selle taga: selle kujutisel ei ole laiust</translation>
     </message>
     <message>
         <source>the far plane is at infinity: nothing pops in</source>
@@ -10518,7 +10571,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image</source>
-        <translation>fookuse kaugus {0} m ei ole suurem kui fookuskaugus {1} m: nii lähedasel asjal kujutist ei ole</translation>
+        <translation>teravustamiskaugus {0} m ei ole suurem kui fookuskaugus {1} m: nii lähedasel asjal kujutist ei ole</translation>
     </message>
     <message>
         <source>the image on the plane</source>

@@ -1874,7 +1874,7 @@
     </message>
     <message>
         <source>Roll</source>
-        <translation>Nagib</translation>
+        <translation>Zakret</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -4057,7 +4057,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Depth gap over the distance</source>
-        <translation>Razmak dubina kroz udaljenost</translation>
+        <translation>Razmak dubina ovisno o udaljenosti</translation>
     </message>
     <message>
         <source>Detail</source>
@@ -4720,7 +4720,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>What errors are drawn over: time, or bytes, the same on every machine</source>
-        <translation>Nad čime se crtaju pogreške: nad vremenom ili nad bajtovima, koji su isti na svakom računalu</translation>
+        <translation>U ovisnosti o čemu se crtaju pogreške: o vremenu ili o bajtovima, koji su isti na svakom računalu</translation>
     </message>
     <message>
         <source>Time</source>
@@ -4815,6 +4815,13 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Dismiss this message</source>
         <translation>Uklanja ovu poruku</translation>
+    </message>
+</context>
+<context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4931,7 +4938,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
-        <translation>crta pogreške nad vremenom ili nad bajtovima, koji su isti na svakom računalu</translation>
+        <translation>crta pogreške u ovisnosti o vremenu ili o bajtovima, koji su isti na svakom računalu</translation>
     </message>
     <message>
         <source>draw every step of a talk, or print it with its notes</source>
@@ -5200,6 +5207,13 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
         <translation>zapisuje tablice, jednu za drugom; FILE kao kod --json</translation>
+    </message>
+</context>
+<context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Pločica na dnu djeluje prva.</translation>
     </message>
 </context>
 <context>
@@ -5738,8 +5752,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kadrovi filma imaju istu veličinu: izostavite crop i width.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Svi su predznaci obrnuti.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5756,6 +5778,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Premalo je, za faktor oko {0}.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5798,12 +5824,24 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Brojevi su točni, ali su retci {0} i {1} zamijenjeni.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Predznak je pogrešan, a i veličina.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Veličina je točna, ali je predznak pogrešan.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6066,6 +6104,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ima naslov koraka, ali bez retka --- iznad sebe</translation>
     </message>
     <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
         <translation>ima premalo varijanti, oko {0}; treba ih bar {1}</translation>
     </message>
@@ -6263,7 +6305,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation>ne odgovara nijednom uzorku u bloku „test”</translation>
+        <translation>nije ishod nijednog uzorka u bloku „test”</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
@@ -6808,6 +6850,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must have numbers up to {0} in size only</source>
         <translation>mora imati samo brojeve veličine do {0}</translation>
+    </message>
+    <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -8212,20 +8258,27 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Ima li umnožak ovu pločicu</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Pomiče je u umnošku ulijevo: djeluje kasnije</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Pomiče je udesno: djeluje ranije</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Uklanja je</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>os</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Ima li umnožak ovu pločicu</translation>
     </message>
 </context>
 <context>
@@ -8412,7 +8465,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>A wall of two</source>
-        <translation>Zid od dva</translation>
+        <translation>Zid od dva ekrana</translation>
     </message>
     <message>
         <source>AB drawn wrongly</source>
@@ -8556,7 +8609,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Cone (the eye&apos;s own)</source>
-        <translation>Stožac (onaj oka)</translation>
+        <translation>Stožac (vidno polje oka)</translation>
     </message>
     <message>
         <source>Contrast left by fog</source>
@@ -9288,11 +9341,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Simpler from</source>
-        <translation>Jednostavnija od</translation>
+        <translation>Jednostavnija nakon</translation>
     </message>
     <message>
         <source>Simplest from</source>
-        <translation>Najjednostavnija od</translation>
+        <translation>Najjednostavnija nakon</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -9780,7 +9833,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation>d nad w, 32 koda</translation>
+        <translation>d u ovisnosti o w, 32 koda</translation>
     </message>
     <message>
         <source>depth of field</source>

@@ -193,11 +193,11 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation>Као систе&amp;м</translation>
+        <translation>Као у систе&amp;му</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation>Као систем</translation>
+        <translation>Као у систему</translation>
     </message>
     <message>
         <source>Back to &amp;all panes</source>
@@ -499,7 +499,7 @@
     </message>
     <message>
         <source>degrees per second</source>
-        <translation>степена у секунди</translation>
+        <translation>степени у секунди</translation>
     </message>
     <message>
         <source>Height</source>
@@ -709,15 +709,15 @@
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
-        <translation>{1} компонента осе камере {0} у свету: додаје {3} пута {1} на {2}.</translation>
+        <translation>Компонента {1} осе {0} камере у координатном систему света: додаје {3} пута {1} на {2}.</translation>
     </message>
     <message>
         <source>The {0} of the eye, where view space has its origin.</source>
-        <translation>{0} позиције камере, где је почетак координатног система камере.</translation>
+        <translation>Координата {0} позиције камере, где је почетак координатног система камере.</translation>
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
-        <translation>{1} компонента осе камере {0} у свету.</translation>
+        <translation>Компонента {1} осе {0} камере у координатном систему света.</translation>
     </message>
     <message>
         <source>It scales {0} by {2}.</source>
@@ -1108,7 +1108,7 @@
     </message>
     <message>
         <source>normalized device</source>
-        <translation>нормализоване координате уређаја</translation>
+        <translation>нормализоване (NDC)</translation>
     </message>
     <message>
         <source>view</source>
@@ -1188,11 +1188,11 @@
     <name>EquationSlide</name>
     <message>
         <source>turns</source>
-        <translation>окретања</translation>
+        <translation>окреће</translation>
     </message>
     <message>
         <source>moves</source>
-        <translation>померања</translation>
+        <translation>помера</translation>
     </message>
 </context>
 <context>
@@ -1526,11 +1526,11 @@
     </message>
     <message>
         <source>units</source>
-        <translation>јединице</translation>
+        <translation>јединица</translation>
     </message>
     <message>
         <source>world units</source>
-        <translation>јединице света</translation>
+        <translation>јединица света</translation>
     </message>
     <message>
         <source>mm</source>
@@ -1538,7 +1538,7 @@
     </message>
     <message>
         <source>millimetres</source>
-        <translation>милиметри</translation>
+        <translation>милиметара</translation>
     </message>
     <message>
         <source>px</source>
@@ -1546,7 +1546,7 @@
     </message>
     <message>
         <source>pixels</source>
-        <translation>пиксели</translation>
+        <translation>пиксела</translation>
     </message>
     <message>
         <source>×</source>
@@ -1710,7 +1710,7 @@
     </message>
     <message>
         <source>Drag this corner (Shift: both sides)</source>
-        <translation>Превуците овај угао (Shift: обе стране)</translation>
+        <translation>Превуците овај угао прозора (Shift: обе стране)</translation>
     </message>
     <message>
         <source>Drag to change the field of view</source>
@@ -1722,7 +1722,7 @@
     </message>
     <message>
         <source>Drawn length of a line perpendicular to the picture, relative to its true length: 1 is a cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its place in the picture.</source>
-        <translation>Нацртана дужина праве управне на слику, у односу на њену праву дужину: 1 је кавалјер, 0.5 кабинет, 0 ортографски цртеж. Циљ остаје на свом месту на слици.</translation>
+        <translation>Нацртана дужина праве управне на слику, у односу на њену стварну дужину: 1 је кавалјер, 0.5 кабинет, 0 ортографски цртеж. Циљ остаје на свом месту на слици.</translation>
     </message>
     <message>
         <source>Elevation</source>
@@ -1750,7 +1750,7 @@
     </message>
     <message>
         <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
-        <translation>Жижна даљина у висинама пиксела: други дијагонални елемент матрице K. Једнака fx ако су пиксели квадратни.</translation>
+        <translation>Жижна даљина у висинама пиксела: други дијагонални елемент матрице K. Једнака је fx ако су пиксели квадратни.</translation>
     </message>
     <message>
         <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
@@ -1874,7 +1874,7 @@
     </message>
     <message>
         <source>Roll</source>
-        <translation>Нагиб</translation>
+        <translation>Бочни нагиб</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -2086,7 +2086,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>кружење нагиб</translation>
+        <translation>кружење бочни нагиб</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -2106,7 +2106,7 @@
     </message>
     <message>
         <source>times the true length</source>
-        <translation>пута права дужина</translation>
+        <translation>пута стварна дужина</translation>
     </message>
     <message>
         <source>vectors look at</source>
@@ -2515,7 +2515,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A corner</source>
-        <translation>Угао</translation>
+        <translation>Угао прозора</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
@@ -2539,7 +2539,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A side of a lens with a window</source>
-        <translation>Страна објектива са прозором</translation>
+        <translation>Страна прозора, код објектива са прозором</translation>
     </message>
     <message>
         <source>A small step; Home and End go to its ends</source>
@@ -2575,7 +2575,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Change the field of view, or that corner of a lens with a window; with Shift, both sides</source>
-        <translation>Мења видно поље, или тај угао објектива са прозором; уз Shift, обе стране</translation>
+        <translation>Мења видно поље или, код објектива са прозором, тај угао прозора; уз Shift, обе стране</translation>
     </message>
     <message>
         <source>Change the value, with Ctrl or when the slider has the focus</source>
@@ -2791,7 +2791,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Помера их дуж смера погледа; и за страну, где сцена има њихове контроле</translation>
+        <translation>Помера их дуж смера погледа; хватањем и за саму страну, где сцена има њихове контроле</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -2883,7 +2883,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Present on the full screen, in letters for the back row; again to end</source>
-        <translation>Излагање на целом екрану, словима за последњи ред; поново за крај</translation>
+        <translation>Излагање на целом екрану, словима видљивим из последњег реда; поново за крај</translation>
     </message>
     <message>
         <source>Presenting</source>
@@ -3115,7 +3115,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{L}, held</source>
-        <translation>{L}, држи се</translation>
+        <translation>{L}, док се држи</translation>
     </message>
     <message>
         <source>{N}</source>
@@ -4085,7 +4085,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Fewer digits for each vertex: the corners move.</source>
-        <translation>Мање цифара за свако теме: углови се померају.</translation>
+        <translation>Мање цифара за свако теме: темена се померају.</translation>
     </message>
     <message>
         <source>Fewer samples in a pixel: edges become stairs.</source>
@@ -4309,7 +4309,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>far is at least 4 near</source>
-        <translation>задња раван је на бар 4 растојања предње</translation>
+        <translation>растојање задње равни је бар 4 растојања предње</translation>
     </message>
     <message>
         <source>fast inverse root</source>
@@ -4373,7 +4373,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>near is at most far / 4</source>
-        <translation>предња раван је највише на задња / 4</translation>
+        <translation>растојање предње равни је највише (растојање задње) / 4</translation>
     </message>
     <message>
         <source>no edge of the scene&apos;s box is in the picture</source>
@@ -4389,7 +4389,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>none</source>
-        <translation>ништа</translation>
+        <translation>нема</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -4525,7 +4525,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>the smallest gap at the target (at 2 near or far / 2 if it lies outside)</source>
-        <translation>најмањи размак код циља (на 2 предње или задња / 2 ако циљ лежи изван)</translation>
+        <translation>најмањи размак код циља (на 2 растојања предње равни, или на растојању задње / 2, ако циљ лежи изван)</translation>
     </message>
     <message>
         <source>the smallest gap behind a surface at this distance</source>
@@ -4818,6 +4818,13 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
 </context>
 <context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NumberAnswerView</name>
     <message>
         <source>Answer: {0}</source>
@@ -4979,7 +4986,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
-        <translation>у LaTeX-у: ширина текста или стубца, као 84mm, у mm, cm, in или pt (подразумевано: 345pt, текст класе article)</translation>
+        <translation>у LaTeX-у: ширина текста или ступца, као 84mm, у mm, cm, in или pt (подразумевано: 345pt, текст класе article)</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
@@ -5200,6 +5207,13 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
         <translation>упиши табеле, једну за другом; FILE као за --json</translation>
+    </message>
+</context>
+<context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Плочица на дну делује прва.</translation>
     </message>
 </context>
 <context>
@@ -5738,8 +5752,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Кадрови филма имају исту величину: изоставите опсецање и ширину.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Сви предзнаци су обрнути.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5756,6 +5778,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Премало је, и то приближно {0} пута.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5798,12 +5824,24 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Бројеви су тачни, али су врсте {0} и {1} замењене.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Предзнак је погрешан, а и величина.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Величина је тачна, али је предзнак погрешан.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6064,6 +6102,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>has the title of a step, but no line --- above it</source>
         <translation>има наслов корака, али нема реда --- изнад</translation>
+    </message>
+    <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6810,6 +6852,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да има само бројеве по величини до {0}</translation>
     </message>
     <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>мора да има три броја за сваку ротацију, која има три или девет</translation>
     </message>
@@ -7201,7 +7247,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Overwrite it?</source>
-        <translation>Преписати?</translation>
+        <translation>Преписати је?</translation>
     </message>
 </context>
 <context>
@@ -8212,20 +8258,27 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Да ли производ садржи ову плочицу</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Помери је улево у производу: делује касније</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Помери је удесно: делује раније</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Уклони је</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>оса</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Да ли производ садржи ову плочицу</translation>
     </message>
 </context>
 <context>
@@ -8244,7 +8297,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>{0} страна са {1} делова по ивици премного је троуглова за цртање: слика има {2} делова</translation>
+        <translation>премного је троуглова за цртање (број страна: {0}, делова по ивици: {1}): на слици је број делова {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -8348,7 +8401,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>3-point</source>
-        <translation>са 3 недогледа</translation>
+        <translation>3 недогледа</translation>
     </message>
     <message>
         <source>3-point perspective</source>
@@ -8376,7 +8429,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A camera turns by 1° a frame: each frame multiplies its axes by the same small turn, and every product is rounded. After 360° it should be home. The pale picture is the true one, and beside it is what the camera sees: one matrix product a frame instead of two sines has its price. Every tenth frame the axes can be renormalised, which repairs their lengths and right angles, but not their direction.</source>
-        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истим малим окретањем, и сваки производ се заокружује. После 360° требало би да буде тамо где је почела. Бледа слика је права, а поред ње је оно што камера види: један производ матрица по кадру уместо два синуса има своју цену. Сваки десети кадар осе могу да се поново нормирају, што поправља њихове дужине и праве углове, али не и смер.</translation>
+        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истим малим окретањем, и сваки производ се заокружује. После 360° требало би да буде тамо где је почела. Бледа слика је тачна, а поред ње је оно што камера види: један производ матрица по кадру уместо два синуса има своју цену. Сваки десети кадар осе могу да се поново нормирају, што поправља њихове дужине и праве углове, али не и смер.</translation>
     </message>
     <message>
         <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
@@ -8396,7 +8449,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A point behind the eye has w &lt; 0, and the divide by w mirrors its image. With one end behind, AB is then drawn along the wrong part of its line, because the right part goes through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004, or in homogeneous coordinates, which need no such number.</source>
-        <translation>Тачка иза камере има w &lt; 0, и дељење са w пресликава њену слику као у огледалу. Ако је један крај иза, AB се црта дуж погрешног дела своје праве, јер прави део пролази кроз бесконачност. Зато AB мора да се одсече пре дељења: на z = −0.01 као у предавању 004, или у хомогеним координатама, којима такав број није потребан.</translation>
+        <translation>Тачка иза камере има w &lt; 0, и дељење са w пресликава њену слику као у огледалу. Ако је један крај иза, AB се црта дуж погрешног дела своје праве, јер исправни део пролази кроз бесконачност. Зато AB мора да се одсече пре дељења: на z = −0.01 као у предавању 004, или у хомогеним координатама, којима такав број није потребан.</translation>
     </message>
     <message>
         <source>A shadow is a projection with its centre in the light: the matrix S draws the object once more, in one colour. For the sun, a light at infinity with w = 0, the projection is parallel. Parts of the object above a lamp have w &lt; 0. Unless they are clipped, they are drawn on the other side of the lamp as an anti-shadow.</source>
@@ -8704,7 +8757,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Drawn length of a receding edge relative to its true length, in the free drawing</source>
-        <translation>Нацртана дужина ивице по дубини у односу на праву дужину, у слободном цртежу</translation>
+        <translation>Нацртана дужина ивице по дубини у односу на стварну дужину, у слободном цртежу</translation>
     </message>
     <message>
         <source>Draws distant trees with fewer vertices</source>
@@ -9264,7 +9317,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Seen by</source>
-        <translation>Види је</translation>
+        <translation>Чиме се гледа</translation>
     </message>
     <message>
         <source>Set far to 1000: how far off is the floor?</source>
@@ -9684,7 +9737,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
-        <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двоструко већи</translation>
+        <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двапут толико</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -10696,7 +10749,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>true distance w</source>
-        <translation>право растојање w</translation>
+        <translation>стварно растојање w</translation>
     </message>
     <message>
         <source>truncated cone</source>
