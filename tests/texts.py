@@ -31,6 +31,8 @@ from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
 TRANSLATED = [each for each in LANGUAGES if each not in (ENGLISH, "sr-Latn")]
+QT_TEXTS = {"OK", "Save", "Cancel", "Close", "Discard", "&Yes", "&No"}
+"""Buttons that Qt itself names, in languages that it has no texts in."""
 EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
@@ -144,6 +146,7 @@ def source() -> str:
             ("Actions", menu_texts()),
             ("Options", command_texts()),
             ("Spoken", SPOKEN),
+            ("QPlatformTheme", QT_TEXTS),
             *sentence_texts(),
             *wording_texts(),
         )
@@ -170,7 +173,8 @@ def update(folder: Path = TRANSLATIONS) -> None:
             page.write_text(text, encoding="utf-8")
             for language in TRANSLATED:
                 file = folder / f"{part}_{language}.ts"
-                given = [*more, page, "-locations", "none", "-no-obsolete", "-source-language", "en"]
+                given = [*more, page, "-locations", "none", "-no-obsolete"]
+                given += ["-source-language", "en"]
                 tool = [Path(sys.executable).with_name("pyside6-lupdate"), *given]
                 tool += ["-target-language", language, "-ts", file]
                 subprocess.run(tool, check=True, capture_output=True)
