@@ -11,19 +11,25 @@ import math
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
-from functools import partial
 from itertools import groupby
 from typing import Any
 
 import numpy as np
 
 from app.languages import translate, with_comma
-from app.measure.results import GAPS, ChartPoint, Measurements, Sweep, Trade, named, plain
+from app.measure.results import (
+    GAPS,
+    ChartPoint,
+    Measurements,
+    Sweep,
+    Trade,
+    named,
+    of_measure,
+    plain,
+)
 from app.model import parameters
 from app.model.refusal import MEASURE, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
-
-_tr = partial(translate, context="Measure")
 
 ENDINGS = (".png", ".svg", ".pdf")  # the formats of `widgets.parts.chart_picture`
 TITLES = SENTENCES["Measure/titles"]
@@ -45,8 +51,8 @@ _HEIGHT = 0.07  # distance of the bars along the top, in parts of the chart
 def title(part: Trade | Sweep) -> str:
     """Return the title of a trade or sweep, marked if it was cancelled."""
     name = part.name if isinstance(part, Trade) else part.parameter
-    text = _tr(TITLES[name])
-    return text if part.complete else _tr(MEASURE["cancelled-title"]).format(text)
+    text = of_measure(TITLES[name])
+    return text if part.complete else of_measure(MEASURE["cancelled-title"]).format(text)
 
 
 def remark(trade: Trade) -> str:
@@ -90,7 +96,7 @@ def seen(results: Measurements) -> str:
         unit = "°" if name.endswith("_deg") else ""
         field = translate(parameters.TITLES.get(name, name), "Field").lower()
         kind.append(f"{field} {with_comma(short(value))}{unit}")
-    return _tr(MEASURE["seen"]).format(
+    return of_measure(MEASURE["seen"]).format(
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
     )  # fmt: skip
@@ -184,13 +190,13 @@ def _of_trade(
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
-        named_now = _tr(MEASURE["current"]).format(_common(placed[:1]))  # not its neighbours
+        named_now = of_measure(MEASURE["current"]).format(_common(placed[:1]))  # not its neighbours
         spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
             ": ".join(filter(None, (title(trade), remark(trade)))),
             tuple(curves), *across, *up,
-            _tr((_BYTES if paid else _ACROSS)[trade.name]), _tr(_UP[trade.name]),
+            of_measure((_BYTES if paid else _ACROSS)[trade.name]), of_measure(_UP[trade.name]),
             x_log=not memory, y_log=True, spots=tuple(spots),
         ),
     )  # fmt: skip
@@ -216,7 +222,7 @@ def _tip(trade: Trade, choice: ChartPoint) -> str:
     name = named(choice.name)
     cost, error = plain(choice.cost, 3), plain(choice.error, 3)
     said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
-    why = "" if choice.use else _tr(MEASURE["measured-only"]).format(name)
+    why = "" if choice.use else of_measure(MEASURE["measured-only"]).format(name)
     return "; ".join(filter(None, (said, named(choice.note), why)))
 
 
@@ -270,8 +276,8 @@ def _of_sweep(sweep: Sweep, other: Sweep | None, other_name: str) -> tuple[Diagr
         text = title(sweep)
         charts.append(
             Diagram(
-                text, tuple(curves), *across, *up, _tr(label),
-                _tr(_UP["depth"] if gaps else MEASURE["error-px"]),
+                text, tuple(curves), *across, *up, of_measure(label),
+                of_measure(_UP["depth"] if gaps else MEASURE["error-px"]),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip

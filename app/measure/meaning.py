@@ -1,12 +1,8 @@
 """One sentence that states the result of a trade."""
 
-from functools import partial
-
-from app.languages import translate, with_comma
-from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
+from app.languages import with_comma
+from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, of_measure, plain
 from app.model.refusal import MEASURE, SENTENCES
-
-_tr = partial(translate, context="Measure")
 
 GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
     "arithmetic": 0.01,
@@ -71,7 +67,8 @@ def meaning(trade: Trade) -> str:
             parts.append((equal_in, (cheapest_one.name, others)))
         parts += [(MEASURE["doubtful"], (doubt,)) for doubt in trade.doubts]
     said = " ".join(
-        _tr(template).format(*(named(value) for value in values)) for template, values in parts
+        of_measure(template).format(*(named(value) for value in values))
+        for template, values in parts
     )
     return with_comma(said)
 
@@ -153,10 +150,10 @@ def bargain(trade: Trade, choice: ChartPoint) -> str:
         template = MEASURE["as-dear"]
     error = choice.error if choice.predicted is None else max(choice.predicted, choice.error)
     off = MEASURE["measured"] if choice.predicted is None else MEASURE["predicted"]
-    off = _tr(MEASURE["separates"] if trade.name == "depth" else off)
+    off = of_measure(MEASURE["separates"] if trade.name == "depth" else off)
     off = off.format(f"{_plain(error)} {named(trade.error_unit)}")
     names = (named(each) for each in (choice.name, usual))
-    return with_comma(_tr(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off))
+    return with_comma(of_measure(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off))
 
 
 def _price(trade: Trade, choice: ChartPoint) -> str:

@@ -41,7 +41,8 @@ from app.languages import translate, with_comma
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.refusal import MEASURE, REFUSALS, SENTENCES, Refusal
 
-_tr = partial(translate, context="Measure")
+of_measure = partial(translate, context="Measure")
+"""Translate a text of this room."""
 
 FORMAT = "frustum-lab-measurements"
 VERSION = 2
@@ -410,13 +411,13 @@ def named(name: str) -> str:
     def part(text: str) -> str:
         numbers = re.findall(r"(?<![A-Za-z\d])\d+(?![\dA-Za-z.])", text)
         if numbers and text.replace(numbers[0], "{0}") in WORDS:
-            return _tr(text.replace(numbers[0], "{0}")).format(numbers[0])
-        return _tr(text) if text in WORDS else text
+            return of_measure(text.replace(numbers[0], "{0}")).format(numbers[0])
+        return of_measure(text) if text in WORDS else text
 
     parts = name.split(", ")
     if any(part(text) != text for text in parts):
         return with_comma(", ".join(map(part, parts)))
-    return with_comma(_tr(name)) if name else name
+    return with_comma(of_measure(name)) if name else name
 
 
 def plain(value: float | None, digits: int) -> str:

@@ -218,7 +218,7 @@ def test_a_sweep_s_values_have_four_digits_or_all(monkeypatch: pytest.MonkeyPatc
     assert head == ["fov, °", "a", JUDGED]
     assert [row[0] for row in rows] == ["179", "179.999999999995", "179.999999999999"]
     with monkeypatch.context() as patch:
-        patch.setattr(results, "_tr", {"fov": "kut"}.__getitem__)
+        patch.setattr(results, "of_measure", {"fov": "kut"}.__getitem__)
         assert named(head[0]) == "kut, °"
     values = (0.0316227766017, 1234567.0, 2.5)
     swept = sweep("near", values, {"a": curve((1 / 3,) * 3, ("",) * 3)})

@@ -99,7 +99,7 @@ def test_a_trade_has_a_chart_a_sentence_and_names_that_are_translated(
     assert len(diagram.spots) == sum(choice.cost is not None for choice in trade.choices)
     assert "No choice is cheaper" in meaning(trade)
     assert "instead of" in bargain(trade, trade.choices[-1])
-    monkeypatch.setattr(results, "_tr", lambda text: f"<{text}>")
+    monkeypatch.setattr(results, "of_measure", lambda text: f"<{text}>")
     for choice in trade.choices:
         assert named(choice.name).count("<") >= 1
 

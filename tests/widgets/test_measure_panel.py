@@ -519,7 +519,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(
         looked_up.append(text)
         return text.upper()
 
-    monkeypatch.setattr(kept, "_tr", translate)
+    monkeypatch.setattr(kept, "of_measure", translate)
     projection, scene = document.projection, load("letter-f")
     trades = [
         arithmetic.measure(projection, scene.corners, scene.origin, seconds=0.01),
@@ -537,7 +537,9 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(
             said = kept.named(part)
             assert own.fullmatch(part) or set(looked_up) <= set(kept.WORDS), part
             assert own.fullmatch(part) or (looked_up and said == said.upper()), part
-    monkeypatch.setattr(kept, "_tr", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__)
+    monkeypatch.setattr(
+        kept, "of_measure", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__
+    )
     assert kept.named("affine, 4 pieces") == "afina, 4 kom."
 
 

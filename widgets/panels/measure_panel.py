@@ -41,6 +41,7 @@ from app.measure.results import (
     Sweep,
     Trade,
     named,
+    of_measure,
     table,
     to_csv,
     to_json,
@@ -60,7 +61,7 @@ from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.icons import icon
 from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
-from widgets.parts.messages import all_digits, of_measurements, sentence
+from widgets.parts.messages import all_digits, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.wording import Wording
@@ -158,7 +159,7 @@ class MeasurePanel(DiagramPanel):
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         WORDS.name(self.list, "list")
         for name, title in chart.TITLES.items():
-            item = QListWidgetItem(of_measurements(title), self.list)
+            item = QListWidgetItem(of_measure(title), self.list)
             item.setData(_NAME, name)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._withdraw_refusal)
@@ -294,7 +295,7 @@ class MeasurePanel(DiagramPanel):
             self.words.pop(name, None)
         self.measured |= measured
         if cancelled:
-            said = of_measurements(CANCELLED)
+            said = of_measure(CANCELLED)
         for name in missing:
             self.words[name] = said
             if not cancelled:  # after a cancellation, older results stay
@@ -542,4 +543,4 @@ class MeasurePanel(DiagramPanel):
         """Say why the panes cannot use a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
-        return of_measurements(MEASURE["measured-only"]).format(named(choice.name))
+        return of_measure(MEASURE["measured-only"]).format(named(choice.name))
