@@ -301,9 +301,7 @@ def _diagram(
 PHENOMENON = Phenomenon.of(
     WORDS,
     start=Projection(
-        Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)),
-        Perspective(48.0, 4.0, 20.0),
-        (320, 240),
+        Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)), Perspective(48.0, 4.0, 20.0), (320, 240)
     ),
     geometry=_geometry,
     show=_show,

@@ -147,9 +147,7 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
 PHENOMENON = Phenomenon.of(
     WORDS,
     start=Projection(
-        Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)),
-        Perspective(40.0, 5.0, 15.0),
-        (1920, 1080),
+        Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)), Perspective(40.0, 5.0, 15.0), (1920, 1080)
     ),
     geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
     show=_show,
