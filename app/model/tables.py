@@ -70,52 +70,34 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
 TO_PYRAMID = "canonical_perspective_from_view"
 """The name of the first step of a lens whose projectors meet in the eye."""
 
-DEPTH_RANGE = PipelineStep(
-    "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range
-    (
-        (
-            "translation",
-            matrix("""
-                1  0  0  0
-                0  1  0  0
-                0  0  1  z_n
-                0  0  0  1
-            """),
-        ),
-        (
-            "scale",
-            matrix("""
-                1  0  0          0
-                0  1  0          0
-                0  0  z_n - z_f  0
-                0  0  0          1
-            """),
-        ),
-    ),
-)
+DEPTH_RANGE = PipelineStep("depth_range_from_canonical_parallel", (  # lecture 001's M_z
+    ("translation", matrix("""
+        1  0  0  0
+        0  1  0  0
+        0  0  1  z_n
+        0  0  0  1
+    """)),
+    ("scale", matrix("""
+        1  0  0          0
+        0  1  0          0
+        0  0  z_n - z_f  0
+        0  0  0          1
+    """)),
+))  # fmt: skip
 """Maps z = 0 at near and -1 at far to the depth range's ends, z_n and z_f."""
 
-VIEWPORT = PipelineStep(
-    "image_from_ndc",  # lecture 002's
-    (
-        (
-            "scale",
-            matrix("""
-                W/2  0     0              0
-                0    -H/2  0              0
-                0    0     1/(1 - z_low)  0
-                0    0     0              1
-            """),
-        ),
-        (
-            "translation",
-            matrix("""
-                1  0  0  1
-                0  1  0  -1
-                0  0  1  -z_low
-                0  0  0  1
-            """),
-        ),
-    ),
-)
+VIEWPORT = PipelineStep("image_from_ndc", (  # lecture 002's
+    ("scale", matrix("""
+        W/2  0     0              0
+        0    -H/2  0              0
+        0    0     1/(1 - z_low)  0
+        0    0     0              1
+    """)),
+    ("translation", matrix("""
+        1  0  0  1
+        0  1  0  -1
+        0  0  1  -z_low
+        0  0  0  1
+    """)),
+))  # fmt: skip
 """Maps to pixels of an image W wide and H high, and to a depth that is 0 at the lower end of z."""
