@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import atexit
 import contextlib
+import functools
 import gc
+import importlib
 import inspect
 import itertools
 import os
@@ -68,6 +70,19 @@ def pytest_configure(config: pytest.Config) -> None:
         environment = stack.enter_context(screens(count))
         os.environ.clear()
         os.environ.update(environment)
+
+
+def pytest_collection(session: pytest.Session) -> None:
+    """Let every second process import the tests backwards.
+
+    In a fresh checkout pytest rewrites the assertions of each file: so each process does half.
+    """
+    config = session.config
+    if config.args_source == pytest.Config.ArgsSource.TESTPATHS and _worker[-1:] in (*"1357",):
+        for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
+            name = ".".join(path.relative_to(config.rootpath).with_suffix("").parts)
+            with contextlib.suppress(Exception):  # pytest says so when it comes to the file
+                importlib.import_module(name)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -170,16 +185,19 @@ def make_window(
     """Open main windows; after the test all are closed and no interactor survives.
 
     Edges stay as they are while one drags, and labels do not fade, unless a test is marked as
-    `smooth`.
+    `smooth`: then windows are smaller.
     """
     from app.document.document import Document
     from app.scenes.scene import load
     from tests.support.opened import close, opened
     from widgets.panes import adaptive
+    from widgets.window import main_window
     from widgets.window.settings import Settings
 
     is_smooth = request.node.get_closest_marker("smooth") is not None
-    if not is_smooth:
+    if is_smooth:  # quickly drawn
+        monkeypatch.setattr(main_window, "AT_FIRST_PX", (main_window.FOLDS_BELOW_PX, 560))
+    else:
         monkeypatch.setattr(adaptive, "AT_REST", "none")
     windows: list[Any] = []
 
@@ -230,8 +248,9 @@ LACKING = {
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     """Run first what takes longest alone; skip what this system cannot do, and say what that is."""
     items.sort(key=lambda item: item.path.name != "test_quality.py")
-    lacking = re.compile(LACKING.get(sys.platform, "(?!)"))
-    for item in items:
-        text = inspect.getsource(item.function) if isinstance(item, pytest.Function) else ""
-        if (named := lacking.search(text)) and "sys.platform" not in text:
+    lacking = LACKING.get(sys.platform)
+    source_of = functools.cache(inspect.getsource)  # once for all cases of a test
+    for item in items if lacking else ():
+        text = source_of(item.function) if isinstance(item, pytest.Function) else ""
+        if (named := re.search(lacking, text)) and "sys.platform" not in text:
             item.add_marker(pytest.mark.skip(reason=f"needs {named[0]}"))

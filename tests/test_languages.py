@@ -12,8 +12,7 @@ from app import languages
 from app.lessons.course import contained, ideas
 from app.lessons.lesson import head_of, read
 from app.lessons.translating import in_language
-from app.model.limits import AT_LEAST
-from app.model.refusal import Refusal
+from app.model.refusal import REFUSALS, Refusal
 
 
 @pytest.fixture(autouse=True)
@@ -94,7 +93,7 @@ def test_a_lesson_is_the_same_in_every_language() -> None:
 
 
 def test_a_refusal_speaks_the_language() -> None:
-    error = Refusal("near", 0.0, AT_LEAST, 1)
+    error = Refusal("near", 0.0, REFUSALS["at-least"], 1)
     before = str(error)
     languages.choose("hr")
     assert str(error) != before and str(error).startswith("near = 0: ")

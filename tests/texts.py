@@ -81,6 +81,22 @@ def sentence_texts() -> list[tuple[str, set[str]]]:
     ]
 
 
+def wording_texts() -> list[tuple[str, set[str]]]:
+    """The texts of the pages of `Wording`, each of which belongs to a module beside its folder."""
+    from widgets.parts.wording import SENTENCES, Wording
+
+    texts = []
+    for module in sorted((ROOT / "widgets").rglob("*.py")):
+        if "Wording(__file__)" in module.read_text(encoding="utf-8"):
+            wording = Wording(str(module))
+            context, *headings = wording.sections
+            of_page = {heading.partition(" {#")[0] for heading in headings} - {SENTENCES}
+            for each in wording.sections.values():
+                of_page.update(each.text, *(text.split(" | ") for text in each.named.values()))
+            texts.append((context, of_page))
+    return texts
+
+
 def command_texts() -> set[str]:
     """What ``--help`` says of the commands, their words and their options."""
     return {
@@ -127,6 +143,7 @@ def source() -> str:
             ("Actions", menu_texts()),
             ("Options", command_texts()),
             *sentence_texts(),
+            *wording_texts(),
         )
         for text in sorted(texts)
     )

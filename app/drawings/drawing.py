@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, ClassVar, NamedTuple
 
-from app.lecture.highlight import NOTHING, Highlight
+from app.lecture.highlight import Highlight
 from app.lecture.stages import standing_at
 from app.model.chain import Chain
 from app.model.projection import Array, Camera, Projection, Vector
@@ -120,13 +120,10 @@ class Drawing:
         way = (projection.placement, standing.placement) if beside else None
         is_carried = way != self._way
         self._way = way
-        self.show_ghosts(beside)
+        self.state.ghosts = beside
         self.show_projection(standing, illustration)
         if is_carried:
             self.show_probes(self._probes)
-
-    def show_ghosts(self, chains: Sequence[Chain]) -> None:
-        """Show pale objects moved by other chains."""
 
     def show_detail(self, fewer: Scene | None) -> None:
         """Use the faces of a scene with fewer triangles; None for all. Then show a projection."""
@@ -159,11 +156,6 @@ class Drawing:
 
     def _show_named(self) -> None:
         """Show what is named now, and place its labels."""
-
-    def highlight_at(self, x_px: float, y_px: float) -> Highlight:
-        """Return what the pointer takes at a pixel, counted from the pane's top left."""
-        taken = self.handles.at((x_px, y_px))
-        return NOTHING if taken is None else taken.about
 
     @property
     def precision(self) -> Precision:
@@ -213,11 +205,6 @@ class Drawing:
         """Adjust the drawing after the pane's camera was moved from outside."""
 
     # -- on the way from one state to another
-
-    @property
-    def pose(self) -> Pose | None:
-        """Where the pane's camera stands; None if the drawing has no camera of its own."""
-        return None if self.own is None else self.own.pose
 
     def begin_glide(self, start: Pose) -> None:
         """Begin a way from another pose to the present one."""

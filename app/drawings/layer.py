@@ -32,7 +32,7 @@ from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import textured
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import Highlight
-from app.model.projection import Array, Projection
+from app.model.projection import Array, Chain, Projection
 from app.picking.picking import Probe
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
@@ -153,6 +153,7 @@ class PaneState:
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()
+        self.ghosts: Sequence[Chain] = ()  # the moves of pale objects beside the object on its way
 
     @property
     def marked(self) -> Illustration | None:

@@ -65,10 +65,11 @@ class SceneInWorld(FacesLayer):
             self.actors.show_moved(not state.projection.placement.is_identity)
             self._faces_space.set(state.local_from_object)
             self.lift_lines()
+        if state.ghosts or self._beside:
+            self._show_ghosts(state.ghosts)
         super().show()
 
-    def show_ghosts(self, chains: Sequence[Chain]) -> None:
-        """Show pale copies of the objects, moved by these chains."""
+    def _show_ghosts(self, chains: Sequence[Chain]) -> None:
         state = self._state
         while len(self._ghosts) < len(chains):
             ghost = SceneActors(state.scene.apart[0], state.style)
@@ -162,10 +163,6 @@ class WorldDrawing(Drawing):
         if view != self.own.fixed:
             self.own.fixed = view
             self.reset_view()
-
-    def show_ghosts(self, chains: Sequence[Chain]) -> None:
-        self.state.is_on_the_way = bool(chains)
-        self._scene.show_ghosts(chains)
 
     def show_object_axes(self, wanted: bool) -> None:
         if wanted != self.axes.is_wanted:

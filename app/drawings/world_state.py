@@ -145,7 +145,6 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.is_on_the_way = False  # whether the object has made only its first moves
         self._place(scene.start.placement)
         self.standing = self._stand(scene.start.camera)
         self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)
@@ -259,7 +258,7 @@ class WorldState(PaneState):
     @property
     def unseen(self) -> frozenset[str]:
         """The things without names and handles, because they are not drawn."""
-        unseen = {"object"} if self.is_on_the_way else set[str]()
+        unseen = {"object"} if self.ghosts else set[str]()
         if "frustum" in self.hidden or self.step is not None:
             # They would cover the arrows of the construction.
             unseen |= {*ENDS, "corner", *WINDOW}

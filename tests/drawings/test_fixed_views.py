@@ -21,6 +21,7 @@ from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.drawings.world_state import half_of
 from app.lecture.typed_matrix import with_cell
+from app.model.limits import vector
 from app.model.projection import Array, Camera, Frustum, Orthographic, Projection
 from app.picking.handles import TARGET, dragged
 from app.picking.picking import Probe
@@ -741,3 +742,19 @@ def test_the_distance_at_which_half_the_picture_is_one(off_screen: MakeScreen) -
     drawing.show_names(None)
     screen.pixels()
     assert "1" not in boxes_of(screen)
+
+
+@pytest.mark.parametrize(("behind", "foremost"), [(4.0, "near"), (-90.0, "far")])
+def test_of_two_planes_at_a_pixel_the_foremost_is_taken(
+    off_screen: MakeScreen, behind: float, foremost: str
+) -> None:
+    drawing = made(off_screen(*SIZE_PX))
+    u, v, n = START.camera.frame
+    eye = np.array(START.camera.eye) + behind * n + 0.5 * u + 0.5 * v
+    drawing.show_view(Camera(vector(eye), START.camera.target))
+    corners = drawing.state.volume.corners[:4] + drawing.state.origin
+    shares = [(0.3, 0.3), (0.3, 0.7), (0.7, 0.3), (0.7, 0.7)]
+    sides = corners[1] - corners[0], corners[3] - corners[0]
+    spots = drawing.sight.seen([corners[0] + x * sides[0] + y * sides[1] for x, y in shares])
+    taken = [drawing.handles.at(tuple(spot)) for spot in spots.tolist()]
+    assert [each and each.handle.name for each in taken] == [foremost] * 4

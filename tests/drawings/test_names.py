@@ -25,7 +25,7 @@ from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
 from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, drawn, off_screen, texts_of, to_bytes
+from tests.support.drawings import MakeScreen, drawn, lit_at, off_screen, texts_of, to_bytes
 
 __all__ = ["off_screen"]
 
@@ -123,7 +123,7 @@ def test_where_a_hand_takes_hold_of_the_target_the_target_is_pointed_at(
     """And not the side of the volume before it."""
     drawing = opened(off_screen(*PANE_PX), live=True)
     x, y = dict(drawing.handles.shown)[Handle("target")]
-    assert drawing.highlight_at(x, y) == {"target"}
+    assert lit_at(drawing, x, y) == {"target"}
 
 
 def test_named_axes_of_a_moved_object_are_in_the_picture(off_screen: MakeScreen) -> None:

@@ -10,6 +10,7 @@ from app import strangers
 from app.bootstrap import ROOT
 from app.strangers import decode
 from tests.house.test_imports import read, sources
+from tests.support.sources import nodes_of
 
 HOME = "app/strangers.py"
 OWN = {
@@ -30,7 +31,7 @@ OWN = {
 def other_ways(source: str) -> list[str]:
     """The calls in a source file that turn bytes into text."""
     found = []
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes_of(source):
         if not isinstance(node, ast.Call):
             continue
         called, given = ast.unparse(node.func), {word.arg for word in node.keywords}
@@ -51,7 +52,7 @@ def unstated(source: str) -> list[int]:
     """
     return [
         node.lineno
-        for node in ast.walk(ast.parse(source))
+        for node in nodes_of(source)
         if isinstance(node, ast.Call)
         and isinstance(node.func, ast.Attribute)
         and len(node.args) == {"read_text": 0, "write_text": 1}.get(node.func.attr)

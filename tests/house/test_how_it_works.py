@@ -6,6 +6,7 @@ import ast
 import re
 
 from app.bootstrap import ROOT
+from tests.support.sources import nodes_of
 
 PAGE = (ROOT / "docs" / "how-it-works.md").read_text(encoding="utf-8")
 
@@ -14,7 +15,7 @@ def test_every_name_of_the_page_exists() -> None:
     """A class as `Store`, a method as `Store.set_document`, a file by its path."""
     classes: dict[str, set[str]] = {}
     for path in [*(ROOT / "app").rglob("*.py"), *(ROOT / "widgets").rglob("*.py")]:
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in nodes_of(path.read_text(encoding="utf-8")):
             if isinstance(node, ast.ClassDef):
                 for part in ast.walk(node):
                     named = {getattr(part, name, None) for name in ("name", "attr", "id")}

@@ -17,6 +17,7 @@ import pytest
 from app.bootstrap import ROOT
 from app.model.lenses import LENSES, FreeMatrix
 from app.python_packages import requirements
+from tests.support.sources import nodes_of
 
 VTK = ("vtkmodules",)
 QT = ("PySide6",)
@@ -135,7 +136,7 @@ def imports(path: str, source: str) -> list[tuple[str, int, bool]]:
         for child in ast.iter_child_nodes(node):
             visit(child, late)
 
-    visit(ast.parse(source), False)
+    visit(nodes_of(source)[0], False)
     return found
 
 
@@ -218,7 +219,7 @@ def questions(source: str) -> list[str]:
     classes = {"Lens", "ClosedForm", "Central", "Parallel", "Windowed"}
     classes |= {lens.__name__ for lens in (*LENSES.values(), FreeMatrix)}
     found = []
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes_of(source):
         if isinstance(node, ast.Attribute) and node.attr == "parallel":
             found.append(ast.unparse(node))
         elif isinstance(node, ast.Call) and ast.unparse(node.func) == "isinstance":

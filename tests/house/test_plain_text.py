@@ -6,6 +6,7 @@ import ast
 from pathlib import Path
 
 from app.bootstrap import ROOT
+from tests.support.sources import nodes_of
 
 HOME = "widgets/parts/plain.py"
 #: What takes a text that looks like HTML for HTML, or loads what it names.
@@ -20,7 +21,7 @@ NAMED = {"QMessageBox", "QTextDocument"}
 def faults(path: str, source: str) -> list[str]:
     """What in a source file shows text by another way, one sentence each."""
     found = []
-    for node in ast.walk(ast.parse(source)):
+    for node in nodes_of(source):
         if isinstance(node, ast.ImportFrom):
             names = {alias.name for alias in node.names} & (MADE - NAMED)
             found += [f"{path}:{node.lineno}: {name}" for name in sorted(names)]

@@ -17,6 +17,7 @@ from xml.etree import ElementTree
 from app.bootstrap import ROOT
 from app.model.refusal import SENTENCES
 from tests import texts
+from tests.support.sources import nodes_of
 
 SOURCES = sorted(path for folder in ("app", "widgets") for path in (ROOT / folder).rglob("*.py"))
 
@@ -69,7 +70,7 @@ def test_lupdate_finds_every_string(tmp_path: Path) -> None:
     written = {
         text
         for path in sources
-        for text in translated(ast.parse(Path(path).read_text(encoding="utf-8")), "")
+        for text in translated(nodes_of(Path(path).read_text(encoding="utf-8"))[0], "")
     }
     assert len(found) > 1000
     assert written == found
@@ -79,7 +80,7 @@ def test_every_refusal_can_be_translated() -> None:
     """Its bound is none that is made on the spot: the rest is mypy's, which knows a `Bound`."""
     refusals, makers = 0, []
     for path in SOURCES:
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in nodes_of(path.read_text(encoding="utf-8")):
             if not isinstance(node, ast.Call):
                 continue
             called, place = ast.unparse(node.func), f"{path.name}, line {node.lineno}"
@@ -99,7 +100,7 @@ def test_every_sentence_of_the_page_is_used_and_every_one_that_is_used_is_there(
     sections = {"REFUSALS": "Refusal"} | {name.upper(): name for name in SENTENCES}
     used, lists = set(), set()
     for path in SOURCES:
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        for node in nodes_of(path.read_text(encoding="utf-8")):
             if isinstance(node, ast.Subscript) and isinstance(node.value, ast.Name):
                 name, key = node.value.id, getattr(node.slice, "value", "Refusal")
                 if name == "SENTENCES":
@@ -135,7 +136,7 @@ def test_frozen_values_are_hashable() -> None:
     found, count = [], 0
     for path in SOURCES:
         source = path.read_text(encoding="utf-8")
-        for node in ast.walk(ast.parse(source)) if "frozen=True" in source else ():
+        for node in nodes_of(source) if "frozen=True" in source else ():
             if not isinstance(node, ast.ClassDef) or "frozen=True" not in ast.unparse(node):
                 continue
             module = ".".join(path.relative_to(ROOT).with_suffix("").parts)
@@ -184,7 +185,7 @@ def test_tests_use_no_private_names() -> None:
     """Tests use only public names, except of classes and functions that they define themselves."""
     found = {}
     for path in sorted((ROOT / "tests").rglob("*.py")):
-        nodes = list(ast.walk(ast.parse(path.read_text(encoding="utf-8"))))
+        nodes = nodes_of(path.read_text(encoding="utf-8"))
         own = {node.name for node in nodes if isinstance(node, (ast.FunctionDef, ast.ClassDef))}
         own |= {
             node.attr
@@ -203,7 +204,7 @@ def test_no_two_classes_share_a_name() -> None:
     homes = collections.defaultdict[str, list[str]](list)
     for folder in ("app", "widgets"):
         for path in sorted((ROOT / folder).rglob("*.py")):
-            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            for node in nodes_of(path.read_text(encoding="utf-8")):
                 if isinstance(node, ast.ClassDef):
                     homes[node.name.lstrip("_")].append(str(path.relative_to(ROOT)))
     assert {name: places for name, places in homes.items() if len(places) > 1} == {}
@@ -214,7 +215,7 @@ def test_no_name_says_only_that_something_was_found() -> None:
     vague = {
         f"{path.name}: {name}"
         for path in SOURCES
-        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        for node in nodes_of(path.read_text(encoding="utf-8"))
         for name in (getattr(node, "id", ""), getattr(node, "arg", ""), getattr(node, "name", ""))
         if isinstance(name, str) and name.strip("_") in ("found", "outs", "ways")
     }

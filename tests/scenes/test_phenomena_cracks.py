@@ -21,6 +21,11 @@ AT_FIVE = replace(START, camera=Camera((0.0, 0.0, 5.0), (0.0, 0.0, 0.0)))
 shown = showing(PHENOMENON, subject_of(PHENOMENON))
 
 
+def test_the_boxes_are_as_wide_as_the_page_says() -> None:
+    settings = PHENOMENON.checked({})
+    assert (settings["left"], settings["right"]) == SIZES
+
+
 def nearest(value: float, lower: float, step: Fraction) -> Fraction:
     """The place of a grid that is nearest to a coordinate."""
     return Fraction(lower) + step * round((Fraction(value) - Fraction(lower)) / step)

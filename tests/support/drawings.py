@@ -25,6 +25,7 @@ from app.drawings.label import LabelActor, SceneLabel
 from app.drawings.off_screen import take_screen
 from app.drawings.picture_frame import UNFRAMED
 from app.drawings.style import LIGHT, rgb
+from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Projection
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena.illustration import Illustration
@@ -77,6 +78,12 @@ def labels_of(*renderers: Any) -> dict[str, SceneLabel]:
         if isinstance(prop, LabelActor) and prop.GetVisibility()
     ]
     return {label.text: label for label in labels if label is not None}
+
+
+def lit_at(drawing: Any, x_px: float, y_px: float) -> Highlight:
+    """What lights up under a pointer, counted from the pane's top left."""
+    taken = drawing.handles.at((x_px, y_px))
+    return NOTHING if taken is None else taken.about
 
 
 def boxes_of(screen: Any) -> dict[str, Box]:

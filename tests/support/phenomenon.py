@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from app.model.parameter import Parameter, Settings, number, point
+from app.model.parameter import Settings, number, point
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
@@ -61,6 +61,14 @@ What this is about. It has two sentences.
 
 ## Try
 
+## Settings
+- gap: 2 low=1e-3 high=1e3 unit=mm logarithmic
+- turn: 0 low=-180 high=180 unit=° per_second=90
+- count: 40 low=1 high=64 whole per_second=4
+- kind: a
+- correct: yes
+- light: 1,3.6,3
+
 ## Gap {#gap}
 Between the two
 
@@ -88,14 +96,6 @@ EVERYTHING = Phenomenon(
     SIMILAR_TRIANGLES.start,
     SIMILAR_TRIANGLES.geometry,
     _show,
-    (
-        Parameter("gap", 2.0, 1e-3, 1e3, unit="mm", logarithmic=True),
-        Parameter("turn", 0.0, -180.0, 180.0, unit="°", per_second=90.0),
-        Parameter("count", 40.0, 1.0, 64.0, whole=True, per_second=4.0),
-        Parameter("kind", "a"),
-        Parameter("correct", True),
-        Parameter("light", (1.0, 3.6, 3.0)),
-    ),
     controls=("lens.near", "camera.distance"),
     follow=_follow,
     check=_check,

@@ -46,10 +46,10 @@ def activate(window: QWidget) -> None:
     raise AssertionError(f"{window} does not become active")
 
 
-def present(window: MainWindow) -> None:
-    """Present, on the whole screen as a window manager would have it."""
+def present(window: MainWindow, room: QRect | None = None) -> None:
+    """Present, on the whole screen as a window manager would have it, or in less room."""
     window.present.begin()
-    give_room(window, window.screen().geometry())
+    give_room(window, room or window.screen().geometry())
 
 
 def give_room(window: MainWindow, geometry: QRect) -> None:

@@ -20,6 +20,7 @@ from app.lecture.notation import letters_in, matrices
 from app.lecture.stages import VIEW, WORLD
 from app.model.projection import DEPTH_RANGES, LENSES, Camera, Perspective, Projection
 from app.scenes.scene import load
+from tests.support.drawings import lit_at
 from tests.support.frustum import corners_world
 from tests.support.samples import pairwise
 from tests.support.window import (
@@ -488,7 +489,7 @@ def test_extreme_cameras_and_lenses_can_be_hovered(window: MainWindow) -> None:
         for name, pane in window.panes.items():
             width, height = pane.canvas.width(), pane.canvas.height()
             for x, y in product(range(5, width, 60), range(5, height, 60)):
-                highlighted = pane.drawing.highlight_at(x, y)  # type: ignore[union-attr]
+                highlighted = lit_at(pane.drawing, x, y)  # type: ignore[union-attr]
                 known = {*PLANES, *CORNERS, *"uvn", "eye", "target", "fov"}
                 assert made_of(highlighted) <= known, name
 

@@ -19,6 +19,7 @@ from app.drawings.frame import axes_reach
 from app.model.chain import Chain, FiveTiles
 from app.scenes.scene import load
 from tests.support.controls import enter
+from tests.support.drawings import lit_at
 from tests.support.window import move_mouse, pixels, settle, show_scene
 from widgets.controls.chain_editor import ChainEditor
 from widgets.parts.number_rows import NumberRow
@@ -139,7 +140,7 @@ def test_l2_a_column_highlights_its_axis_and_an_axis_its_column(window: MainWind
         [math.cos(math.radians(30.0)), 0.0, -math.sin(math.radians(30.0))]
     )
     ((x, y),) = spots(window, 0.6 * way)
-    assert "object_x" in drawing.highlight_at(x, y)
+    assert "object_x" in lit_at(drawing, x, y)
     before = pixels(window, "world")
     assert drawing.show_highlight(frozenset({"object_x"}))
     window.panes["world"].canvas.redraw()

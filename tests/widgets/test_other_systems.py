@@ -87,7 +87,6 @@ sys.exit(cli.main(sys.argv[1:]))
     "words",
     [
         "export OUT --set scene=focus",
-        "--screenshot OUT --canvas raster --set scene=letter-f",
         "--screenshot OUT --canvas raster --set scene=depth-buffer",
     ],
 )

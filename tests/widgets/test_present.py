@@ -33,7 +33,7 @@ from app.document.settings import set_values
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import NOTHING
-from tests.support.drawings import labels_of
+from tests.support.drawings import labels_of, lit_at
 from tests.support.layout import cut
 from tests.support.window import (
     LEFT,
@@ -603,7 +603,7 @@ def test_a_flat_view_stays_flat_and_its_planes_can_be_dragged_anywhere(window: M
     on_far = QPoint(*(upper + 0.37 * (lower - upper)).astype(int).tolist())
     middle = QPoint(*corners.mean(axis=0).astype(int).tolist()) + QPoint(0, 35)
     move_mouse(pane.canvas, middle, NO_BUTTON)
-    assert drawing.highlight_at(middle.x(), middle.y()) == NOTHING, "it would be all of the slide"
+    assert lit_at(drawing, middle.x(), middle.y()) == NOTHING, "it would be all of the slide"
     for start, moves in ((on_far, True), (middle, False)):
         before = window.store.document.projection.lens
         QTest.mousePress(pane.canvas, LEFT, pos=start)

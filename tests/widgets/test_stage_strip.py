@@ -543,7 +543,7 @@ def test_the_moves_of_the_object_are_stops_before_the_world(window: MainWindow) 
             settle()
             shown = window.panes["world"].drawing.state
             places[turned, stop] = shown.projection.placement.text
-            assert shown.is_on_the_way == (stop < 0.0)
+            assert bool(shown.ghosts) == (stop < 0.0)
         assert places[turned, 0.0] == "translate 2,0,0; rotate z 90; off mirror x"
         strip.direction.click()
     assert (places[False, -1.0], places[True, -1.0]) == ("rotate z 90", "translate 2,0,0")

@@ -15,13 +15,16 @@ from PySide6.QtTest import QTest
 from app.document.document import Document
 from app.lecture.highlight import NOTHING, WINDOW, Highlight
 from app.scenes.scene import BUILT_IN
+from tests.support.drawings import lit_at
 from tests.support.window import LEFT, Highlighted, MakeWindow, move_mouse, settle, show_scene
 from widgets.window.main_window import MainWindow
 
 POINT_PX, EDGE_PX = 12.0, 9.0
 """So near to a point or an edge, another place is not free."""
-PLACES = 10 if "ALL_SCENES" in os.environ else 4
-GRID_PX, TRIES = 14, 2
+PLACES = 10 if "ALL_SCENES" in os.environ else 3
+GRID_PX = {"world": 14, "ndc": 20, "image": 20}
+"""So near that nothing that lights up lies between; only the world has small grips."""
+TRIES = 2
 SIDES = {"left": (0, 3), "right": (1, 2), "bottom": (0, 1), "top": (3, 2)}
 SAMPLE: tuple[str, ...] = (
     "letter-f",
@@ -204,7 +207,6 @@ def drag_from(
         move_mouse(canvas, at + QPoint(round(part * way[0]), round(part * way[1])), LEFT)
         moved |= model(window.store.document) != model(before)
     QTest.mouseRelease(canvas, LEFT, pos=at + QPoint(*way))
-    settle()
     if window.store.document != before:
         window.store.undo()
     window.panes[pane].reset_view()  # a drag may have framed it anew
@@ -215,11 +217,11 @@ def drag_from(
 def groups(window: MainWindow, pane: str) -> dict[Highlight, list[tuple[int, int]]]:
     """Places of a pane, on a grid, by what lights up under the pointer there."""
     canvas, places = window.panes[pane].canvas, dict[Highlight, list[tuple[int, int]]]()
-    for x in range(7, canvas.width() - 7, GRID_PX):
-        for y in range(50, canvas.height() - 7, GRID_PX):
+    for x in range(7, canvas.width() - 7, GRID_PX[pane]):
+        for y in range(50, canvas.height() - 7, GRID_PX[pane]):
             drawing = window.panes[pane].drawing
             assert drawing is not None
-            places.setdefault(drawing.highlight_at(x + 0.5, y + 0.5), []).append((x, y))
+            places.setdefault(lit_at(drawing, x + 0.5, y + 0.5), []).append((x, y))
     return places
 
 
@@ -271,7 +273,7 @@ def test_what_lights_up_is_dragged_and_nothing_else(make_window: MakeWindow, nam
             for i in random.permutation(len(places))[: TRIES if lit else 3 * TRIES]:
                 x, y = places[i]
                 move_mouse(pane.canvas, QPoint(x, y), Qt.MouseButton.NoButton)
-                about = pane.drawing.highlight_at(x + 0.5, y + 0.5)
+                about = lit_at(pane.drawing, x + 0.5, y + 0.5)
                 is_lit = highlighted.now == about != NOTHING
                 has_own = pane.canvas.cursor().shape() != pane.cursor().shape()
                 ways = ((28, 9), (-9, 28)) if about else ((28, 9),)

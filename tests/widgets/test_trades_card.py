@@ -189,11 +189,10 @@ def test_the_keyboard_is_enough(window: MainWindow) -> None:
     assert window.cover is None and window.store.document.scene == "interpolation"
 
 
-@pytest.mark.undrawn
 @pytest.mark.parametrize("scene", BUILT_IN)
 def test_precision_opens_with_a_chart_in_every_scene(make_window: MakeWindow, scene: str) -> None:
     """It is that of the trade which the scene shows, or else that of arithmetic."""
-    window = make_window(Document(scene, load(scene).start))
+    window = make_window(Document(scene, load(scene).start), drawn=False)
     window.panels.open(window.measure_panel)
     settle()
     panel = window.measure_panel

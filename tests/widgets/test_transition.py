@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtCore import QRect
 from pytestqt.qtbot import QtBot
 
 from app.drawings.pane_view import Pose
@@ -75,7 +76,7 @@ def window(window: MainWindow, talk: Path) -> MainWindow:
     window.settings.reduce_motion = False
     assert window.lessons.open(talk)
     activate(window)
-    present(window)
+    present(window, QRect(0, 0, 1366, 768))  # quickly drawn
     return window
 
 

@@ -22,7 +22,9 @@ from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import limits_text, sentence
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 HeightMode: TypeAlias = Literal["fixed", "swing", "steps"]
 LookMode: TypeAlias = Literal["target", "level"]
 
@@ -139,41 +141,12 @@ class AnimationBar(QWidget, Playing):
         self._show_error("")
 
     def _make_widgets(self) -> None:
-        self.button = tool_button(self.tr("Play"), act=self.toggle, icon="play")
+        self.button = tool_button(WORDS.say("play"), act=self.toggle, icon="play")
         self._error = WarningLabel()
-        self.speed = NumberRow(
-            self.tr("Speed"),
-            self.tr("Angle per second of the walk round the vertical through the target; below 0"
-                    " the camera walks the other way."),
-            Linear(-90.0, 90.0, 1.0), self.tr("°/s"), self.tr("degrees per second"),
-        )  # fmt: skip
-        self.height_mode = ChoiceRow(
-            self.tr("Height"),
-            self.tr("How the eye's y changes during the walk (the exercise of lecture 004)."),
-            (
-                Option("fixed", self.tr("fixed"), self.tr("The eye keeps its y.")),
-                Option("swing", self.tr("swinging smoothly"),
-                       self.tr("The eye's y swings between the lowest and the highest value.")),
-                Option("steps", self.tr("in steps"),
-                       self.tr("The eye's y jumps to the next of four values every 2 seconds.")),
-            ),
-        )  # fmt: skip
-        self.lowest, self.highest = (
-            NumberRow(name, tip, Linear(-10.0, 10.0, 0.1), self.tr("units"), self.tr("world units"))
-            for name, tip in (
-                (self.tr("Lowest"), self.tr("The lowest y of the eye while its height changes.")),
-                (self.tr("Highest"), self.tr("The highest y of the eye while its height changes.")),
-            )
-        )
-        self.look = ChoiceRow(
-            self.tr("Look"),
-            self.tr("Where the camera looks during the walk."),
-            (
-                Option("target", self.tr("at the target"), self.tr("The target stays in place.")),
-                Option("level", self.tr("level"),
-                       self.tr("The target gets the eye's y: the camera looks horizontally.")),
-            ),
-        )  # fmt: skip
+        self.speed = _number("speed", Linear(-90.0, 90.0, 1.0))
+        heights = (_number(key, Linear(-10.0, 10.0, 0.1)) for key in ("lowest", "highest"))
+        self.lowest, self.highest = heights
+        self.height_mode, self.look = map(_choice, ("height", "look"))
         self.rows: tuple[Row, ...] = (
             self.speed, self.height_mode, self.lowest, self.highest, self.look
         )  # fmt: skip
@@ -257,12 +230,12 @@ class AnimationBar(QWidget, Playing):
         """Say why the walk stopped, without the numbers of a camera that nobody chose."""
         if error.bound == REFUSALS["not-the-eye"] and self._motion.look == "level":
             if self._start is not None and self._start.eye[1] < self._start.target[1]:
-                return self.tr("The camera is straight below the target and cannot look level.")
-            return self.tr("The camera stands straight above the target and cannot look level.")
+                return WORDS.say("below")
+            return WORDS.say("above")
         if error.bound == REFUSALS["not-the-eye"]:
-            return self.tr("The camera is at the target and cannot look at it.")
+            return WORDS.say("at-target")
         if error.bound == REFUSALS["not-parallel"]:
-            return self.tr("The camera would look along its own up vector.")
+            return WORDS.say("along-up")
         return sentence(error)
 
     # -- where the walk is
@@ -331,17 +304,22 @@ class AnimationBar(QWidget, Playing):
     # -- shown
 
     def _show_state(self) -> None:
-        word = self._name_button(
-            "{0}",
-            self.tr("Walk round the target, as in the exercise of lecture 004."),
-            self.tr("Pause here; playing continues from here."),
-        )
+        word = self._name_button("{0}", WORDS.say("walk"), WORDS.say("pause"))
         self.button.setText(word)
         for row in (self.lowest, self.highest):
             row.setVisible(self.height_mode.value() != "fixed")
         self.walked.emit(self._turn())
 
     def _show_error(self, text: str) -> None:
-        stopped = self.tr("Stopped.")
-        self._error.setText(f"{stopped} {text}" if text else "")
+        self._error.setText(f"{WORDS.say('stopped')} {text}" if text else "")
         self._error.setVisible(bool(text))
+
+
+def _number(key: str, scale: Linear) -> NumberRow:
+    name, tip, unit, said = WORDS[key]
+    return NumberRow(name, tip, scale, unit, said)
+
+
+def _choice(key: str) -> ChoiceRow:
+    name, tip = WORDS[key]
+    return ChoiceRow(name, tip, [Option(*each) for each in WORDS.choices(key)])

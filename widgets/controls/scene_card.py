@@ -33,7 +33,9 @@ from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import Changed, Readable, ShownData
 from widgets.parts.plain import show_tip
 from widgets.parts.section import GAP_PX
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 WORD = 16  # longest word that fits the narrowest dock
 TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
@@ -74,20 +76,8 @@ class SceneCard(QWidget, RowHolder):
         self.warning = RefusalLabel()
         self.readout = Readout()
         self.readout.highlighted.connect(partial(self.highlighted.emit, "reading"))
-        self.use_mesh = tool_button(
-            self.tr("My mesh…"),
-            self.tr("Replace the scene's own objects with a mesh from a file"),
-            name=self.tr("My mesh"), by_click=True,
-        )  # fmt: skip
-        self.remove_mesh = tool_button(
-            self.tr("Own objects"), self.tr("Restore the scene's own objects"),
-            name=self.tr("Own objects"), by_click=True,
-        )  # fmt: skip
-        self.explanation = tool_button(
-            self.tr("Explanation…"),
-            self.tr("Show what the scene is about, its lectures and its diagrams, below the panes"),
-            name=self.tr("Explanation and diagrams"), by_click=True,
-        )  # fmt: skip
+        buttons = (WORDS.tool(k, by_click=True) for k in ("use_mesh", "remove_mesh", "explanation"))
+        self.use_mesh, self.remove_mesh, self.explanation = buttons
         self.comparisons: list[QToolButton] = []
         self._offered: dict[QWidget, bool] = {}
         self._rows = in_column(gap=GAP_PX)
@@ -255,7 +245,7 @@ class SceneCard(QWidget, RowHolder):
         discard(self._rows, self.rows.values())
         self.rows = {}
         for setting in settings:
-            row = make_row(setting, none=self.tr("none of these"))
+            row = make_row(setting, none=WORDS.say("none"))
             self.rows[setting.name] = row
             row.edited.connect(partial(self._edit, setting.name))
             self._join(row)
@@ -272,8 +262,7 @@ class SceneCard(QWidget, RowHolder):
         self.comparisons = []
         for comparison in comparisons:
             names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
-            about = self.tr("Compare: {0}").format(names.replace(" | ", ", "))
-            tip = self.tr("Show these pictures side by side, enlarged")
+            about, tip = WORDS.say("compare", names.replace(" | ", ", ")), WORDS.say("beside")
             button = tool_button(
                 names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
                 icon="compare", name=about, by_click=True,
@@ -339,7 +328,7 @@ class SceneCard(QWidget, RowHolder):
         readings = () if illustration is None else illustration.readings
         self.readout.show_readings([self._with_count(r) if r.counted else r for r in readings])
         has_diagrams = illustration is not None and bool(illustration.diagrams)
-        self.explanation.setText(self.tr("Diagrams…") if has_diagrams else self.tr("Explanation…"))
+        self.explanation.setText(WORDS.say("diagrams") if has_diagrams else WORDS["explanation"][0])
         warning = self._problem if illustration is None else illustration.warning or self._problem
         why = "" if warning is None else full_sentence(warning.sentence(of_phenomena, read_text))
         self.warning.show_text(why)
@@ -365,9 +354,7 @@ class SceneCard(QWidget, RowHolder):
                 if why:
                     without_effect.add(name)
                 elif values[name] is None and not isinstance(row, ChoiceRow):
-                    why = self.tr(
-                        "The lens does not have this value: choose one of the above first."
-                    )
+                    why = WORDS.say("no-value")
             if why != self._why_not.get(row, ""):
                 for part in (row, *row.findChildren(QWidget)):
                     self._why_not[part] = why
@@ -387,9 +374,9 @@ class SceneCard(QWidget, RowHolder):
         other = next(other for other in self._phenomenon.settings if other.name == name)
         label = of_phenomena(other.title)
         if isinstance(wanted, bool):
-            return self.tr("Only with “{0}” switched on.").format(label)
+            return WORDS.say("switched", label)
         text = of_phenomena(dict(other.choices)[str(wanted)])
-        return self.tr("Only with “{0}”: {1}.").format(label, text)
+        return WORDS.say("only", label, text)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden

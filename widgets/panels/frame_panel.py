@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QEnterEvent, QHideEvent, QShowEvent
-from PySide6.QtWidgets import QPushButton, QSizePolicy, QWidget
+from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from app.lecture.camera_frame import (
     STEPS,
@@ -39,7 +39,9 @@ from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.scales import Linear
 from widgets.parts.typeset import TypesetLabel, in_line, matrix, resized
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 STEP_MS = 2500  # time for reading each step while playing
 NUDGE_DEG = 0.1
 CLOSE_DEG = 1.0  # up counts as close to the view direction up to this angle
@@ -71,7 +73,7 @@ class FramePanel(Panel):
 
     def __init__(self) -> None:
         super().__init__()
-        self.setAccessibleName(self.tr("Camera frame"))
+        self.setAccessibleName(WORDS.say("panel"))
         self.step = 0  # index into `app.lecture.camera_frame.STEPS`
         self._projection = Projection()
         self._highlight = NOTHING
@@ -79,19 +81,13 @@ class FramePanel(Panel):
         self._timer = QTimer(self, interval=STEP_MS)
         self._timer.timeout.connect(self._play_on)
 
-        self.back = _button(
-            self.tr("Back"), self.tr("One step back"), lambda: self.go_to(self.step - 1)
-        )
-        self.next = _button(
-            self.tr("Next"), self.tr("The next step"), lambda: self.go_to(self.step + 1)
-        )
+        self.back = WORDS.push("back", lambda: self.go_to(self.step - 1))
+        self.next = WORDS.push("next", lambda: self.go_to(self.step + 1))
         self.play = push_button("", act=self.toggle)
-        self.all = _button(
-            self.tr("Show all"), self.tr("All steps at once"), lambda: self.go_to(len(STEPS) - 1)
-        )
+        self.all = WORDS.push("all", lambda: self.go_to(len(STEPS) - 1))
         self.title = PlainLabel(objectName="paneTitle")
         self.formula, self.numbers = TypesetLabel(), TypesetLabel()
-        self.numbers.setAccessibleDescription(self.tr("The step in numbers"))
+        self.numbers.setAccessibleDescription(WORDS.say("numbers"))
         self.sentence = PlainLabel(wordWrap=True)
         self._make_up()
         self._lay_out()
@@ -146,24 +142,16 @@ class FramePanel(Panel):
 
     def _make_up(self) -> None:
         self.figures = PlainLabel(wordWrap=True)
-        self.angle = NumberRow(
-            self.tr("Up from view"),
-            self.tr("Turns up towards the view direction, in the plane of both. The frame "
-                    "stays the same until up is too close to the view direction to say where"
-                    " right is."),
-            Linear(0.0, 180.0, 1.0), "°", self.tr("degrees"),
-        )  # fmt: skip
+        name, tip, unit = WORDS["angle"]
+        self.angle = NumberRow(name, tip, Linear(0.0, 180.0, 1.0), "°", unit)
         self.angle.setDefault(90.0)
         self.angle.edited.connect(self._turn)
         self.pass_on(self.angle)
         self.angle.highlighted.connect(
             lambda is_at: self.highlighted.emit(_UP if is_at else NOTHING)
         )
-        self.nudge = _button(
-            self.tr("Nudge up by {0}° to the side").format(NUDGE_DEG),
-            self.tr("Make an error in up, and see how far the picture turns"),
-            self._nudge,
-        )
+        tip = WORDS.say("error")
+        self.nudge = push_button(WORDS.say("nudge", NUDGE_DEG), tip, self._nudge, name=tip)
         self.warning = WarningLabel()
 
     def _set_fonts(self) -> None:
@@ -178,10 +166,10 @@ class FramePanel(Panel):
         in_column(*labels, FREE, on=step, margins=(2, 0, 2, 0), gap=4)
         of_up = (self.figures, self.angle, self.nudge, self.warning)
         in_column(*of_up, FREE, on=up, margins=(12, 0, 2, 0), gap=4)
-        aside = scrolled(up, self.tr("The effect of up"))
+        aside = scrolled(up, WORDS.say("aside"))
         aside.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         bar = in_row(*buttons, 12, self.title, FREE)
-        body = in_row((scrolled(step, self.tr("The step")), 3), (aside, 2))
+        body = in_row((scrolled(step, WORDS.say("step")), 3), (aside, 2))
         in_column(bar, (body, 1), on=self, margins=(4, 0, 4, 2), gap=4)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Preferred)
 
@@ -226,8 +214,7 @@ class FramePanel(Panel):
 
     def _show_step(self) -> None:
         step = self._steps[self.step]
-        place = self.tr("{0} of {1}: {2}")
-        self.title.setText(place.format(self.step + 1, len(STEPS), step.name))
+        self.title.setText(WORDS.say("place", self.step + 1, len(STEPS), step.name))
         self.sentence.setText(step.sentence)
         self._mark()
         self.back.setEnabled(self.step > 0)
@@ -235,9 +222,8 @@ class FramePanel(Panel):
         self.all.setEnabled(self.step < len(STEPS) - 1)
 
     def _show_playing(self) -> None:
-        text, tip = self.tr("Play"), self.tr("Show one step after the other")
-        if self.playing:
-            text, tip = self.tr("Pause"), self.tr("Stay at this step")
+        keys = ("pause", "paused") if self.playing else ("play", "playing")
+        text, tip = map(WORDS.say, keys)
         self.play.setText(text)
         self.play.setAccessibleName(text)
         set_tip(self.play, tip)
@@ -280,16 +266,10 @@ class FramePanel(Panel):
         text = ""
         if off_deg <= CLOSE_DEG:
             turned_deg = most_turned_deg(round(off_deg, 12), NUDGE_DEG)  # as 0.1 was typed
-            text = self.tr(
-                "Up is only {0}° from the line of sight: up × n is nearly 0, and an error of"
-                " {1}° in up turns the picture by up to {2}°."
-            ).format(*map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
+            text = WORDS.say("close", *map(read_text, (off_deg, NUDGE_DEG, turned_deg)))
         typed = not self._projection.has_camera
         if typed:
-            text = self.tr(
-                "No camera has the typed view matrix: these are the numbers of the previous "
-                "camera. Undo, or choose a lens."
-            )
+            text = WORDS.say("typed")
         for control in (self.angle, self.nudge):
             control.setEnabled(not typed)  # up's error would not turn anything
         self.warning.setText(text)
@@ -344,10 +324,6 @@ class FramePanel(Panel):
         self.pause()
         self.highlighted.emit(NOTHING)
         self.step_changed.emit(None)
-
-
-def _button(text: str, tip: str, act: Callable[[], object]) -> QPushButton:
-    return push_button(text, tip, act, name=tip)
 
 
 def _numbers(

@@ -13,9 +13,9 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTimer, Signal
+from PySide6.QtCore import QEvent, Qt, QTimer, Signal
 from PySide6.QtGui import QGuiApplication, QShowEvent
-from PySide6.QtWidgets import QCheckBox, QFileDialog, QMenu, QToolButton
+from PySide6.QtWidgets import QFileDialog, QMenu, QToolButton
 
 from app.document.camera_files import seen_through
 from app.document.files import read_letters
@@ -41,14 +41,15 @@ from app.model.refusal import Refusal, format_value
 from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
-from widgets.parts.icons import Combo
 from widgets.parts.labels import REFUSAL_SHEET, WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import read_text, sentence, stage_title, translated
 from widgets.parts.number_field import refusal
 from widgets.parts.number_text import parse_number
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
-from widgets.parts.plain import set_tip
+from widgets.parts.wording import Wording
+
+WORDS = Wording(__file__)
 
 
 def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> str:
@@ -56,21 +57,15 @@ def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> 
     if matrix.note:
         return translated(matrix.note, "Stage")
     if matrix.name == "clip_from_world":
-        return QCoreApplication.translate("MatrixPanel", "then x, y and z are divided by w")
+        return WORDS.say("divided")
     if not projection.lens.has_steps:
         stated = properties(projection, matrix.name, read_text)
         return _words(stated, "\n")
     if matrix.name != "clip_from_view" or not has_own_signs(projection, letters):
         return ""
     if projection.depth != "opengl":
-        return QCoreApplication.translate("MatrixPanel", "with lecture 002's sign: w = z")
-    if not projection.clip_from_view[3, 2]:
-        return QCoreApplication.translate(
-            "MatrixPanel", "with lecture 002's sign: z runs from 1 at near to −1"
-        )
-    return QCoreApplication.translate(
-        "MatrixPanel", "with lecture 002's signs: w = z, and z runs from 1 at near to −1"
-    )
+        return WORDS.say("sign")
+    return WORDS.say("signs" if projection.clip_from_view[3, 2] else "sign-depth")
 
 
 def _words(properties: Sequence[MatrixProperty], between: str = "; ") -> str:
@@ -101,59 +96,25 @@ class MatrixPanel(ReadablePanel):
         self._lay_out()
 
     def _lay_out(self) -> None:
-        self.cells = Combo(
-            self.tr("Cells"), self.tr("What each cell shows"),
-            ((self.tr("Numbers"), "numbers"), (self.tr("Formulas"), "formulas")),
-        )  # fmt: skip
-        self.vectors = Combo(
-            self.tr("Vectors"),
-            self.tr("Points as columns, right of the matrix, or as rows, left of it; rows "
-                    "transpose every matrix and reverse every product"),
-            ((self.tr("Column vectors"), "columns"), (self.tr("Row vectors"), "rows")),
-        )  # fmt: skip
-        self.letters = Combo(
-            self.tr("Letters"),
-            self.tr("The lecture whose letters the formulas use; vectors are bold; lecture "
-                    "002 has its own signs too"),
-            (
-                (self.tr("own: u v n, n f, fov"), "own"),
-                (self.tr("xₘᵢₙ … zₘₐₓ"), "000"),
-                (self.tr("u v w, θ"), "001"),
-                (self.tr("z of near, far: negative"), "002"),
-                (self.tr("e, n f"), "003"),
-                (self.tr("x₀ y₀ z₀, V"), "004"),
-            ),
-        )  # fmt: skip
+        self.cells, self.vectors = WORDS.combo("cells"), WORDS.combo("vectors")
+        self.letters = WORDS.combo("letters")
         for place, letters in enumerate(LETTERS):
             if letters != "own":
-                tip = self.tr("Those of lecture {0}").format(letters)
+                tip = WORDS.say("of-lecture", letters)
                 self.letters.setItemData(place, tip, Qt.ItemDataRole.ToolTipRole)
         for box in (self.cells, self.vectors, self.letters):
             box.currentIndexChanged.connect(self._readable.changed)
         self.letters.currentIndexChanged.connect(lambda _: self.letters_changed.emit(self._letters))
-        self.file = tool_button(
-            "\u2026", self.tr("Take letters of your own from a file, letters.toml"),
-            name=self.tr("Letters of a file"),
-        )  # fmt: skip
-        self.file.clicked.connect(self._ask_for_letters)
-        self.running = QCheckBox(self.tr("Running products"))
-        set_tip(
-            self.running,
-            self.tr("Also the product of all stages so far, and the view matrix's inverse, whose "
-                    "columns are the camera's axes and the eye")
-        )  # fmt: skip
-        self.running.toggled.connect(self._readable.changed)
-        self.copy = tool_button(
-            self.tr("Copy all"),
-            self.tr("Copy every matrix shown, in the order of the stages"),
-            name=self.tr("Copy all matrices"),
-        )
+        name, tip, _ = WORDS["file"]
+        self.file = tool_button("\u2026", tip, self._ask_for_letters, name=name)
+        self.running = WORDS.check("running", self._readable.changed)
+        self.copy = WORDS.tool("copy")
         self.copy.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.copy.setMenu(QMenu(self.copy))
         add_copies(self.copy.menu(), lambda form: self._copy(form, *self.shown))
         self.explanation = WarningLabel()
         self.explanation.set_is_warning(False)
-        self.explanation.setAccessibleDescription(self.tr("About the cell"))
+        self.explanation.setAccessibleDescription(WORDS.say("about-cell"))
         self.explanation.setMinimumHeight(2 * self.fontMetrics().height())
         self.explanation.setAlignment(Qt.AlignmentFlag.AlignTop)
         bar = in_row(
@@ -170,11 +131,11 @@ class MatrixPanel(ReadablePanel):
         """Take a lecture's letters, or those of a file, which stand last in the list."""
         if self.letters.findData(letters) < 0:
             self.letters.removeItem(len(LETTERS))
-            self.letters.addItem(self.tr("of a file"), letters)
+            self.letters.addItem(WORDS.say("of-file"), letters)
         self.letters.setCurrentIndex(self.letters.findData(letters))
 
     def _ask_for_letters(self) -> None:
-        title, kinds = self.tr("Letters of a file"), self.tr("Letters (*.toml);;All files (*)")
+        title, _, kinds = WORDS["file"]
         path, _ = QFileDialog.getOpenFileName(self.window(), title, "", kinds)
         if not path:
             return
@@ -228,7 +189,7 @@ class MatrixPanel(ReadablePanel):
         if self._projection is None:
             return
         into, of = (column, row) if self._writing.rows else (row, column)
-        cell = self.tr("{0}, row {1}, column {2}").format(stage_title(name), row + 1, column + 1)
+        cell = WORDS.say("cell", stage_title(name), row + 1, column + 1)
         try:
             value = parse_number(cell, text)
             sign = cell_sign(self._projection, self._letters, name, into, of)
@@ -240,8 +201,7 @@ class MatrixPanel(ReadablePanel):
             self._explain(refusal(sentence(error)), REFUSAL_SHEET)
             return
         if "/" in text:
-            taken = self.tr("{0} is taken as {1}, its quotient to all digits of float64.")
-            self.adjusted.emit(taken.format(text.strip(), format_value(value)))
+            self.adjusted.emit(WORDS.say("quotient", text.strip(), format_value(value)))
         cells: Any = [list(line) for line in shown(self._projection, name)]
         self._edit(projection)
         cells[into][of] = sign * value
@@ -286,7 +246,7 @@ class MatrixPanel(ReadablePanel):
             return
         menu = QMenu(view)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        menu.addAction(self.tr("This matrix may mean:")).setEnabled(False)
+        menu.addAction(WORDS.say("may-mean")).setEnabled(False)
         for meaning in meanings:
             menu.addAction(_words(meaning.properties), partial(self._take_meaning, meaning))
         menu.popup(view.mapToGlobal(view.cell_rect(*view.place).bottomLeft().toPoint()))
@@ -372,7 +332,7 @@ class MatrixPanel(ReadablePanel):
         for matrix, box in zip(self.shown, self._row.boxes, strict=True):
             title = stage_title(matrix.name)
             if properties(self._projection, matrix.name):
-                title = self.tr("{0}, a free matrix").format(title)
+                title = WORDS.say("free", title)
             note = note_on(matrix, self._projection, writing.letters)
             box.show_matrix(matrix, before.get(matrix.name), title, note, writing)
         self._fit()

@@ -58,12 +58,14 @@ from app.model.refusal import MEASURE, Refusal
 from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
-from widgets.parts.icons import Combo, icon
-from widgets.parts.layouts import FREE, FocusRing, in_column, in_row, push_button
+from widgets.parts.icons import icon
+from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
 from widgets.parts.messages import all_digits, of_measurements, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 ENDINGS = (".csv", ".json", *chart.ENDINGS)  # endings of the export formats
 NOTE_LETTERS = 24  # least width of the column of notes, in letters, unless the notes are shorter
 _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accent")
@@ -154,11 +156,7 @@ class MeasurePanel(DiagramPanel):
     def _make_controls(self) -> QGridLayout:
         self.list = QListWidget()
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
-        self.list.setAccessibleName(self.tr("Trades and sweeps"))
-        set_tip(
-            self.list,
-            self.tr("What to measure and to show; Ctrl or Shift to choose several to measure"),
-        )
+        WORDS.name(self.list, "list")
         for name, title in chart.TITLES.items():
             item = QListWidgetItem(of_measurements(title), self.list)
             item.setData(_NAME, name)
@@ -167,33 +165,18 @@ class MeasurePanel(DiagramPanel):
         self.list.currentItemChanged.connect(self._readable.changed)
         self.list.setMinimumHeight(40)
         self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
-        self.how = Combo(
-            self.tr("How exactly"),
-            self.tr("Quick: 2 s a trade, 13 values a sweep; full: 30 s a trade, 49 values"),
-            ((self.tr("Quick"), True), (self.tr("Full"), False)),
-        )
-        self.run_button = push_button(
-            self.tr("Measure here"),
-            self.tr("Measure on this machine what is chosen, for this scene and camera"), self.run,
-        )  # fmt: skip
+        self.how = WORDS.combo("how", {"quick": True, "full": False})
+        self.run_button = WORDS.push("run", self.run)
         self.run_button.setObjectName("measureHere")  # the style sheet makes it large
-        tip = self.tr("Stop, and keep the results so far")
-        self.cancel_button = push_button(self.tr("Cancel"), tip, self.measuring.cancel)
+        self.cancel_button = WORDS.push("cancel", self.measuring.cancel)
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
-        self.progress.setAccessibleName(self.tr("Progress of the measurement"))
+        self.progress.setAccessibleName(WORDS.say("progress"))
         self.progress.hide()
-        tip = self.tr("Save what is shown: CSV, JSON, PNG or PDF")
-        self.export_button = push_button(self.tr("Export…"), tip, self.export_dialog)
-        tip = self.tr("Draw the results from a file, perhaps from another machine, over these")
-        self.load_button = push_button(self.tr("Compare…"), tip, self.load_dialog)
-        tip = self.tr("Remove the results of the file")
-        self.forget_button = push_button(self.tr("Forget"), tip, self.forget)
-        self.cost = Combo(
-            self.tr("Cost"),
-            self.tr("What errors are drawn over: time, or bytes, the same on every machine"),
-            ((self.tr("Time"), "time"), (self.tr("Memory"), "bytes")),
-        )
+        self.export_button = WORDS.push("export", self.export_dialog)
+        self.load_button = WORDS.push("load", self.load_dialog)
+        self.forget_button = WORDS.push("forget", self.forget)
+        self.cost = WORDS.combo("cost")
         self.cost.currentIndexChanged.connect(self._withdraw_refusal)
         self.cost.currentIndexChanged.connect(self._readable.changed)
         buttons = QGridLayout()
@@ -214,7 +197,7 @@ class MeasurePanel(DiagramPanel):
         selectable = Qt.TextInteractionFlag.TextSelectableByMouse
         self.sentence = PlainLabel(wordWrap=True, textInteractionFlags=selectable)
         self.table = _ResultsTable()
-        self.table.setAccessibleName(self.tr("Results"))
+        self.table.setAccessibleName(WORDS.say("results"))
         for shown in (self.list, self.table):
             FocusRing(shown)
         self.table.cellClicked.connect(self._row_used)
@@ -330,17 +313,14 @@ class MeasurePanel(DiagramPanel):
         self.progress.setVisible(running)
         paused = self._gestures > 0
         self.measuring.set_paused(paused)
-        self.progress.setFormat(self.tr("paused") if paused and running else "%p %")
+        self.progress.setFormat(WORDS.say("paused") if paused and running else "%p %")
 
     # -- files
 
     def export_dialog(self) -> None:
         """Ask for a file name, and export what is shown."""
-        path, _ = QFileDialog.getSaveFileName(
-            self, self.tr("Export what is shown"), f"{self.name}.pdf",
-            self.tr("Tables (*.csv);;Results (*.json);;Pictures (*.png);;Vectors (*.pdf)"),
-            self.tr("Vectors (*.pdf)"),
-        )  # fmt: skip
+        title, kinds, kind = WORDS["export-as"]
+        path, _ = QFileDialog.getSaveFileName(self, title, f"{self.name}.pdf", kinds, kind)
         if path:
             self.export(Path(path))
 
@@ -349,11 +329,10 @@ class MeasurePanel(DiagramPanel):
         shown, other = self._shown()
         ending = path.suffix.lower()
         if shown is None or self._is_shipped:
-            self._refuse(self.tr("There is nothing to export yet: run a measurement first."))
+            self._refuse(WORDS.say("nothing"))
             return False
         if ending not in ENDINGS:
-            text = self.tr("{0}: its name must end in one of {1}.")
-            self._refuse(text.format(path, ", ".join(ENDINGS)))
+            self._refuse(WORDS.say("ending", path, ", ".join(ENDINGS)))
             return False
         QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
@@ -380,10 +359,8 @@ class MeasurePanel(DiagramPanel):
 
     def load_dialog(self) -> None:
         """Ask for a file of results, and draw it over the measured ones."""
-        path, _ = QFileDialog.getOpenFileName(
-            self, self.tr("Compare with results of a file"), "",
-            self.tr("Results (*.json);;All files (*)"),
-        )  # fmt: skip
+        title, kinds = WORDS["load-from"]
+        path, _ = QFileDialog.getOpenFileName(self, title, "", kinds)
         if path:
             self.load(Path(path))
 
@@ -392,8 +369,7 @@ class MeasurePanel(DiagramPanel):
         try:
             results = read_results(path)
         except OSError as error:
-            text = self.tr("{0}: cannot be read: {1}.")
-            self._refuse(text.format(path.name, error.strerror or error))
+            self._refuse(WORDS.say("unreadable", path.name, error.strerror or error))
             return False
         except Refusal as error:
             self._refuse(sentence(error))
@@ -436,10 +412,9 @@ class MeasurePanel(DiagramPanel):
         self._show_table(shown, other)
         words = self.words.get(self.name, "")
         if shown is not None and self._is_shipped:
-            words = self.tr("Measured with the letter F on another machine: {0}.")
-            words = words.format(chart.machine(shown))
+            words = WORDS.say("shipped", chart.machine(shown))
         elif shown is None and self._is_shipped:
-            words = self.tr("There are no results yet: “Measure here” makes them.")
+            words = WORDS.say("none")
         if shown is None:
             said = words
         else:
@@ -487,17 +462,7 @@ class MeasurePanel(DiagramPanel):
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()
-        set_tip(
-            self.table,
-            self.tr(
-                "Click a choice to use it in the panes; choices in italics cannot be used, "
-                "and those in grey are worse than another one in both cost and error"
-            )
-            if choices
-            else self.tr(
-                "The results at each value; of near, far, fov and gap, click one to use it"
-            ),
-        )
+        set_tip(self.table, WORDS.say("choices" if choices else "values"))
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
@@ -518,7 +483,7 @@ class MeasurePanel(DiagramPanel):
             if why:
                 cell.setFont(slanted)
                 if x == 0 and choice is not None and choice.cost is not None:
-                    cell.setText(self.tr("{0} (measured only)").format(cell.text()))
+                    cell.setText(WORDS.say("measured-only", cell.text()))
             is_beaten = trade is not None and choice is not None and trade.is_beaten(choice)
             if is_beaten or self._is_shipped:
                 cell.setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))

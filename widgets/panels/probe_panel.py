@@ -21,12 +21,14 @@ from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
 from widgets.parts.icons import Combo, icon
 from widgets.parts.labels import RefusalLabel
-from widgets.parts.layouts import Part, in_column, in_row, push_button
+from widgets.parts.layouts import Part, in_column, in_row
 from widgets.parts.messages import all_digits, lettering, sentence
 from widgets.parts.number_field import ShortField, refusal
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 _PIN_SHEET = read_content(Path(__file__).with_name("content") / "pin.qss")
 
 
@@ -45,7 +47,7 @@ class ProbePanel(ReadablePanel):
         self._is_new = False
         self._numbers = ProbeNumbers(self)
         self.table = ProbeTable()
-        self.table.setAccessibleName(self.tr("The probes' numbers at every stage"))
+        self.table.setAccessibleName(WORDS.say("table"))
         self.table.entered.connect(lambda at: self.highlighted.emit(self.table.highlight_at(at)))
         self.table.viewportEntered.connect(lambda: self.highlighted.emit(NOTHING))
         self.table.viewport().installEventFilter(self)
@@ -56,38 +58,27 @@ class ProbePanel(ReadablePanel):
         self._show_choice()
 
     def _lay_out(self) -> None:
-        tip = self.tr("The probe that the fields and buttons change")
-        self.choice = Combo(self.tr("Probe"), tip)
+        self.choice = WORDS.combo("choice")
         self.choice.setSizeAdjustPolicy(Combo.SizeAdjustPolicy.AdjustToContents)
         self.choice.activated.connect(lambda index: self.choose(self.choice.itemData(index)))
         self.fields = tuple(ShortField(name) for name in "xyzw")
         parts: list[Part] = [self.choice]
         for name, field in zip("xyzw", self.fields, strict=True):
-            field.setAccessibleName(self.tr("Probe, world {0}").format(name))
-            set_tip(field, self.tr("World {0} of the probe; type a number").format(name))
+            field.setAccessibleName(WORDS.say("field", name))
+            set_tip(field, WORDS.say("field-tip", name))
             field.editingFinished.connect(self._typed)
             label = PlainLabel(name)
             label.setBuddy(field)
             parts += label, (field, 1)
-        tip = self.tr(
-            "w of the probe: 1 for a point; 0 for the point at infinity in the direction"
-            " x, y, z; with any other w the point is (x/w, y/w, z/w)"
-        )
-        set_tip(self.fields[3], tip)
-        tip = self.tr("Keep this probe: the next click makes another one")
-        self.pin = push_button(self.tr("Pin"), tip, self._pin_clicked)
+        set_tip(self.fields[3], WORDS.say("w"))
+        self.pin = WORDS.push("pin", self._pin_clicked)
         self.pin.setCheckable(True)
         self.pin.setStyleSheet(_PIN_SHEET)
-        tip = self.tr("Remove this probe (Esc)")
-        self._remove = push_button(self.tr("Remove"), tip, self.remove)
-        self._clear = push_button(self.tr("Clear"), self.tr("Remove all probes"), self.clear)
+        self._remove = WORDS.push("remove", self.remove)
+        self._clear = WORDS.push("clear", self.clear)
         line = in_row(*parts, self.pin, self._remove, self._clear)
         self.error = RefusalLabel()
-        text = self.tr(
-            "Click a point in any pane to follow it from the world to its pixel; click "
-            "an empty place in the image for the ray of that pixel."
-        )
-        self._hint = PlainLabel(text, wordWrap=True)
+        self._hint = PlainLabel(WORDS.say("hint"), wordWrap=True)
         column = (line, self.error, self._hint, (self.table, 1))
         in_column(*column, on=self, margins=(4, 0, 4, 2), gap=2)
 
@@ -116,8 +107,7 @@ class ProbePanel(ReadablePanel):
             taken = {probe.number for probe in self.probes}
             free = [n for n in range(1, MOST_PROBES + 1) if n not in taken]
             if not loose and not free:
-                text = self.tr("Probes = {0}: at most {1} can be pinned; remove one first.")
-                self.refused.emit(text.format(len(self.probes) + 1, MOST_PROBES))
+                self.refused.emit(WORDS.say("most", len(self.probes) + 1, MOST_PROBES))
                 return
             number = (loose or free)[0]
         self._chosen = number
@@ -208,7 +198,7 @@ class ProbePanel(ReadablePanel):
             if other.number in self.pinned:
                 place, role = self.choice.count() - 1, Qt.ItemDataRole.AccessibleTextRole
                 self.choice.setItemIcon(place, icon("pin"))
-                self.choice.setItemData(place, self.tr("{0}, pinned").format(name), role)
+                self.choice.setItemData(place, WORDS.say("pinned", name), role)
         self.choice.setCurrentIndex(self.choice.findData(self._chosen))
         row = None if probe is None else probe.row
         for axis, field in enumerate(self.fields):
@@ -225,10 +215,8 @@ class ProbePanel(ReadablePanel):
         self.table.setVisible(bool(self.probes))
 
     def _name(self, probe: Probe) -> str:
-        text = self.tr("Ray {0}") if probe.pixel is not None else self.tr("Point {0}")
-        if probe.direction is not None:
-            text = self.tr("Direction {0}")
-        return text.format(probe.number)
+        kind = "point" if probe.pixel is None else "pixel"
+        return WORDS.say("direction" if probe.direction is not None else kind, probe.number)
 
     # -- the table
 

@@ -42,10 +42,12 @@ from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidge
 
 from widgets.parts.layouts import FocusRing, in_column
 from widgets.parts.plain import set_tip
+from widgets.parts.wording import Wording
 
 if TYPE_CHECKING:
     from app.drawings.off_screen import OffScreen
 
+WORDS = Wording(__file__)
 ORBIT_DEG_PER_PX = 0.4
 ZOOM_PER_WHEEL_STEP = 1.15
 HIGHEST_DEG = 89.0
@@ -419,19 +421,9 @@ class Hand(QObject):
         canvas.installEventFilter(self)
 
     def _set_tips(self) -> None:
-        if self._orbits:
-            self.tip = self.tr("Drag to turn, Shift-drag to move, wheel to zoom")
-            keys = self.tr("Arrow keys turn, Shift and an arrow moves, + and − zoom, Home resets.")
-        else:
-            self.tip = self.tr("Drag to move the camera, wheel to go nearer")
-            keys = self.tr("Arrow keys move the camera in its plane, + and − go nearer and back.")
+        self.tip, keys = WORDS["turns" if self._orbits else "moves"]
         set_tip(self._canvas, self.tip)
-        cursor_keys = self.tr(
-            "Page Down and Page Up go from vertex to vertex, with Shift from handle to handle or "
-            "probe to probe; Space follows a vertex; Enter takes hold and lets go, Shift and Enter "
-            "as a drag with Shift; arrows drag by a pixel, with Shift by ten; Escape puts back."
-        )
-        self._keys = f"{keys} {cursor_keys}"
+        self._keys = f"{keys} {WORDS.say('cursor')}"
         self.describe("")
 
     def describe(self, about: str) -> None:

@@ -264,7 +264,8 @@ class Pane(QFrame):
     def _point_at(self, place: QPointF | None = None) -> None:
         highlighted = NOTHING
         if place is not None and self.drawing is not None:
-            highlighted = self.drawing.highlight_at(place.x(), place.y())
+            taken = self.drawing.handles.at((place.x(), place.y()))
+            highlighted = NOTHING if taken is None else taken.about
         if highlighted != self._pointed_at:
             self._pointed_at = highlighted
             self.highlighted.emit(highlighted)
@@ -399,13 +400,14 @@ class Pane(QFrame):
     def pose(self) -> Any:
         """Where the visible pane's camera stands, for `begin_glide`; None if there is nothing."""
         is_there = self.isVisible() and self.drawing is not None and self._to_build is None
-        return self.drawing.pose if is_there and self.drawing is not None else None
+        own = self.drawing.own if is_there and self.drawing is not None else None
+        return None if own is None else own.pose
 
     def begin_glide(self, start: Any) -> None:
         """Begin a way from another pose to the present one; None for the present one."""
         drawing = self.drawing
         if self.isVisible() and drawing is not None and self._to_build is None:
-            view, now = self.view, drawing.pose
+            view, now = self.view, self.pose
             if now is not None:
                 drawing.begin_glide(now if start is None else start)
             self._goes_to = (view,)

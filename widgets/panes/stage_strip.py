@@ -30,7 +30,9 @@ from widgets.parts.layouts import discard, in_column, in_row, tool_button
 from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 STEPS = 240  # slider steps from one stop to the next
 CATCH = 12  # a drag that comes as near to a stop is at the stop
 GAP_PX = 3  # space on both sides of a name
@@ -73,22 +75,8 @@ class StageStrip(QWidget, Playing):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("stages")
-        self._names = (
-            (self.tr("World"), self.tr("World space: the scene and the view volume in it")),
-            (self.tr("View"), self.tr("View space: the eye is at 0 and looks along −z")),
-            (
-                self.tr("Pyramid"),
-                self.tr("The canonical perspective volume: a pyramid with its tip in the eye"),
-            ),
-            (
-                self.tr("Box"),
-                self.tr("The canonical parallel volume: Mₚₚ has turned the pyramid into a box"),
-            ),
-            (self.tr("NDC"), self.tr("Normalised device coordinates, z mirrored for display")),
-            (self.tr("Image"), self.tr("The picture in pixels: x right, y down")),
-        )
-        self._identity = self.tr("Mₚₚ")
-        """Name of this stop for a parallel lens, whose box is one stop before."""
+        self._names = [WORDS[stop] for stop in STOPS]
+        self._identity = WORDS["identity"]  # this stop for a parallel lens, whose box is before it
         self._projection = Projection()
         self._parallel = self._free = False
         self._emitted = ("", "")
@@ -101,11 +89,7 @@ class StageStrip(QWidget, Playing):
 
         self.button = tool_button(act=self.toggle, flat=True)
         self.slider = _StopsSlider()
-        self.slider.setAccessibleName(self.tr("Stage"))
-        tip = self.tr(
-            "From the world through all stages to the picture; the arrow keys go from stop to stop"
-        )
-        set_tip(self.slider, tip)
+        WORDS.name(self.slider, "slider")
         self.slider.valueChanged.connect(self._slid)
         self.slider.grasped.connect(self._grasped)
         self.slider.abandoned.connect(lambda: self._stand_at(self._before))
@@ -196,29 +180,23 @@ class StageStrip(QWidget, Playing):
             self.slider.setAccessibleDescription(f"{said[0]}: {said[1]}")
             self.named.emit(*said)
 
-    def _name(self, stop: int) -> tuple[str, str]:
+    def _name(self, stop: int) -> list[str]:
         """Return a stop's name and tooltip."""
         if stop < WORLD and stop <= self.first:
-            return self.tr("Object"), self.tr("The object's own space")
+            return WORDS["object"]
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
             name = called(tile.kind) + tile.kind.partition(" ")[2]
-            return name, self.tr("After {0}").format(tile.text)
+            return [name, WORDS.say("after", tile.text)]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
-            name, _ = self._names[CANONICAL_PARALLEL]
-            tip = self.tr("The canonical parallel volume: a parallel lens has no pyramid before it")
-            return name, tip
+            return [self._names[CANONICAL_PARALLEL][0], WORDS.say("no-pyramid")]
         if self._parallel and stop == CANONICAL_PARALLEL:
-            return self._identity, self.tr("The same box: Mₚₚ of a parallel lens is the identity")
+            return self._identity
         return self._names[stop]
 
     def _name_stops(self) -> None:
         self.direction.setText("→" if self.from_left else "←")
-        tip = (
-            self.tr("Done from the left: each move in the axes that the moves before have moved")
-            if self.from_left
-            else self.tr("Read from the right: each move in the world's axes")
-        )
+        tip = WORDS.say("left" if self.from_left else "right")
         set_tip(self.direction, tip)
         self.direction.setAccessibleName(tip)
         for stop, button in enumerate(self.stops, self.first):
@@ -227,10 +205,10 @@ class StageStrip(QWidget, Playing):
             set_tip(button, tip)
 
     def _title(self) -> str:
-        parallel = self.tr("Canonical parallel")
+        parallel = WORDS.say("parallel")
         titles = {
-            CANONICAL_PERSPECTIVE: parallel if self._parallel else self.tr("Canonical perspective"),
-            CANONICAL_PARALLEL: parallel, NDC: self.tr("NDC cube"),
+            CANONICAL_PERSPECTIVE: parallel if self._parallel else WORDS.say("perspective"),
+            CANONICAL_PARALLEL: parallel, NDC: WORDS.say("cube"),
         }  # fmt: skip
         if self._free and VIEW < self._at < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
@@ -249,29 +227,29 @@ class StageStrip(QWidget, Playing):
         if self._at < WORLD and stop < WORLD:
             text = self._name(stop)[1]
         elif stop == WORLD:
-            text = self.tr("x, y, z in world units")
+            text = WORDS.say("world")
         elif self._free and VIEW < stop < NDC:
-            text = self.tr("no canonical volumes")
+            text = WORDS.say("no-volumes")
         elif self._free and stop == VIEW:
-            text = self.tr("x, y, z of view space")
+            text = WORDS.say("view")
         elif stop == VIEW:
-            text = self.tr("{axis_u}, {axis_v}, {axis_n} in world units")
+            text = WORDS.say("axes")
         elif stop == NDC:
             z_near, z_far = projection.depth_range
-            text = self.tr("x, y ±1, z {0} … {1}").format(f"{z_near:g}", f"{z_far:g}")
+            text = WORDS.say("ndc", f"{z_near:g}", f"{z_far:g}")
         elif stop == IMAGE:
             width, height = projection.image_size
-            text = self.tr("{0} × {1} pixels, y down").format(width, height)
+            text = WORDS.say("image", width, height)
         elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
-            text = self.tr("x, y ±1, z 0 … -1; Mₚₚ: identity")
+            text = WORDS.say("is-identity")
         elif self._parallel or stop == CANONICAL_PARALLEL:
-            text = self.tr("x, y ±1, z 0 … -1")
+            text = WORDS.say("box")
         elif lens.far == math.inf:
-            text = self.tr("near z -1, far -∞ (scaled by 1/{n})")
+            text = WORDS.say("infinite")
         else:
             place = -lens.near / lens.far
             value = f"{place:.{digits_apart(place, -1.0, least=3)}g}"
-            text = self.tr("x, y ±1, z -{n}/{f} = {0} … -1").replace("{0}", value)
+            text = WORDS.say("pyramid").replace("{0}", value)
         return in_letters(text, lettering.now).replace("-", "−")
 
     # -- playing
@@ -338,11 +316,7 @@ class StageStrip(QWidget, Playing):
         self._emit_title()
 
     def _show_state(self) -> None:
-        self._name_button(
-            self.tr("{0} the stages"),
-            self.tr("Run through all stages to the picture, resting at each."),
-            self.tr("Pause; playing again continues from here."),
-        )
+        self._name_button(*map(WORDS.say, ("name", "play", "pause")))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
@@ -389,7 +363,7 @@ class StageStrip(QWidget, Playing):
     def _longest(self) -> list[str]:
         """The longest name of each stop, whatever the lens."""
         names = [name for name, _ in self._names]
-        names[CANONICAL_PARALLEL] = max(names[CANONICAL_PARALLEL], self._identity, key=len)
+        names[CANONICAL_PARALLEL] = max(names[CANONICAL_PARALLEL], self._identity[0], key=len)
         return [self._name(stop)[0] for stop in range(self.first, WORLD)] + names
 
     def hideEvent(self, event: QHideEvent) -> None:

@@ -28,10 +28,13 @@ from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.layouts import in_row, tool_button
 from widgets.parts.panel import Changed, ShownData
+from widgets.parts.wording import Wording
 from widgets.window.actions import Actions
 from widgets.window.control_strip import ControlStrip
 from widgets.window.drawer import Panels
 from widgets.window.slots import Slots
+
+WORDS = Wording(__file__)
 
 
 class FixedViews(QWidget):
@@ -40,24 +43,15 @@ class FixedViews(QWidget):
     def __init__(self) -> None:
         super().__init__()
         self.setObjectName("fixedViews")
-        texts = {
-            "": (self.tr("Free"), self.tr("As you turned it with the mouse")),
-            "side": (self.tr("Side"),
-                     self.tr("From the side, flat like a sketch on the blackboard, with its"
-                             " lengths")),
-            "top": (self.tr("Above"), self.tr("From above, flat, with its lengths")),
-            "axis": (self.tr("Axis"), self.tr("Along the camera's axis, flat")),
-            "eye": (self.tr("Eye"), self.tr("From the eye, as the camera sees it")),
-        }  # fmt: skip
         self.buttons = {
-            name: tool_button(*texts[name], flat=True, checkable=True) for name in ("", *FIXED)
+            name: WORDS.tool(name or "free", flat=True, checkable=True) for name in ("", *FIXED)
         }
         self.group = QButtonGroup(self)
         for button in self.buttons.values():
             self.group.addButton(button)
         in_row(*self.buttons.values(), on=self, margins=(8, 0, 0, 0), gap=0)
-        tip = self.tr("Viewpoint of the world")
-        self.menu = tool_button(texts[""][0], tip, icon="choose", flat=True)
+        free = self.buttons[""].text()
+        self.menu = tool_button(free, WORDS.say("menu"), icon="choose", flat=True)
         self.menu.setObjectName("fixedViewsMenu")
         self.menu.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.menu.setMenu(QMenu(self.menu))

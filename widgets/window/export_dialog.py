@@ -21,7 +21,9 @@ from widgets.parts.messages import sentence
 from widgets.parts.number_text import parse_number
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.progress import ReportProgress, progress
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 _PREVIEW_EM, _WIDER_EM = (17.0, 13.0), 14.0
 _PAUSE_MS = 300  # after the last change, before the preview is drawn
 
@@ -42,62 +44,36 @@ class ExportDialog(QDialog):
         kept: Mapping[str, Any] | None = None,
     ) -> None:
         super().__init__(parent)
-        self.setWindowTitle(self.tr("Export a picture"))
+        self.setWindowTitle(WORDS["dialog"][0])
         self._shown, self._draw, self._unit = shown, draw, "px"
         self._boxes = {name: QCheckBox(titles[name]) for name in PANES}
         for box in self._boxes.values():
             box.setChecked(True)
             box.toggled.connect(self._panes_changed)
-        tip = self.tr(
-            "Height of the letters in points, 72 to an inch; at scale 1 an inch has {0} pixels"
-        )
-        self._fields = {
-            "width": self._field("1800", self.tr("Width of the picture")),
-            "height": self._field("600", self.tr("Height of the picture")),
-            "text": self._field("", self.tr("Height of the letters in points"), tip.format(DPI)),
-        }
+        first = {"width": "1800", "height": "600", "text": ""}
+        self._fields = {name: self._field(name, text) for name, text in first.items()}
         self._form, self._combos = QFormLayout(), dict[str, Combo]()
-        tip = self.tr(
-            "The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels."
-            " Moving pictures and many at once: the command “export”"
-        )
-        formats = {ending[1:].upper(): ending[1:] for ending in ENDINGS}
-        self._choose("ending", self.tr("&Format"), tip, formats)
-        self._form.addRow(self.tr("Panes"), in_row(*self._boxes.values()))
-        tip = self.tr("Whether the panes stand beside or below each other")
-        is_column = {self.tr("in a row"): False, self.tr("in a column"): True}
-        self._choose("column", self.tr("&Arranged"), tip, is_column)
-        tip = self.tr("Unit of the size; a picture has {0} pixels an inch").format(DPI)
-        self._choose("unit", "", tip, {unit: unit for unit in ("px", "mm", "cm", "in")})
+        self._choose("ending", {ending[1:].upper(): ending[1:] for ending in ENDINGS})
+        self._form.addRow(WORDS.say("panes"), in_row(*self._boxes.values()))
+        self._choose("column", {"row": False, "column": True})
+        tip, units = WORDS.say("unit", DPI), ("px", "mm", "cm", "in")
+        self._combos["unit"] = Combo("", tip, zip(units, units, strict=True))
         width, height = self._sides
         size = in_row(width, PlainLabel("×"), height, self._combos["unit"])
-        self._form.addRow(self.tr("Size"), size)
-        self._form.addRow(self.tr("&Letters (pt)"), self._fields["text"])
-        tip = self.tr("In print, faces and lines that differ in colour differ in grey, too")
-        palettes = {
-            self.tr("as on the screen"): "screen",
-            self.tr("for print"): "print",
-            self.tr("dark"): "dark",
-            self.tr("most contrast"): "contrast",
-        }
-        self._choose("palette", self.tr("C&olours"), tip, palettes)
-        tip = self.tr("What becomes of lines behind faces, in SVG, PDF and TEX")
-        lines = {self.tr("left out"): "none", self.tr("dashed"): "dashed", self.tr("grey"): "grey"}
-        self._choose("hidden", self.tr("&Hidden lines"), tip, lines)
-        tip = self.tr("Draws the same PNG with more pixels; text and lines scale with it")
-        factors = {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)}
-        self._choose("scale", self.tr("Scal&e"), tip, factors)
-        tip = self.tr("What is behind the picture")
-        is_transparent = {self.tr("filled"): False, self.tr("transparent"): True}
-        self._choose("transparent", self.tr("&Background"), tip, is_transparent)
+        self._form.addRow(WORDS.say("size"), size)
+        self._form.addRow(WORDS.say("letters"), self._fields["text"])
+        self._choose("palette")
+        self._choose("hidden")
+        self._choose("scale", {f"{factor} ×": float(factor) for factor in (1, 2, 3, 4)})
+        self._choose("transparent", {"filled": False, "transparent": True})
+        for combo in self._combos.values():
+            combo.currentIndexChanged.connect(self._check)
         self._combos["column"].currentIndexChanged.connect(self._panes_changed)
         self._combos["unit"].currentIndexChanged.connect(self._unit_changed)
-        self._crop = QCheckBox(self.tr("C&rop to the content"))
-        set_tip(self._crop, self.tr("Leaves a margin of 2 mm around what is drawn"))
-        self._crop.toggled.connect(self._check)
+        self._crop = WORDS.check("crop", self._check)
         self._problem = WarningLabel()
         self._preview = PlainLabel(wordWrap=True, alignment=Qt.AlignmentFlag.AlignCenter)
-        self._preview.setAccessibleName(self.tr("Preview"))
+        self._preview.setAccessibleName(WORDS.say("preview"))
         em = self.fontMetrics().height()
         self._preview.setMinimumSize(*(round(side * em) for side in _PREVIEW_EM))
         self._timer = QTimer(self, singleShot=True, interval=_PAUSE_MS)
@@ -110,19 +86,20 @@ class ExportDialog(QDialog):
         hint, room = self.sizeHint(), self.screen().availableSize()
         self.resize(min(hint.width() + round(_WIDER_EM * em), room.width() - 2 * em), hint.height())
 
-    def _field(self, text: str, name: str, tip: str = "") -> QLineEdit:
+    def _field(self, name: str, text: str) -> QLineEdit:
         field = QLineEdit(text)
-        field.setAccessibleName(name)
-        set_tip(field, tip or name)
+        said, *tip = WORDS[name]
+        field.setAccessibleName(said)
+        set_tip(field, tip[0].format(DPI) if tip else said)
         field.textChanged.connect(self._check)
         return field
 
-    def _choose(self, name: str, label: str, tip: str, values: Mapping[str, object]) -> None:
-        """Add a choice, in a row of its own if it has a label."""
-        combo = self._combos[name] = Combo("", tip, values.items())
-        combo.currentIndexChanged.connect(self._check)
-        if label:
-            self._form.addRow(label, combo)
+    def _choose(self, name: str, values: Mapping[str, object] | None = None) -> None:
+        """Add a row with a choice; `values` are by their texts if those are not on the page."""
+        label, tip, *_ = WORDS[name]
+        options = [(text, (values or {}).get(key, key)) for key, text in WORDS.choices(name)]
+        combo = self._combos[name] = Combo("", tip, options or (values or {}).items())
+        self._form.addRow(label, combo)
 
     @property
     def _panes(self) -> tuple[str, ...]:
@@ -171,9 +148,9 @@ class ExportDialog(QDialog):
         chosen, text = self._chosen, self._fields["text"]
         del chosen["unit"]
         chosen |= {"hidden": "none"} if chosen.pop("ending") == "png" else {"scale": 1.0}
-        number = _whole if self._unit == "px" else partial(parse_number, self.tr("Size"))
+        number = _whole if self._unit == "px" else partial(parse_number, WORDS.say("size"))
         width, height = (number(field.text()) for field in self._sides)
-        text_pt = parse_number(self.tr("Letters"), text.text()) if text.isModified() else None
+        text_pt = parse_number(WORDS.say("field"), text.text()) if text.isModified() else None
         size = Size(width, height, self._unit)
         return replace(self._shown, **chosen, size=size, text_pt=text_pt)
 
@@ -220,13 +197,13 @@ class ExportDialog(QDialog):
     def _find_problem(self) -> str:
         """Say why this figure is impossible; otherwise show its default text size."""
         if not self._panes:
-            return self.tr("Choose at least one pane.")
+            return WORDS.say("no-pane")
         try:
             figure = self.figure()
         except Refusal as error:
             return sentence(error)
         except ValueError:
-            return self.tr("Width and height must be whole numbers.")
+            return WORDS.say("whole")
         if figure.text_pt is None:
             text = self._fields["text"]
             with QSignalBlocker(text):
@@ -244,7 +221,7 @@ class ExportDialog(QDialog):
             return
         room = self._preview.size() * self.devicePixelRatioF()
         try:
-            with progress(self, self.tr("Drawing the preview")) as tell:
+            with progress(self, WORDS.say("drawing")) as tell:
                 picture = self._draw(self.figure(), room, tell)
         except Cancelled:
             return

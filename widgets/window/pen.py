@@ -26,7 +26,9 @@ from PySide6.QtWidgets import QApplication, QFrame, QToolButton, QWidget
 from app.drawings.style import LIGHT, Style
 from app.lessons.strokes import COLOURS, Stroke
 from widgets.parts.layouts import in_row, tool_button
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 WIDTH_SHARE = 0.005  # width of a line, in heights of the slide
 ERASER_SHARE = 0.02  # reach of the eraser, in heights of the slide
 _KEYS = Qt.Key
@@ -68,7 +70,7 @@ class Pen(QWidget):
 
     def __init__(self, slide: QWidget) -> None:
         super().__init__(slide)
-        self.setAccessibleName(self.tr("Pen"))
+        self.setAccessibleName(WORDS.say("name"))
         self._slide = slide
         self.strokes: dict[str, list[Stroke]] = {}
         self.pictures: dict[str, QImage] = {}
@@ -92,30 +94,16 @@ class Pen(QWidget):
         """Make the bar, of which only the dot of the colour is seen until the mouse is on it."""
         bar = QFrame(self)
         bar.setObjectName("card")
-        self.dot = tool_button("●", self.tr("Colours, eraser, undo, clear, keep"))
-        names = {
-            "ink": self.tr("Black"),
-            "u": self.tr("Orange"),
-            "v": self.tr("Green"),
-            "n": self.tr("Blue"),
-        }
+        self.dot = tool_button("●", WORDS.say("dot"))
         self.colours: dict[str, QToolButton] = {
             name: tool_button(
-                "●", names[name], partial(self.take, name), name=names[name], checkable=True
+                "●", WORDS.say(name), partial(self.take, name), name=WORDS.say(name), checkable=True
             )
             for name in COLOURS
         }
-        self.eraser = tool_button(
-            self.tr("Erase"), self.tr("Remove the strokes that are touched (E)"),
-            self.switch_eraser, checkable=True,
-        )  # fmt: skip
-        others = (
-            tool_button(self.tr("Undo"), self.tr("Remove the last stroke (Ctrl+Z)"), self.undo),
-            tool_button(self.tr("Clear"), self.tr("Remove all strokes of the step (Delete)"),
-                        self.clear),
-            tool_button(self.tr("Keep"), self.tr("Keep the strokes for the handout (K)"),
-                        self.kept.emit),
-        )  # fmt: skip
+        self.eraser = WORDS.tool("eraser", self.switch_eraser, checkable=True)
+        acts = {"undo": self.undo, "clear": self.clear, "keep": self.kept.emit}
+        others = (WORDS.tool(key, act) for key, act in acts.items())
         self._tools = (*self.colours.values(), self.eraser, *others)
         in_row(*self._tools, self.dot, on=bar, margins=(2, 2, 2, 2), gap=4)
         for button in bar.findChildren(QToolButton):

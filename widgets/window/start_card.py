@@ -6,7 +6,7 @@ from pathlib import Path
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon
-from PySide6.QtWidgets import QCheckBox, QGridLayout, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QGridLayout, QMenu, QToolButton, QWidget
 
 from app.lessons.lesson import head_of, is_lesson
 from app.lessons.player import Progress
@@ -14,11 +14,13 @@ from app.model.refusal import Refusal
 from app.scenes.scene import BUILT_IN
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import file_title
-from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.plain import PlainLabel
+from widgets.parts.wording import Wording
 from widgets.window.cover_card import CoverCard
 from widgets.window.lesson_card import TOUR
 from widgets.window.lesson_menu import fill
 
+WORDS = Wording(__file__)
 COLUMNS = 5
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
@@ -57,26 +59,22 @@ class StartCard(CoverCard):
         at_every_start: bool,
         dark: bool,
     ) -> None:
-        super().__init__(window, self.tr("Start"))
+        super().__init__(window, WORDS.say("start"))
         self.tiles = {name: self._tile(name, titles[name], dark=dark) for name in BUILT_IN}
         grid = QGridLayout()
         grid.setSpacing(2)
         for place, tile in enumerate(self.tiles.values()):
             row, column = divmod(place, COLUMNS)
             grid.addWidget(tile, row, column, Qt.AlignmentFlag.AlignTop)
-        beside = in_column(
-            PlainLabel(self.tr("Learn"), objectName="paneTitle"), *self._lessons(progress),
-            *self._review(review, next_review), 12,
-            PlainLabel(self.tr("Files"), objectName="paneTitle"), *self._files(recent), FREE, gap=2,
-        )  # fmt: skip
-        always = QCheckBox(self.tr("Show this at every start"))
-        set_tip(always, self.tr("Help > Start card shows it at any time"))
-        always.setChecked(at_every_start)
-        always.toggled.connect(self.always_set)
-        head = self._head(
-            self.tr("How a camera turns a 3-D scene into a picture"),
-            self.tr("Begin with the letter F (Esc)"),
+        learn, files = (
+            PlainLabel(WORDS.say(key), objectName="paneTitle") for key in ("learn", "files")
         )
+        review_and_lessons = *self._lessons(progress), *self._review(review, next_review)
+        beside = in_column(learn, *review_and_lessons, 12, files, *self._files(recent), FREE, gap=2)
+        always = WORDS.check("always", self.always_set)
+        always.setChecked(at_every_start)
+        title, tip = WORDS["head"]
+        head = self._head(title, tip)
         both = in_row(grid, beside, gap=16)
         in_column(head, both, always, on=self.card, margins=(16, 10, 16, 12), gap=6)
 
@@ -92,30 +90,20 @@ class StartCard(CoverCard):
 
     def _lessons(self, progress: Mapping[str, Progress]) -> Iterator[QToolButton]:
         choose = partial(self._choose, self.file_chosen.emit)
-        yield tool_button(
-            self.tr("Two-minute tour"), self.tr("Six things to try, one after the other"),
-            partial(choose, str(TOUR)), icon="play", flat=True,
-        )  # fmt: skip
-        lessons = self.tr("24 topics of the lectures, to work through alone")
-        talks = self.tr("The five lectures, to present to a class")
-        for are_talks, text, tip, icon in (
-            (False, self.tr("Lessons"), lessons, "lesson"),
-            (True, self.tr("Talks"), talks, "present"),
-        ):
-            button = tool_button(text, tip, icon=icon, flat=True)
+        yield WORDS.tool("tour", partial(choose, str(TOUR)), icon="play", flat=True)
+        for key, are_talks in (("lesson", False), ("present", True)):
+            button = WORDS.tool(key, icon=key, flat=True)
             menu = QMenu(button)
             menu.aboutToShow.connect(partial(fill, menu, progress, choose, talks=are_talks))
             button.setMenu(menu)
             button.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
             yield button
-        yield tool_button(
-            self.tr("Speed and accuracy"), self.tr("What a renderer gives up to be fast, measured"),
-            partial(self._leave_for, self.trades_wanted), icon="speed", flat=True,
-        )  # fmt: skip
+        act = partial(self._leave_for, self.trades_wanted)
+        yield WORDS.tool("speed", act, icon="speed", flat=True)
 
     def _review(self, text: str, following: str) -> Iterator[QWidget]:
         if text:
-            tip = self.tr("What you did not solve alone, with other numbers, the topics mixed")
+            tip = WORDS.say("review")
             act = partial(self._leave_for, self.review_wanted)
             yield tool_button(text, tip, act, icon="reset", flat=True)
         if following:
@@ -124,11 +112,8 @@ class StartCard(CoverCard):
             yield said
 
     def _files(self, recent: Sequence[str]) -> Iterator[QToolButton]:
-        yield tool_button(
-            self.tr("Open a file…"),
-            self.tr("Open a document, a lesson, a mesh, a camera or an exported picture"),
-            partial(self._leave_for, self.open_wanted), icon="open", flat=True,
-        )  # fmt: skip
+        act = partial(self._leave_for, self.open_wanted)
+        yield WORDS.tool("open", act, icon="open", flat=True)
         for path in recent[:MOST_RECENT]:
             act = partial(self._choose, self.file_chosen.emit, path)
             button = tool_button("", path, act, name=Path(path).name, flat=True)

@@ -32,7 +32,9 @@ from widgets.parts.messages import plane_name, translated
 from widgets.parts.number_field import NumberDialog
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
+from widgets.parts.wording import Wording
 
+WORDS = Wording(__file__)
 RESTS_AFTER_MS = 150  # time without changes after which errors are predicted
 
 
@@ -55,31 +57,22 @@ class StatusLine(QStatusBar):
         self._risks: list[str] = []
         self._notes: list[str] = []
         self.health = _Elided("health")
-        self.health.setAccessibleName(self.tr("Numerical health"))
+        self.health.setAccessibleName(WORDS.say("health"))
         self.precision = QToolButton(autoRaise=True)
         self._show_precisions(self._drawn, 0.0, None)
         self.precision.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
         self.precision.setMenu(QMenu(self.precision))
-        tip = self.tr(
-            "The precision of the picture (drawn) and of its numbers (read), each with a "
-            "bound on its error. The bound of the picture holds for what is visible. The "
-            "bounds of the numbers and of the alternatives in the menu hold for every point "
-            "in front of the eye"
-        )
-        set_tip(self.precision, tip)
+        set_tip(self.precision, WORDS.say("precision"))
         self.precision.menu().aboutToShow.connect(self._fill_menu)
         self.precision.installEventFilter(self)
-        tip = self.tr(
-            "The panes are drawn with the quality that you chose; click for the automatic one"
-        )
-        self.quality = tool_button("", tip, flat=True)
+        self.quality = tool_button("", WORDS.say("quality-tip"), flat=True)
         # Without a text it would be as high as an icon, and take height from the panes.
         self.quality.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextOnly)
         self.quality.hide()
         self.addWidget(self.quality)
         self.addWidget(self.health, 1)
         self.cost = _Elided("cost")
-        self.cost.setAccessibleName(self.tr("Cost of a step"))
+        self.cost.setAccessibleName(WORDS.say("cost"))
         self.cost.hide()
         self.addWidget(self.cost, 8)  # leaves room for the sign of `health`, with its tooltip
         self._rest = QTimer(self, singleShot=True, interval=RESTS_AFTER_MS)
@@ -96,15 +89,12 @@ class StatusLine(QStatusBar):
         times in ms to set the drawing's matrices and to repaint it.
         """
         parts = [
-            self.tr("{0} {1} + {2}").format(title, f"{matrices:.1f}", f"{repaint:.1f}")
+            WORDS.say("pane", title, f"{matrices:.1f}", f"{repaint:.1f}")
             for title, (matrices, repaint) in panes.items()
         ]
-        model = self.tr("model {0}").format(f"{model_ms:.1f}")
-        text = self.tr("{0} ms").format("  ".join([model, *parts]))
-        tip = self.tr(
-            "Time of the last step in ms: the model; for each pane its matrices + its repaint"
-        )
-        self.cost.show_text(text, f"{tip}\n{text}")
+        model = WORDS.say("model", f"{model_ms:.1f}")
+        text = WORDS.say("ms", "  ".join([model, *parts]))
+        self.cost.show_text(text, f"{WORDS.say('ms-tip')}\n{text}")
 
     def set_tolerance(self, tolerance_px: float) -> None:
         self.tolerance_px = tolerance_px
@@ -117,7 +107,7 @@ class StatusLine(QStatusBar):
         chosen = [
             f"{100.0 * v:g} %" if isinstance(v, float) else v for v in quality.chosen.values()
         ]
-        self.quality.setText(self.tr("quality: {0}").format(", ".join(chosen)))
+        self.quality.setText(WORDS.say("quality", ", ".join(chosen)))
         self.quality.setVisible(bool(chosen))
         if quality.rung != self._quality.rung:
             self._wait_for_rest()
@@ -171,19 +161,15 @@ class StatusLine(QStatusBar):
     ) -> None:
         """Show the precisions; `float32_px` bounds the error of what float32 draws."""
         read = precision_for_reading(predictions)
-        text = self.tr("drawn {0}, read {1}").format(drawn, read)
+        text = WORDS.say("precisions", drawn, read)
         if predictions is not None:
             # Whatever computes the picture, a rasteriser gets float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
             drawn_px = float32_px
             if drawn != "float32":
                 drawn_px = max(drawn_px, predictions[drawn].px)
-            text = self.tr("drawn {0} ±{1} px, read {2} ±{3} px").format(
-                drawn,
-                _error_text(max(drawn_px, at_least_px)),
-                read,
-                _error_text(predictions[read].px),
-            )
+            drawn_text = _error_text(max(drawn_px, at_least_px))
+            text = WORDS.say("errors", drawn, drawn_text, read, _error_text(predictions[read].px))
         self.precision.setText(text)
 
     def _fill_menu(self) -> None:
@@ -191,36 +177,26 @@ class StatusLine(QStatusBar):
         menu.clear()
         read = precision_for_reading(self._predictions)
         for precision, (px, depth) in (self._predictions or {}).items():
-            line = self.tr("{0}: up to {1} px, {2} in depth").format(
-                precision, f"{px:.2g}", f"{depth:.2g}"
-            )
+            line = WORDS.say("bound", precision, f"{px:.2g}", f"{depth:.2g}")
             if not math.isfinite(px + depth):
-                line = self.tr("{0}: its error has no bound here").format(precision)
-            each_use = (self.tr("drawn"), self._drawn), (self.tr("read"), read)
+                line = WORDS.say("no-bound", precision)
+            each_use = (WORDS.say("drawn"), self._drawn), (WORDS.say("read"), read)
             uses = [use for use, chosen in each_use if chosen == precision]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
-        text = self.tr("Frames of at most {0} ms while dragging…").format(f"{self.frame_ms:g}")
-        if not self.frame_ms:
-            text = self.tr("No limit on the frame time while dragging…")
-        asked = self.tr(
-            "While you drag a control, antialiasing and triangles may be left out to keep each"
-            " frame within this many milliseconds; 0 for no limit:"
-        )
-        frame = self.tr("Frame time"), asked, self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms"
+        text = WORDS.say("limit", f"{self.frame_ms:g}") if self.frame_ms else WORDS.say("no-limit")
+        frame = "frame", self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.frame_edited, frame))
-        text = self.tr("Drawing tolerance {0} px…").format(f"{self.tolerance_px:g}")
-        tolerance = (
-            self.tr("Drawing tolerance"),
-            self.tr("A GPU's own arithmetic (float32) may draw with an error of up to this many"
-                    " pixels:"),
-            self.tolerance_px, LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX, "px",
-        )  # fmt: skip
+        text = WORDS.say("px", f"{self.tolerance_px:g}")
+        span = LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX
+        tolerance = "tolerance", self.tolerance_px, *span, "px"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
 
-    def _ask(self, edited: SignalInstance, of: tuple[str, str, float, float, float, str]) -> None:
-        """Ask for a number in a `NumberDialog`."""
-        dialog = NumberDialog(*of, self)
+    def _ask(self, edited: SignalInstance, of: tuple[str, float, float, float, str]) -> None:
+        """Ask for a number in a `NumberDialog`, by its key in the wording."""
+        key, value, low, high, unit = of
+        name, asked = WORDS[key]
+        dialog = NumberDialog(name, asked, value, low, high, unit, self)
         if dialog.exec():
             edited.emit(dialog.number)
 

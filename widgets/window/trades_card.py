@@ -21,12 +21,14 @@ from widgets.parts.labels import NoteLabel
 from widgets.parts.layouts import FREE, in_column, tool_button
 from widgets.parts.messages import of_measurements
 from widgets.parts.plain import PlainLabel
+from widgets.parts.wording import Wording
 from widgets.window.cover_card import CoverCard
 from widgets.window.pictures import image_of
 from widgets.window.quality import with_choice
 
 log = logging.getLogger(__name__)
 
+WORDS = Wording(__file__)
 DRAWN_FINER = 2.0  # factor by which a picture is drawn larger: its lines do not hide the scene
 BARE = View(layers=frozenset({"labels"}))  # the view of a picture, without labels
 COLUMNS = 5
@@ -43,7 +45,7 @@ class TradesCard(CoverCard):
     start_wanted = Signal()
 
     def __init__(self, window: QWidget, *, dark: bool) -> None:
-        super().__init__(window, self.tr("Speed and accuracy"))
+        super().__init__(window, WORDS.say("name"))
         self._dark = dark
         self._undrawn: list[str] = []
         self._drawing = QTimer(self)
@@ -63,23 +65,18 @@ class TradesCard(CoverCard):
         for place, tile in enumerate(self.tiles.values()):
             tile.setFixedSize(wide, high)
             grid.addWidget(tile, place // COLUMNS, place % COLUMNS)
-        back = tool_button(
-            "", self.tr("Back to the start card"), partial(self._leave_for, self.start_wanted),
-            icon="back", name=self.tr("Start card"), flat=True,
-        )  # fmt: skip
-        head = self._head(
-            self.tr("Speed and accuracy: what a renderer gives up to be fast"),
-            self.tr("Go on with the scene (Esc)"), back,
-        )  # fmt: skip
-        text = self.tr("Measured with the letter F on another machine: {0}. Choose a trade to see"
-                       " it, and to measure it here.")  # fmt: skip
+        name, tip = WORDS["back"]
+        act = partial(self._leave_for, self.start_wanted)
+        back = tool_button("", tip, act, icon="back", name=name, flat=True)
+        title, tip = WORDS["head"]
+        head = self._head(title, tip, back)
         note = NoteLabel()
-        note.setText(text.format(chart.machine(next(iter(results.values())))))
+        note.setText(WORDS.say("measured", chart.machine(next(iter(results.values())))))
         in_column(head, grid, note, on=self.card, margins=(12, 10, 12, 10), gap=6)
 
     def _tile(self, name: str, results: Measurements | None) -> QToolButton:
         title = of_measurements(chart.TITLES[name])
-        paid = self.tr("Not measured yet.")
+        paid = WORDS.say("unmeasured")
         bold = boldest(results.trades[0]) if results is not None else None
         if results is not None and bold is not None:
             cost, choice = bold

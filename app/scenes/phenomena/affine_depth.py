@@ -6,20 +6,19 @@ cube, but it is linear in w: a segment becomes a bow. ``A + B/z`` (000, (12); 00
 """
 
 import math
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import NOT_CUT, clip_segments
-from app.model.parameter import Parameter, Settings, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, point
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import image_from_ndc
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("affine-depth")
 
@@ -229,11 +228,4 @@ def _readings(
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((3.2, 3.4, 5.0), (-0.2, 2.3, 0.0)), Perspective(60.0, 1.0, 14.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
-    show=_show,
-    adjustable=(Parameter("start", (3.0, 2.9, 4.0)), Parameter("end", (-9.0, 3.5, -2.5))),
-    cube_side=(75.0, 10.0),
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -6,18 +6,15 @@ The synthetic camera (lecture 001) has the same centre and puts its film in fron
 distance, where the image is ``+d h / z`` high. In this scene that film is the near plane.
 """
 
-from functools import partial
-
 import numpy as np
 
-from app.model.parameter import ImpliedSettings, Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import ImpliedSettings, Settings, number
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Dot, Mark, Marks, Polyline, Text, named, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines, world_from_view
 from app.scenes.phenomena.similar_triangles import SLAB, onto_plane
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("camera-obscura")
 
@@ -142,11 +139,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 
 PHENOMENON = Phenomenon.of(
     WORDS,
-    start=Projection(Camera((0.5, 2.5, 9.0), (0.5, 2.5, 0.0)), Perspective(38.0, 4.0, 10.5)),
-    geometry=partial(letter_f_on_grid, (-4.0, -3.0), (5.0, 5.0)),
     show=_show,
-    adjustable=(Parameter("distance", 4.0, 1e-3, 1e6, span=(1.0, 8.0)),),
     follow=_follow,
     implied=lambda at, _: {"distance": at.lens.near if at.lens.central else None},
-    inks={"d": "v"},
 )

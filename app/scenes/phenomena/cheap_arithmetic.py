@@ -20,8 +20,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection, Trace, Vector
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection, Trace, Vector
 from app.precision.cheap import Hardware, cheap_formats, stored
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Rendering, Text, Texture, Vertices
@@ -298,22 +298,4 @@ def _diagram(
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(
-        Camera((-4.5, 5.0, 10.0), (0.0, 1.3, 0.0)), Perspective(48.0, 4.0, 20.0), (320, 240)
-    ),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("preset", "console"),
-        Parameter(
-            "origin", 1e6, 1.0, 1e15, span=(1.0, 1e9), logarithmic=True, only_with=("preset", "far")
-        ),
-        Parameter("vertices", "bits12", only_with=("preset", "own")),
-        Parameter("numbers", "float32", only_with=("preset", "own")),
-        Parameter("snap", "none", only_with=("preset", "own")),
-        Parameter("reciprocal", "exact", only_with=("preset", "own")),
-    ),
-    requires=frozenset({"texture", "vertices"}),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.limits import PLANES
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import DEPTH_RANGES, Array, Camera, Perspective, Projection, Vector
+from app.model.parameter import Settings, number
+from app.model.projection import DEPTH_RANGES, Array, Projection, Vector
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Face, Mark, Marks, Polyline, Text, named, outline, plate
@@ -320,10 +320,4 @@ def _diagram(now: Array, new: Array, step: int) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.0, 4.0, 8.0), (0.0, 4.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(Parameter("step", 1.0, 0.0, 6.0, whole=True, per_second=0.8),),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

@@ -16,8 +16,8 @@ from functools import cache
 import numpy as np
 
 from app.arithmetic.formats import Grid
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
@@ -116,18 +116,4 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(
-        Camera((0.0, 0.0, 1.6), (0.0, 0.0, 0.0)), Perspective(60.0, 0.5, 6.0), (1920, 1080)
-    ),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("bits", "8"),
-        Parameter("grid", "own"),
-        Parameter("left", SIZES[0], 4.0, 1e6, span=(4.0, 100.0), logarithmic=True),
-        Parameter("right", SIZES[1], 3.0, 1e6, span=(3.0, 100.0), logarithmic=True),
-    ),
-    requires=frozenset({"vertices"}),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

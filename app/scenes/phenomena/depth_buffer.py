@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 
 from app.model.clipping import clip_polygon
 from app.model.depth import FORMATS, DepthBuffer
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Face, Marks, Rendering, Text
@@ -233,15 +233,4 @@ def _diagram(buffer: DepthBuffer, target: float | None) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((3.0, 7.0, 15.0), (0.0, 1.5, -8.0)), Perspective(45.0, 0.01, 200.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("gap", 0.25, 1e-9, 1e6, span=(1e-6, 1.0), logarithmic=True),
-        Parameter("format", "fixed16"),
-        Parameter("range", "standard"),
-    ),
-    requires=frozenset({"depth"}),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

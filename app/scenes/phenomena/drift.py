@@ -6,19 +6,17 @@ and in the image alike.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.precision.drift import AXIS, drifted, errors_px
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Mark, Marks, Text, dash_dot, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading, figure
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("drift")
 
@@ -101,14 +99,4 @@ def _image_marks(
     return Marks.of(segment(start, end, "accent", 1.5), Text("drift", end, "accent", text=text))
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((4.5, 4.5, 9.0), (0.8, 2.3, 0.0)), Perspective(40.0, 5.0, 15.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
-    show=_show,
-    adjustable=(
-        Parameter("rounds", 10.0, 1.0, 100.0, logarithmic=True, whole=True),
-        Parameter("numbers", "float32"),
-        Parameter("way", "fast"),
-    ),
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

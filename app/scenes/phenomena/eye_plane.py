@@ -11,15 +11,14 @@ No picture here is cut at near and far, which would take away more and correct n
 
 import itertools
 import math
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from app.model.clipping import LARGEST_CLIP, clip_segments, cut_at_eye, naive_ndc
-from app.model.parameter import Parameter, Settings, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, point
+from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, OwnMesh, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
@@ -37,7 +36,7 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import SIDES, image_from_ndc, rectangle, section, world_from_view
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("eye-plane")
 
@@ -479,15 +478,4 @@ def _crossing_edge(ends: Array, colour: str, way: str, size: tuple[int, int]) ->
     return Marks.of(*marks)
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.8, 2.4, 1.2), (-1.2, 2.4, 0.2)), Perspective(75.0, 0.05, 30.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -6.0), (4.0, 6.0)),
-    show=_show,
-    adjustable=(
-        Parameter("start", (-2.5, 1.5, 0.0)),
-        Parameter("end", (2.5, 1.8, 2.5)),
-        Parameter("drawn", "faces"),
-    ),
-    own_mesh_crosses=True,
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

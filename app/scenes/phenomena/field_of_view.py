@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
+from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
 from app.model.projection import (
     Array,
     Camera,
@@ -258,13 +258,6 @@ PHENOMENON = Phenomenon.of(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(
-        Parameter("preset", "wide"),
-        Parameter(
-            "distance", 1.0, 0.05, 20.0, span=(0.4, 8.0), unit="×", logarithmic=True, per_second=0.5
-        ),
-        Parameter("enlarged", True, only_with=("preset", "tele")),
-    ),
     follow=_follow,
     implied=_implied,
 )

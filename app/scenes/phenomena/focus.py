@@ -23,8 +23,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
@@ -297,14 +297,4 @@ def _diagram(lens: _Focused) -> Diagram:
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.0, 1.3, 0.0), (0.0, 1.0, -5.0)), Perspective(28.0, 1.7, 22.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("focus", 5.0, 1e-6, 1e6, span=(0.3, 30.0), unit="m", logarithmic=True),
-        Parameter("aperture", 1.0, 0.5, 1e6, span=(0.5, 64.0), logarithmic=True),
-        Parameter("confusion", 0.03, 1e-6, 10.0, span=(0.005, 0.2), unit="mm", logarithmic=True),
-    ),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

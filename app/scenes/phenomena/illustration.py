@@ -13,18 +13,19 @@ show the same. `marks` defines what is drawn, `words` the texts, readout and dia
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import partial
 from types import MappingProxyType
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from app.model.limits import vector
 from app.model.parameter import ImpliedSettings, Parameter, Settings, number
-from app.model.projection import Array, Projection, Vector
+from app.model.projection import LENSES, Array, Camera, Projection, Vector
 from app.model.refusal import QT_TRANSLATE_NOOP
 from app.scenes.phenomena.marks import Copy, Grip, Length, Marks, Rendering, Vertices
-from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading
-from app.scenes.shapes import Coloured
+from app.scenes.phenomena.words import Diagram, PhenomenonWords, Phrase, Reading, value_of
+from app.scenes.shapes import Coloured, letter_f_on_grid
 
 _FREE = QT_TRANSLATE_NOOP(
     "phenomena", "a free matrix has no near, no far and no window: choose a lens to see this"
@@ -151,15 +152,32 @@ def _shot(text: str) -> Shot:
     return Shot(float(azimuth_deg), float(elevation_deg), "camera" if about else "scene")
 
 
+def _numbers(text: str) -> tuple[float, ...]:
+    return tuple(map(float, text.split()))
+
+
+def _start(text: str) -> Projection:
+    """Read eye, target, the lens with its numbers, and perhaps the image's size."""
+    eye, target, lens, *size = text.split(" | ")
+    kind, *numbers = lens.split()
+    camera = Camera(vector(_numbers(eye)), vector(_numbers(target)))
+    width_and_height: Any = (tuple(map(int, _numbers(each))) for each in size)
+    return Projection(camera, LENSES[kind](*map(value_of, numbers)), *width_and_height)
+
+
 _READ: dict[str, Callable[[str], Any]] = {
     **dict.fromkeys(
         ("lectures", "controls", "replaces", "names"), lambda text: tuple(text.split())
     ),
-    **dict.fromkeys(("leaves_out", "pale"), lambda text: frozenset(text.split())),
+    **dict.fromkeys(("leaves_out", "pale", "requires"), lambda text: frozenset(text.split())),
     **dict.fromkeys(("shot", "upright"), _shot),
-    **dict.fromkeys(("leading", "fixed"), str),
+    **dict.fromkeys(("leading", "fixed", "clicked"), str),
+    **dict.fromkeys(("own_mesh", "own_mesh_crosses"), lambda text: text == "yes"),
     "numbers": int,
-    "own_mesh": lambda text: text == "yes",
+    "inks": lambda text: dict(each.split("=") for each in text.split()),
+    "cube_side": _numbers,
+    "letter_f_on_grid": lambda text: map(_numbers, text.split(" | ")),
+    "start": _start,
 }
 """How the content file of a phenomenon states these fields: below the heading "Shown"."""
 
@@ -173,7 +191,6 @@ class Phenomenon(Appearance):
     - `start`: the camera and lens with which it opens.
     - `geometry`: ``geometry() -> (faces, lines)`` makes the scene.
     - `show`: ``show(projection, settings, subject) -> Illustration``.
-    - `adjustable`: its settings, without their words.
     - `controls`: the model's controls that matter here: ``lens.near``, ``camera.distance``. With
       the settings there are 2 to 4 at a time.
     - `replaces`: the model's controls that the settings replace, such as the lens's ``preset``.
@@ -196,7 +213,6 @@ class Phenomenon(Appearance):
     start: Projection
     geometry: Callable[[], tuple[Coloured, Coloured]]
     show: Callable[[Projection, Settings, Subject], Illustration]
-    adjustable: tuple[Parameter, ...] = ()
     controls: tuple[str, ...] = ()
     replaces: tuple[str, ...] = ()
     clicked: str = ""
@@ -211,6 +227,8 @@ class Phenomenon(Appearance):
     def of(cls, words: PhenomenonWords, **computed: Any) -> "Phenomenon":
         """The phenomenon of a content file, with what is computed."""
         shown = {name: _READ[name](text) for name, text in words.shown.items()}
+        if "letter_f_on_grid" in shown:
+            computed["geometry"] = partial(letter_f_on_grid, *shown.pop("letter_f_on_grid"))
         return cls(words, **shown, **computed)
 
     @property
@@ -218,9 +236,9 @@ class Phenomenon(Appearance):
         """The scene's name: ``similar-triangles``."""
         return self.words.name
 
-    @cached_property
+    @property
     def settings(self) -> tuple[Parameter, ...]:
-        return tuple(map(self.words.worded, self.adjustable))
+        return tuple(self.words.settings.values())
 
     def illustration(
         self, projection: Projection, settings: Settings, subject: Subject
@@ -238,7 +256,7 @@ class Phenomenon(Appearance):
         if is_free(projection):
             return settings
         implied = dict(self.implied(projection, settings))
-        for setting in self.adjustable:
+        for setting in self.settings:
             value = implied.get(setting.name)
             if isinstance(value, float):
                 implied[setting.name] = setting.rounded(value, number(settings, setting.name))

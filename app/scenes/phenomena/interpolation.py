@@ -22,8 +22,8 @@ from functools import cache
 
 import numpy as np
 
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Mark, Marks, Polyline, Rendering, Text, Texture, named
 from app.scenes.phenomena.picture import seen, seen_lines
@@ -205,15 +205,4 @@ def _readings(
     )
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((1.5, 4.0, 10.0), (0.0, 0.0, 0.5)), Perspective(50.0, 3.0, 24.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("interpolation", "affine"),
-        Parameter("subdivision", 1.0, 1.0, 64.0, logarithmic=True, whole=True),
-        Parameter("pattern", "checks"),
-    ),
-    requires=frozenset({"texture"}),
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

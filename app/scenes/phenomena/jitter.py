@@ -12,14 +12,13 @@ of both bounds at most.
 """
 
 from dataclasses import replace
-from functools import partial
 from typing import NamedTuple
 
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Camera, Projection
 from app.precision.cheap import Hardware, cheap
 from app.precision.drift import errors_px
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
@@ -27,11 +26,11 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("jitter")
 
-FRAMES, STEP = 24, 1e-3  # how often the eye moves, and how far each time
+FRAMES = int(WORDS.settings["frame"].high)  # how often the eye moves
+STEP = 1e-3  # how far it moves each time
 _AWAY = np.array((0.6, 0.64, 0.48))  # the direction from the origin to the scene
 _UNIT, _LOWEST = 2.0**-24, 2.0**-149  # of float32
 _ROOM = 0.35  # of the picture's width, for what is enlarged
@@ -144,16 +143,4 @@ def _image_marks(projection: Projection, paths: Paths, frame: int) -> tuple[Mark
     ), times
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(
-        Camera((4.5, 4.5, 9.0), (2.0, 2.3, 0.0)), Perspective(40.0, 5.0, 15.0), (1920, 1080)
-    ),
-    geometry=partial(letter_f_on_grid, (-4.0, -4.0), (4.0, 4.0)),
-    show=_show,
-    adjustable=(
-        Parameter("distance", 5e4, 1.0, 1e9, span=(1e3, 1e7), logarithmic=True),
-        Parameter("way", "world"),
-        Parameter("frame", float(FRAMES), 0.0, float(FRAMES), per_second=12.0, whole=True),
-    ),
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
+from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
 from app.model.parameters import ALPHA, BETA
 from app.model.projection import (
     Array,
@@ -227,14 +227,6 @@ PHENOMENON = Phenomenon.of(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(
-        Parameter("drawing", "cavalier"),
-        Parameter(
-            "receding", 0.7, 0.0, 100.0, span=(0.0, 2.0), unit="×", only_with=("drawing", "free")
-        ),
-        Parameter("angle_deg", 45.0, -360.0, 360.0, span=(-180.0, 180.0), unit="°"),
-        Parameter("morph", 1.0, 0.0, 1.0, per_second=0.5),
-    ),
     follow=_follow,
     implied=_implied,
 )

@@ -2,7 +2,8 @@
 
 The window stays in the plane through the target while the eye moves sideways, so that left and
 right of the near plane's window become unequal (lectures 000, 002, 003: glFrustum). A wall of two
-screens is two such frusta with one eye: the right side of one is the left side of the other.
+screens is two such frusta with one eye: the right side of one is the left side of the other. At
+first the window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
 """
 
 import math
@@ -12,9 +13,9 @@ from fractions import Fraction
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import ImpliedSettings, Parameter, Settings, number
+from app.model.parameter import ImpliedSettings, Settings, number
 from app.model.parameters import BOTTOM, LEFT, NEAR, RIGHT, TOP
-from app.model.projection import Array, Camera, Frustum, Projection
+from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Grip, Mark, Marks, Polyline, Text, plate, segment
@@ -227,19 +228,4 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
     return replace(seen, lens=kept)
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(
-        Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)),
-        # The window is 8 by 4.5 in the plane z = 0, 8 units away; its middle is 1.5 to the left.
-        Frustum(-2.2, 1.0, -0.9, 0.9, 3.2, 19.0, "y"),
-    ),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("shift", 1.5, -1e4, 1e4, span=(-5.0, 5.0), per_second=1.0),
-        Parameter("screens", "2"),
-    ),
-    follow=_follow,
-    implied=_implied,
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show, follow=_follow, implied=_implied)

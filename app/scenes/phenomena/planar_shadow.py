@@ -15,20 +15,18 @@ the far plane.)
 """
 
 import math
-from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter, Settings, number, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number, point
+from app.model.projection import Array, Projection
 from app.model.refusal import REFUSALS, Refusal, format_value
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Copy, Grip, Mark, Marks, Text, named, plate, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("planar-shadow")
 
@@ -246,17 +244,5 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
     return Marks.of(*world)
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((6.0, 7.5, 12.0), (1.9, 1.7, -0.6)), Perspective(32.0, 4.0, 24.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -5.0), (9.0, 3.0)),
-    show=_show,
-    adjustable=(
-        Parameter("kind", "point"),
-        Parameter("light", (-4.0, 9.0, 3.0)),
-        Parameter("height", 0.0, -1e6, 0.0, span=(-4.0, 0.0)),
-        Parameter("clip", True),
-    ),
-    check=_check,
-    # The lamp casts the shadow, whatever the eye sees; beside the eye it would be half as large.
-)
+# The lamp casts the shadow, whatever the eye sees; beside the eye it would be half as large.
+PHENOMENON = Phenomenon.of(WORDS, show=_show, check=_check)

@@ -18,8 +18,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.model.limits import vector
-from app.model.parameter import ImpliedSettings, Parameter, Settings, number
-from app.model.projection import LARGEST, PLANES, Array, Camera, Perspective, Projection
+from app.model.parameter import ImpliedSettings, Settings, number
+from app.model.projection import LARGEST, PLANES, Array, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import DetailLevel, Fog, Marks, Polyline, Rendering, Text, outline
@@ -29,7 +29,7 @@ from app.scenes.shapes import Coloured, box_corners, brightness, ground_grid
 
 WORDS = PhenomenonWords("far-plane-popping")
 
-SPEED = 12.0  # world units a second, when the position is played
+SPEED = WORDS.settings["position"].per_second
 SPACING = 6.0
 ROWS = (-4.0, 4.0)  # world x of the two rows of trees; they stand at z = 0, -SPACING, ...
 TREES = 60  # in a row
@@ -43,7 +43,6 @@ _SHAPES = (
     (0, 3, ((1.5, 1.2), (0.02, HEIGHT))),
 )
 _RADIUS = 1.5
-_START_Z = 7.25  # of the eye, where the position is 0
 _RIGHT = 400.0  # of the diagram, where far is farther
 
 
@@ -204,7 +203,7 @@ def _follow(projection: Projection, before: ImpliedSettings, after: Settings) ->
 
 
 def _implied(projection: Projection, _settings: Settings) -> ImpliedSettings:
-    return {"position": _START_Z - projection.camera.eye[2]}
+    return {"position": PHENOMENON.start.camera.eye[2] - projection.camera.eye[2]}
 
 
 def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illustration:
@@ -272,31 +271,5 @@ def _diagram(fog: Fog | None, far: float) -> Diagram:
 
 
 PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.5, 2.2, _START_Z), (0.0, 2.0, -40.0)), Perspective(45.0, 5.0, 60.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("position", 0.0, 0.0, 300.0, per_second=SPEED),
-        Parameter("fog", "none"),
-        Parameter("fog_start", 15.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("fog", "linear")),
-        Parameter("fog_end", 66.0, 1e-3, 1e6, span=(1.0, 400.0), only_with=("fog", "linear")),
-        Parameter(
-            "fog_density",
-            0.05,
-            1e-6,
-            10.0,
-            span=(1e-3, 1.0),
-            unit="1/w",
-            logarithmic=True,
-            only_with=("fog", "exponential"),
-        ),
-        Parameter("detail", False),
-        Parameter("detail_1", 20.0, 0.0, 1e6, span=(0.0, 200.0), only_with=("detail", True)),
-        Parameter("detail_2", 40.0, 1e-3, 1e6, span=(1.0, 200.0), only_with=("detail", True)),
-    ),
-    follow=_follow,
-    implied=_implied,
-    check=_check,
-    requires=frozenset({"fog", "levels"}),
+    WORDS, geometry=_geometry, show=_show, follow=_follow, implied=_implied, check=_check
 )

@@ -7,12 +7,11 @@ coordinates change their signs.
 """
 
 import math
-from functools import partial
 
 import numpy as np
 
-from app.model.parameter import Parameter, Settings, number, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number, point
+from app.model.projection import Array, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
@@ -32,7 +31,6 @@ from app.scenes.phenomena.marks import (
 )
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, world_from_view
 from app.scenes.phenomena.words import PhenomenonWords, Reading
-from app.scenes.shapes import letter_f_on_grid
 
 WORDS = PhenomenonWords("similar-triangles")
 
@@ -175,15 +173,4 @@ def _through(eye: Array, end: Array, hit: Array, distance: float, w: float) -> A
     return np.array([eye, hit if distance > w else end])
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((5.5, 3.6, 9.5), (0.3, 2.4, 0.0)), Perspective(40.0, 2.0, 14.0)),
-    geometry=partial(letter_f_on_grid, (-4.0, -2.0), (4.0, 10.0)),
-    show=_show,
-    adjustable=(
-        Parameter("distance", 4.0, -1e6, 1e6, span=(-8.0, 12.0)),
-        Parameter("point", (1.5, 5.0, 0.5)),
-    ),
-    check=_check,
-    inks={"d": "near", **dict.fromkeys(("x", "y", "x_p", "y_p"), "accent")},
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show, check=_check)

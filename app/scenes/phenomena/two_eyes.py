@@ -19,8 +19,8 @@ from dataclasses import replace
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import ImpliedSettings, Parameter, Settings, number, point
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import ImpliedSettings, Settings, number, point
+from app.model.projection import Array, Camera, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import (
@@ -158,16 +158,8 @@ def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
 
 PHENOMENON = Phenomenon.of(
     WORDS,
-    start=Projection(Camera((0.0, 1.8, 8.0), (0.0, 1.8, 0.0)), Perspective(45.0, 4.0, 14.0)),
     geometry=_geometry,
     show=_show,
-    adjustable=(
-        Parameter("screen", 8.0, 1e-6, 1e6, span=(4.0, 14.0)),
-        Parameter("separation", 0.8, 0.0, 1e3, span=(0.0, 2.0)),
-        Parameter("cameras", "off-axis"),
-        Parameter("pictures", "beside"),
-        Parameter("point", (1.0, 0.8, 3.0), only_with=("cameras", "toed-in")),
-    ),
     follow=_follow,
     implied=lambda projection, _: {"screen": projection.camera.distance},
 )

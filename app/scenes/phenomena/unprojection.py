@@ -12,13 +12,12 @@ there. The world shows each point where the arithmetic puts it, its error enlarg
 import math
 from collections.abc import Sequence
 from fractions import Fraction
-from functools import partial
 
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import Parameter, Settings, number, point
-from app.model.projection import Camera, Perspective, Projection, Vector
+from app.model.parameter import Settings, number, point
+from app.model.projection import Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.unprojecting import (
     THERE,
@@ -33,7 +32,7 @@ from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
 from app.scenes.phenomena.picture import seen
 from app.scenes.phenomena.words import PhenomenonWords, Phrase, Reading, figure
-from app.scenes.shapes import letter_f_edges, letter_f_on_grid
+from app.scenes.shapes import letter_f_edges
 
 WORDS = PhenomenonWords("unprojection")
 
@@ -112,16 +111,4 @@ def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
     return None
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((5.0, 4.5, 8.0), (0.0, 2.2, 0.0)), Perspective(38.0, 0.1, 1000.0)),
-    geometry=partial(letter_f_on_grid, (-3.0, -2.0), (4.0, 3.0)),
-    show=_show,
-    adjustable=(
-        Parameter("way", "inverse"),
-        Parameter("numbers", "float32"),
-        Parameter("origin", 1e5, 1.0, 1e6, logarithmic=True),
-        Parameter("point", (1.5, 4.5, 0.5)),
-    ),
-    clicked="point",
-)
+PHENOMENON = Phenomenon.of(WORDS, show=_show)

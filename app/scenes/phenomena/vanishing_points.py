@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from app.model.limits import vector
-from app.model.parameter import CLOSE, ImpliedSettings, Parameter, Settings, number
+from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, plate, segment
@@ -397,11 +397,6 @@ PHENOMENON = Phenomenon.of(
     ),
     geometry=_geometry,
     show=_show,
-    adjustable=(
-        Parameter("points", "2"),
-        Parameter("edge", "z"),
-        Parameter("t", 0.6, 0.0, 2.0, per_second=0.15),
-    ),
     follow=_follow,
     implied=_implied,
 )

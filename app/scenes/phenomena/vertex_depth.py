@@ -18,8 +18,8 @@ from functools import cache
 
 import numpy as np
 
-from app.model.parameter import Parameter, Settings, number
-from app.model.projection import Array, Camera, Perspective, Projection
+from app.model.parameter import Settings, number
+from app.model.projection import Array, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Marks, Polyline, Text, Vertices, outline
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading
@@ -27,9 +27,8 @@ from app.scenes.shapes import Coloured, box_corners, box_faces, flat, ground_gri
 
 WORDS = PhenomenonWords("vertex-depth")
 
-MOST_PIECES = 1024
+MOST_PIECES = int(WORDS.settings["pieces"].high)
 _STRIDE = 16  # of the floor's rows, for a strip of the trough: thin strips are slow to draw
-_START = Projection(Camera((0.0, 1.7, 10.0), (0.0, 0.2, 0.0)), Perspective(60.0, 1.0, 30.0))
 _WIDTH = 12.0
 _WALL = (-2.5, 0.0, -0.4), (2.5, 3.0, 0.0)
 _FOUNDATION = (-2.5, -3.0, -0.4), (2.5, 0.0, 0.0)
@@ -61,7 +60,8 @@ def along(ends: Array, count: int) -> tuple[Array, Array]:
 @cache
 def _own() -> Array:
     """The vertices: of the floor's borders left and right, then of wall and foundation."""
-    floor = _floor(_START, borders(_START.lens.near, _START.lens.far, MOST_PIECES))
+    start = PHENOMENON.start
+    floor = _floor(start, borders(start.lens.near, start.lens.far, MOST_PIECES))
     wall = box_corners(*_WALL)
     return np.concatenate([floor.reshape(-1, 3), box_corners(*_FOUNDATION), wall[wall[:, 1] > 0.0]])
 
@@ -148,17 +148,4 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
     )  # fmt: skip
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=_START,
-    geometry=_geometry,
-    show=_show,
-    adjustable=(
-        Parameter("depth", "vertex"),
-        Parameter(
-            "pieces", 1.0, 1.0, float(MOST_PIECES), logarithmic=True, whole=True,
-            only_with=("depth", "vertex"),
-        ),
-    ),
-    requires=frozenset({"vertices"}),
-)  # fmt: skip
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show)

@@ -12,9 +12,9 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from app.model.parameter import ImpliedSettings, Parameter, Settings
+from app.model.parameter import ImpliedSettings, Settings
 from app.model.parameters import ALPHA, FAR, NEAR
-from app.model.projection import Camera, Perspective, Projection
+from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Face, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import drawn_planes, image_from_ndc, seen_texts, world_from_view
@@ -163,12 +163,4 @@ def _implied(projection: Projection, settings: Settings) -> ImpliedSettings:
     return {"volume": "oblique" if ALPHA in lens.parameters else "box"}
 
 
-PHENOMENON = Phenomenon.of(
-    WORDS,
-    start=Projection(Camera((0.0, 3.0, 8.0), (0.0, 3.0, 0.0)), Perspective(40.0, 3.0, 13.0)),
-    geometry=_geometry,
-    show=_show,
-    adjustable=(Parameter("volume", "pyramid"),),
-    follow=_follow,
-    implied=_implied,
-)
+PHENOMENON = Phenomenon.of(WORDS, geometry=_geometry, show=_show, follow=_follow, implied=_implied)

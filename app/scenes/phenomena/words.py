@@ -6,7 +6,11 @@ The file is Markdown in the manner of a lesson. Every text stands on one line::
     The explanation.
 
     ## Shown
+    - start: the eye | its target | perspective 40 1 12, fields of the lens
     - names: P eye
+
+    ## Settings
+    - its_name: 2 low=0 high=9 span=0,4 whole, fields of a `Parameter` after the default
 
     ## Try
     - A question, or something to do.
@@ -27,9 +31,10 @@ The window translates these texts in the context "phenomena". lupdate reads no M
 
 import math
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -102,6 +107,16 @@ def figure(value: float, digits: int = FEW) -> str:
     return f"{value + 0.0:.{digits}g}".replace("-", "−")
 
 
+def value_of(text: str) -> Any:
+    """A number, yes or no, several of them with commas between, or the text itself."""
+    if "," in text:
+        return tuple(map(value_of, text.split(",")))
+    try:
+        return float(text)
+    except ValueError:
+        return {"yes": True, "no": False}.get(text, text)
+
+
 CONTENT = Path(__file__).with_name("content")
 _COMPARE = "Compare: "
 
@@ -166,9 +181,17 @@ class PhenomenonWords:
     def tries(self) -> tuple[str, ...]:
         return tuple(self._sections["Try"].items)
 
-    def worded(self, setting: Parameter) -> Parameter:
-        """The setting with its title, its tooltip and its choices."""
-        return worded(setting, self._sections)
+    @cached_property
+    def settings(self) -> dict[str, Parameter]:
+        """Its settings by their names, each with its title, its tooltip and its choices."""
+        stated = self._sections["Settings"].named
+        return {name: self._setting(name, *text.split()) for name, text in stated.items()}
+
+    def _setting(self, name: str, default: str, *columns: str) -> Parameter:
+        pairs = (each.partition("=") for each in columns)
+        fields = {field: value_of(text or "yes") for field, _, text in pairs}
+        setting = worded(Parameter(name, default, **fields), self._sections)
+        return setting if setting.choices else replace(setting, default=value_of(default))
 
     @cached_property
     def comparisons(self) -> tuple[Comparison, ...]:
@@ -189,7 +212,7 @@ class PhenomenonWords:
             texts.update(section.text)
             if heading.startswith(_COMPARE):
                 texts.update(section.named)
-            elif heading not in ("Try", "Shown"):
+            elif heading not in ("Try", "Shown", "Settings"):
                 texts.update(section.named.values())
             if heading.endswith("}"):
                 texts.add(heading.rpartition(" {#")[0])
