@@ -220,7 +220,7 @@ def _value(value: Any, written: DifferenceWriter, digits: int) -> str:
         return written.number(float(value), digits)
     if isinstance(value, tuple) and all(isinstance(part, float) for part in value):
         return f"({', '.join(written.number(part, digits) for part in value)})"
-    return value if isinstance(value, str) else ""
+    return value if isinstance(value, str) and "matrix" not in value else ""
 
 
 def _same_axis(cameras: Sequence[Camera]) -> bool:

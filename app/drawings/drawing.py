@@ -98,6 +98,7 @@ class Drawing:
     layers: Layers
     own: OwnView | StageView | None = None
     _probes: Sequence[Probe] = ()
+    former: Chain | None = None  # the object's moves before an edit, which are shown pale
     _way: tuple[Chain, Chain] | None = None  # the whole chain and the moves made, if they differ
 
     # -- the model
@@ -120,7 +121,7 @@ class Drawing:
         way = (projection.placement, standing.placement) if beside else None
         is_carried = way != self._way
         self._way = way
-        self.state.ghosts = beside
+        self.state.ghosts = (*beside, self.former) if self.former else beside
         self.show_projection(standing, illustration)
         if is_carried:
             self.show_probes(self._probes)

@@ -20,7 +20,7 @@ from app.lessons.text import MATH, formulas_in
 from app.model.refusal import REFUSALS, Refusal, counted
 from app.scenes.mesh import Progress, report
 
-MOST_STEPS, MOST_PRACTICE = 7, 3  # most steps of a lesson without an exercise, and most with one
+MOST_STEPS, MOST_PRACTICE = 7, 4  # most steps of a lesson without an exercise, and most with one
 MOST_WORDS = 150  # most words of a step's text or of a note: the reader also looks at the pictures
 
 

@@ -115,10 +115,6 @@ KEYS: dict[tuple[str, str, str], Callable[[], mpf]] = {
     # 003: columns are the axes; y of T Rz (1, 0, 0), and of Rz T.
     (L2, "predict/land", "1"): lambda: _turned_then_moved(90, 3, 1, 0)[1],
     (L2, "predict/land", "2"): lambda: _moved_then_turned(90, 3, 1, 0)[1],
-    # 003: row 2, column 1 of Rz(30) is sin 30. degrees: the sine of 30 radians.
-    (L2, "cell/cell", "right"): lambda: sin(radians(30)),
-    (L2, "cell/cell", "transposed"): lambda: -sin(radians(30)),
-    (L2, "cell/cell", "degrees"): lambda: sin(mpf(30)),
     # 003: x of T(4, 0, 0) Rz(30) (2, 1, 0). transposed: the turn by -30.
     (L2, "point/x", "right"): lambda: _turned_then_moved(30, 4, 2, 1)[0],
     (L2, "point/x", "order"): lambda: _moved_then_turned(30, 4, 2, 1)[0],

@@ -21,6 +21,7 @@ from app.drawings.style import TITLE_EM
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.order import OrderQuestion
 from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
 from app.lessons.checking import CheckReport
@@ -185,6 +186,9 @@ def test_every_right_answer_is_right_as_a_student_types_it() -> None:
                 if isinstance(part, Exercise):
                     asked, here = (variant := part.variant(here, 2)).question, variant.here
                 if isinstance(asked, MarkedQuestion):
+                    if isinstance(asked, OrderQuestion):
+                        assert asked.mark(here, asked.right_sample(here)).right
+                        continue
                     values = asked.values(here, *asked.key)
                     width = asked.columns if isinstance(asked, MatrixQuestion) else len(values)
                     typed = [f"{value:.4g}".replace(".", ",") for value in values]
@@ -266,9 +270,9 @@ def checked(path: Path, text: str) -> list[str]:
 @pytest.mark.parametrize(
     ("plain", "practice", "said"),
     [
-        (7, 3, []),
-        (8, 3, ["is step 8 of a lesson; the limit is 7"]),
-        (7, 4, ["is step 4 with an exercise; the limit of a lesson is 3"]),
+        (7, 4, []),
+        (8, 4, ["is step 8 of a lesson; the limit is 7"]),
+        (7, 5, ["is step 5 with an exercise; the limit of a lesson is 4"]),
     ],
 )
 def test_practice_does_not_count_as_steps_of_a_lesson(

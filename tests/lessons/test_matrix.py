@@ -144,7 +144,7 @@ def test_samples_have_cells_and_rows() -> None:
         ("Q?\nmatrix: 1, 2\nwrong up-v: 1, 2", "line 13 is wrong, but its formula gives"),
         ("Q?\nmatrix: 1, 2\nwrong order: 1, 3\nwrong up-v: 1, 3", "wrong value of line 13"),
         ("Q?\nmatrix: 1, nearr", "unknown name, nearr"),
-        ("Q?", "needs “value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or"),
+        ("Q?", "needs “value:”, “count:”, “matrix:”, “click:”, “order:”, or"),
     ],
 )  # fmt: skip
 def test_a_faulty_matrix_is_refused_with_its_line(body: str, complaint: str) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -369,7 +370,7 @@ def solve(player: Player, block: PlayedBlock) -> None:
     elif block.question.has_field:
         block.submit(block.question.right_sample(block.here))
     else:
-        block.look(changed(block, *done.split()))
+        block.look(changed(block, *re.split(r"\s+(?=[\w.]+=)", done)))
 
 
 # --------------------------------------------------------------------------- a class

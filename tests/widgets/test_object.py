@@ -22,6 +22,7 @@ from tests.support.controls import enter
 from tests.support.drawings import lit_at
 from tests.support.window import move_mouse, pixels, settle, show_scene
 from widgets.controls.chain_editor import ChainEditor
+from widgets.parts.movable import MoveButton
 from widgets.parts.number_rows import NumberRow
 from widgets.window.main_window import MainWindow
 
@@ -71,9 +72,21 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
     assert row_of(window, "scale_x").value() == 1.0
 
 
-def press(card: Any, place: int) -> None:
-    """Click one of the buttons of a tile: up, down, away."""
-    card.findChildren(QToolButton)[place].click()
+def remove(card: Any) -> None:
+    """Click the last button of a tile."""
+    card.findChildren(QToolButton)[-1].click()
+
+
+def drag(editor: ChainEditor, place: int, to: int) -> None:
+    """Drag a tile by its grip to the middle of another one's place."""
+    grip = editor.cards[place].findChild(MoveButton)
+    end = editor.cards[to]
+    y = end.mapTo(editor, QPoint(0, end.height() // 2)).y()
+    y = grip.mapFrom(editor, QPoint(0, y)).y() + (3 if to > place else -3)
+    QTest.mousePress(grip, Qt.MouseButton.LeftButton)
+    move_mouse(grip, QPoint(4, y), Qt.MouseButton.LeftButton)
+    QTest.mouseRelease(grip, Qt.MouseButton.LeftButton, pos=QPoint(4, y))
+    settle()
 
 
 @pytest.mark.undrawn
@@ -83,16 +96,17 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
     assert chain_of(window).text == "translate 0,0,0; rotate z 90"
     enter(row_of(window, "translate_x"), "3")
     card = editor.cards[0]
-    press(card, 0)  # it is at the top
-    press(card, 1)
+    grip = card.findChild(MoveButton)
+    QTest.keyClick(grip, Qt.Key.Key_Up)  # it is at the top
+    QTest.keyClick(grip, Qt.Key.Key_Down)
     assert chain_of(window).text == "rotate z 90; translate 3,0,0"
     assert chain_of(window).matrix[:3, 3].tolist() == [0.0, 3.0, 0.0]
     assert editor.cards[1] is card and editor.rows["translate_x"] is card.rows["x"]
-    press(card, 1)  # it is at the bottom
+    QTest.keyClick(grip, Qt.Key.Key_Down)  # it is at the bottom
     card.switch.click()
     assert chain_of(window).text == "rotate z 90; off translate 3,0,0"
     assert chain_of(window).matrix[0, 3] == 0.0 and not row_of(window, "off1_x").error
-    press(card, 2)
+    remove(card)
     assert chain_of(window).text == "rotate z 90" and len(editor.cards) == 1
     texts = []
     while window.store.can_undo:
@@ -104,6 +118,42 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
     assert not editor.cards
     editor.add.menu().actions()[0].trigger()
     assert chain_of(window) == FiveTiles().chain
+
+
+@pytest.mark.undrawn
+def test_a_tile_is_dragged_to_another_place(window: MainWindow) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90; mirror x")
+    drag(editor, 0, 1)
+    assert chain_of(window).text == "rotate z 90; translate 3,0,0; mirror x"
+    drag(editor, 2, 0)
+    assert chain_of(window).text == "mirror x; rotate z 90; translate 3,0,0"
+    assert [card.kind for card in editor.cards] == ["mirror x", "rotate z", "translate"]
+    window.store.undo()
+    window.store.undo()
+    settle()
+    assert [card.kind for card in editor.cards] == ["translate", "rotate z", "mirror x"]
+
+
+def test_both_orders_are_seen_at_once_and_one_sentence_says_what_differs(
+    window: MainWindow,
+) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90")
+    world = window.panes["world"]
+    drag(editor, 0, 1)
+    assert world.drawing.former == Chain.read("translate 3,0,0; rotate z 90")
+    assert "swings about the origin, and ends 4.243 units" in editor.first.text()
+    both = pixels(window)
+    world.request("former", None)
+    settle()
+    assert (pixels(window) != both).any(), "the first order is pale beside the second"
+    drag(editor, 0, 1)
+    assert world.drawing.former == Chain.read("rotate z 90; translate 3,0,0")
+    enter(row_of(window, "translate_x"), "2")
+    settle()
+    assert world.drawing.former is None and "bottom" in editor.first.text()
+    editor = build(window, "translate 3,0,0; translate 0,1,0")
+    drag(editor, 0, 1)
+    assert editor.first.text() == "Both orders do the same."
 
 
 @pytest.mark.undrawn

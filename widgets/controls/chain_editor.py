@@ -17,14 +17,16 @@ from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import written
 from app.lecture.notation import object_product
+from app.lecture.wrong_chains import difference, tiles_of
 from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile
 from app.model.parameters import TILES
 from app.model.refusal import Refusal, format_value
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
-from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.plain import PlainLabel, set_tip
@@ -47,17 +49,12 @@ class _TileCard(Rows):
         set_tip(self.switch, self.tr("Whether the product has this tile"))
         self._tile = tile
         self.switch.clicked.connect(lambda on: owner.put(self, replace(self._tile, is_off=not on)))
-        up, down, away = (
-            tool_button(icon=icon, tip=tip, name=f"{title}: {tip}", act=act, flat=True)
-            for icon, tip, act in (
-                ("up", self.tr("Move it left in the product: it acts later"),
-                 lambda: owner.step(self, -1)),
-                ("choose", self.tr("Move it right: it acts earlier"), lambda: owner.step(self, 1)),
-                ("close", self.tr("Remove it"), lambda: owner.put(self)),
-            )
-        )  # fmt: skip
+        tip = self.tr("Remove it")
+        away = tool_button(
+            icon="close", tip=tip, name=f"{title}: {tip}", act=lambda: owner.put(self), flat=True
+        )
         head = QWidget()
-        in_row((self.switch, 1), up, down, away, on=head, margins=(0, 0, 0, 0), gap=0)
+        in_row(MoveButton(title), (self.switch, 1), away, on=head, margins=(0, 0, 0, 0), gap=0)
         self._column.insertWidget(0, head)
         self.rows = dict(self._made_rows(tile, title))
         self.set_reach(reach)
@@ -118,13 +115,15 @@ class ChainEditor(QWidget, RowHolder):
     """The tiles of the object, a menu for more, and their product."""
 
     edited = Signal(object)  # the user made this `Chain`
+    compared = Signal(object)  # the `Chain` before a tile was moved; None for none any more
     highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
 
     def __init__(self) -> None:
         super().__init__()
         self._chain, self._reach = NOT_MOVED, 10.0
         self.rows: dict[str, Row] = {}
-        self.cards: list[_TileCard] = []
+        self.tiles = MovableColumn(GAP_PX)
+        self.tiles.moved.connect(self._move)
         text, tip = self.tr("Add a tile"), self.tr("It acts last: left of the others")
         self.add = tool_button(text, tip, name=text)
         self.add.setPopupMode(QToolButton.ToolButtonPopupMode.InstantPopup)
@@ -140,15 +139,17 @@ class ChainEditor(QWidget, RowHolder):
             box.toggled.connect(self._show_product)
         self.product = TypesetLabel()
         self.product.shrinks = True
-        self._tiles = in_column(margins=(0, 0, 0, 0), gap=GAP_PX)
         self.refusal = RefusalLabel()
-        self.first = PlainLabel(
-            self.tr("The tile at the bottom acts first."), objectName="paneNote"
-        )
+        self.first = PlainLabel(objectName="paneNote", wordWrap=True)
         bar = in_row(self.letters, self.vectors, FREE)
-        parts = self.add, self.refusal, self._tiles, self.first, self.product, bar
+        parts = self.add, self.refusal, self.tiles, self.first, self.product, bar
         in_column(*parts, on=self, margins=(0, 0, 0, 0))
         self._build(NOT_MOVED)
+
+    @property
+    def cards(self) -> list[_TileCard]:
+        """The tiles from the top, which is left in the product."""
+        return [part for part in self.tiles.parts if isinstance(part, _TileCard)]
 
     # -- the interface
 
@@ -158,6 +159,8 @@ class ChainEditor(QWidget, RowHolder):
             return
         self._chain = chain
         self.refusal.show_text("")
+        self.compared.emit(None)
+        self.first.setText(self.tr("The tile at the bottom acts first."))
         if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
             self._build(chain)
         self._show_tiles()
@@ -194,13 +197,20 @@ class ChainEditor(QWidget, RowHolder):
 
         self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
 
-    def step(self, card: _TileCard, by: int) -> None:
-        """Move a tile up or down, which is left or right in the product."""
-        place = self.cards.index(card)
-        to = min(max(place + by, 0), len(self.cards) - 1)
-        self.cards.insert(to, self.cards.pop(place))
-        self._tiles.insertWidget(to, card)
-        self._adopt(self._chain.moved(place, to))
+    def _move(self, place: int, to: int) -> None:
+        """Move a tile; show where the object was before, and say what differs."""
+        before = self._chain
+
+        def refuse(said: str) -> None:
+            self._build(before)
+            self._show_tiles()
+            self.refusal.show_text(refusal(said))
+
+        self._attempt(lambda: before.moved(place, to), refuse)
+        if self._chain != before:
+            self.compared.emit(before)
+            said = difference(*map(tiles_of, (before, self._chain)))
+            self.first.setText(sentence(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
         place = self.cards.index(card)
@@ -236,10 +246,7 @@ class ChainEditor(QWidget, RowHolder):
     # -- shown
 
     def _build(self, chain: Chain) -> None:
-        discard(self._tiles, self.cards)
-        self.cards = [_TileCard(tile, self._reach, self) for tile in chain.tiles]
-        for card in self.cards:
-            self._tiles.addWidget(card)
+        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in chain.tiles])
         self.add.setEnabled(len(self.cards) < MOST_TILES)
         for part in (self.first, self.product, self.letters, self.vectors):
             part.setVisible(bool(self.cards))

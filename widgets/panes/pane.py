@@ -40,6 +40,7 @@ AS_BUILT: dict[str, Any] = {
     "projection": None,
     "stage": None,
     "from_left": False,
+    "former": None,
     "probes": (),
     "view": None,
     "step": None,
@@ -54,7 +55,7 @@ AS_BUILT: dict[str, Any] = {
 _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "detail": lambda drawing, fewer: drawing.show_detail(fewer),
     "stage": lambda drawing, position: drawing.show_stage(max(position or 0.0, 0.0)),
-    "from_left": lambda drawing, from_left: None,
+    **dict.fromkeys(("from_left", "former"), lambda drawing, wanted: None),
     "probes": lambda drawing, probes: drawing.show_probes(probes),
     "step": lambda drawing, step: drawing.show_step(step),
     "fixed": lambda drawing, view: drawing.show_fixed(view),
@@ -230,6 +231,7 @@ class Pane(QFrame):
         axes are hidden, which would make a picture smaller. ``"names"``: the names of a view, or
         None for the scene's own. ``"probes"``: those that are marked. ``"stage"``: a position on
         the stage strip. ``"from_left"``: whether the object's moves are done from the left.
+        ``"former"``: the object's moves before the last edit, shown pale, or None.
         ``"step"``: a step of the camera's frame, or None. ``"fixed"``: one of
         `app.document.view.FIXED`, or ``""``. ``"object_axes"``: whether they are always visible.
         ``"walk"``: places of the eye, through which its way is drawn.
@@ -240,7 +242,9 @@ class Pane(QFrame):
             return False
         before, self.requested[what] = self.requested[what], wanted
         self._due.add(what)
-        if what == "from_left" or (what == "stage" and min(before or 0.0, wanted or 0.0) < 0.0):
+        if what in ("from_left", "former") or (
+            what == "stage" and min(before or 0.0, wanted or 0.0) < 0.0
+        ):
             self._due.add("projection")
         self._refresh()
         if what in ("layers", "probes"):
@@ -289,6 +293,7 @@ class Pane(QFrame):
                 began = time.perf_counter()
                 release_context()  # a pair of pictures is drawn at once
                 stage, left = self.requested["stage"] or 0.0, self.requested["from_left"]
+                drawing.former = self.requested["former"]
                 drawing.show_moves(shown.projection, shown.illustration, stage, from_left=left)
                 self._matrices_ms = 1e3 * (time.perf_counter() - began)
             elif what == "smoothing":

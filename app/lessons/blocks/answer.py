@@ -10,14 +10,19 @@ from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.choices import Choices
 from app.lessons.blocks.click import Click
 from app.lessons.blocks.matrix import MatrixQuestion
+from app.lessons.blocks.order import OrderQuestion
 from app.lessons.blocks.question import CHECKS, RIGHT, MarkedQuestion, Question, Reply, Value
 from app.lessons.lines import Body, refused
 from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
 
-_ANSWERS = "“value: FORMULA”, “count: FORMULA”, “matrix: CELLS”, “click: PICTURE”, or choices"
-WAYS = ("value", "count", "matrix", "click", "choice")  # the keys by which an answer may be given
+_ANSWERS = "“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices"
+WAYS = ("value", "count", "matrix", "click", "order", "choice")  # the keys by which one answers
+
+_KINDS: dict[str, type[Choices | Click | MatrixQuestion | OrderQuestion]] = {
+    "choice": Choices, "click": Click, "matrix": MatrixQuestion, "order": OrderQuestion
+}  # fmt: skip
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -29,7 +34,7 @@ class Answer(MarkedQuestion):
 
     @classmethod
     def read(cls, body: Body) -> Question:
-        keys = ("value", "count", "matrix", "click", "at", "within", "first", "unit", "number")
+        keys = (*WAYS[:-1], "at", "within", "first", "tiles", "unit", "number")
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         given = [item for item in items if item.key in WAYS]
         if not given:
@@ -37,14 +42,10 @@ class Answer(MarkedQuestion):
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
             raise refused(
-                other.line, REFUSALS["answer-either"], "value, count, matrix, click and choices"
+                other.line, REFUSALS["answer-either"], f"{', '.join(WAYS[:-1])} and choices"
             )
-        if given[0].key == "choice":
-            return Choices.of(body, text, items)
-        if given[0].key == "click":
-            return Click.of(body, text, items)
-        if given[0].key == "matrix":
-            return MatrixQuestion.of(body, text, items)
+        if given[0].key in _KINDS:
+            return _KINDS[given[0].key].of(body, text, items)
         value = items.single(given[0].key)
         assert value is not None
         symbol, _, formula = value.text.rpartition("=")

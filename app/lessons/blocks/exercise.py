@@ -35,7 +35,7 @@ _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
 _OWN = re.compile(r"(where|state|hide)\s*:(.*)")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
-_IN_FULL = re.compile(r"\s*(?:right|state):")  # lines of states: their numbers have all digits
+_IN_FULL = re.compile(r"\s*(?:right|state|tiles|order(?: \w+)?):")  # whose numbers have all digits
 
 
 class Varied(NamedTuple):
@@ -136,6 +136,7 @@ class Exercise(Asked):
                     raise refused(line, REFUSALS["unsuited"], value=condition.text)
         try:
             question = self.question(numbers)
+            here = question.variant(here, seed).here
             if isinstance(question, Question):
                 question.values(here, *question.key)
             elif question.is_done(here, here.document):

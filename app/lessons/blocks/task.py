@@ -1,5 +1,6 @@
 """``task``: something to do in the window, in any way."""
 
+import re
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, replace
 
@@ -15,6 +16,7 @@ from app.model.refusal import REFUSALS, Refusal
 
 DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
+_NEXT = re.compile(r"\s+(?=[\w.]+=)")  # between assignments: a chain has spaces of its own
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """The names that conditions have for fields of the view with other names."""
 _MOVED = NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES
@@ -134,7 +136,7 @@ class Task(Asked):
     def verdict(self, here: Here, sample: str, line: int) -> str:
         own = here.document
         with on_line(line):
-            now = _with_sample(own, sample.split())
+            now = _with_sample(own, _NEXT.split(sample))
         if self.is_done(here, now):
             return DONE
         wrong = self.mistaken_in(here, now)

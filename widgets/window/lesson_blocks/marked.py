@@ -75,7 +75,7 @@ class MarkedAnswerView(BlockView):
             self._speak(text)
             return
         self._offer_answer()
-        if verdict.idea or verdict.says:
+        if verdict.idea or verdict.says or verdict.beside:
             self._refute(verdict)
             return
         text = self.tr("That is not it.")

@@ -251,12 +251,13 @@ class BlockView(QFrame):
             behind = self.tr("The idea behind it: “{0}”.").format(verdict.title)
             head = f"{head} {behind}".strip()
         self._add_text("close", self.tr("Wrong"), head or self.tr("That is not it."))
-        self._add_text("", "", verdict.says)
+        says = f"{sentence(verdict.remark) if verdict.remark else ''} {verdict.says}".strip()
+        self._add_text("", "", says)
         tip = self.tr("Show a state that makes it visible (Alt+W)")
         self._offer_state(state, self.tr("Sho&w it"), tip)
         tip = self.tr("Show the picture with your number beside that with the model's (Alt+M)")
         self._offer_state(verdict.beside, self.tr("Your idea beside the &model"), tip)
-        self._speak(head, verdict.says)
+        self._speak(head, says)
 
     def _speak(self, *texts: str) -> None:
         self.responded.emit()
