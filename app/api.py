@@ -28,10 +28,11 @@ from app import __version__
 from app.document.document import Document, is_mesh
 from app.document.lengths import DPI, PX_PER, Size, parse_length, parse_points, parse_size
 from app.document.settings import open_with, set_values
+from app.document.sweeping import FPS, FRAMES
 from app.document.view import MOST_PROBES, PANES
+from app.drawings import figure as drawn
 from app.drawings.describing import Description
 from app.drawings.describing import describe as described
-from app.drawings.figure import Figure
 from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
 from app.model.projection import (
@@ -82,6 +83,58 @@ Fit: TypeAlias = Literal["named", "frustum", "scene"]
 MOST_DOTS = 1_000_000  # most points of a cloud
 DOT_PT = 0.1, 72.0  # least and largest diameter of its dots, in points
 _HEX = re.compile("#[0-9a-fA-F]{6}").fullmatch
+
+
+class ScriptFigure(drawn.Figure):
+    """A figure as scripts have it, ``frustum_lab.Figure``: it is drawn when it is asked for."""
+
+    def __repr__(self) -> str:
+        width, height, unit = self.full_size
+        panes = ("/" if self.column else ",").join(self.panes)
+        return f"<frustum_lab.Figure: {self.scene.title}, {panes}, {width:g} x {height:g} {unit}>"
+
+    def axes(self, ax: Any) -> Any:
+        """Draw it into axes of matplotlib, and return what `imshow` does.
+
+        The image alone has its own pixels as coordinates: ``ax.plot(*project(...).image.T)``.
+        """
+        pixels = self.array()
+        high, wide = pixels.shape[:2]
+        if self.panes == ("image",) and not self.document.view.compare:
+            wide, high = self.document.projection.image_size
+        ax.set_axis_off()
+        return ax.imshow(pixels, extent=(0.0, wide, high, 0.0))
+
+    def plotter(self, **options: Any) -> Any:
+        """Return the world as a `pyvista.Plotter`, in world coordinates.
+
+        `options` are those of the plotter. A `Refusal` where pyvista is not installed.
+        """
+        from app.drawings.guests import plotter_of
+
+        return plotter_of(self, **options)
+
+    def film(
+        self,
+        path: str | os.PathLike[str],
+        *sweeps: str,
+        frames: int = FRAMES,
+        fps: float = FPS,
+        ease: Literal["linear", "log", "smooth"] = "linear",
+        loop: Literal["repeat", "once", "back-and-forth"] = "repeat",
+        show_value: bool = False,
+    ) -> None:
+        """Write a film (.gif, .apng, .webp, .mp4) of values, as ``export --sweep`` does.
+
+        `sweeps` are ``"lens.near=0.5:8"`` and others, which change together, in equal steps, in
+        equal ratios (``log``), or slowly at both ends. `show_value` writes the values below.
+        """
+        from app.drawings.film import sweep_film
+
+        sweep_film(self, os.fspath(path), sweeps, frames, fps, ease, loop, show_value)
+
+
+Figure = ScriptFigure
 
 
 def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
@@ -273,7 +326,7 @@ def figure(
     units = ", ".join(PX_PER)
     bad_size = Refusal.saying(REFUSALS["a-size"], repr(size), units)
     bad_width = Refusal.saying(REFUSALS["a-length"], repr(width), units)
-    return Figure(
+    return ScriptFigure(
         document, scene, named, _read(size, parse_size, _two_numbers, bad_size), column=column,
         fit=fit, palette=palette, text_pt=_points(text_size), hidden=hidden, crop=crop,
         width=_read(width, parse_length, _number, bad_width), transparent=transparent,

@@ -13,7 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, Literal, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -21,7 +21,6 @@ from app.document.codec import picture_json
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.document.lengths import DPI, PX_PER, Size, whole_pixels
-from app.document.sweeping import FPS, FRAMES
 from app.document.view import PANES
 from app.drawings import DrawingWords
 from app.drawings.describing import Description, describe
@@ -194,11 +193,6 @@ class Figure:
     def description(self) -> Description:
         """What it shows, for those who do not see it."""
         return describe(self.document, self.scene, self.panes)
-
-    def __repr__(self) -> str:
-        width, height, unit = self.full_size
-        panes = ("/" if self.column else ",").join(self.panes)
-        return f"<frustum_lab.Figure: {self.scene.title}, {panes}, {width:g} x {height:g} {unit}>"
 
     # -- drawing
 
@@ -432,46 +426,6 @@ class Figure:
     def _repr_svg_(self) -> str:
         """What a notebook shows."""
         return self.svg()
-
-    def axes(self, ax: Any) -> Any:
-        """Draw it into axes of matplotlib, and return what `imshow` does.
-
-        The image alone has its own pixels as coordinates: ``ax.plot(*project(...).image.T)``.
-        """
-        pixels = self.array()
-        high, wide = pixels.shape[:2]
-        if self.panes == ("image",) and not self.document.view.compare:
-            wide, high = self.document.projection.image_size
-        ax.set_axis_off()
-        return ax.imshow(pixels, extent=(0.0, wide, high, 0.0))
-
-    def plotter(self, **options: Any) -> Any:
-        """Return the world as a `pyvista.Plotter`, in world coordinates.
-
-        `options` are those of the plotter. A `Refusal` where pyvista is not installed.
-        """
-        from app.drawings.guests import plotter_of
-
-        return plotter_of(self, **options)
-
-    def film(
-        self,
-        path: str | os.PathLike[str],
-        *sweeps: str,
-        frames: int = FRAMES,
-        fps: float = FPS,
-        ease: Literal["linear", "log", "smooth"] = "linear",
-        loop: Literal["repeat", "once", "back-and-forth"] = "repeat",
-        show_value: bool = False,
-    ) -> None:
-        """Write a film (.gif, .apng, .webp, .mp4) of values, as ``export --sweep`` does.
-
-        `sweeps` are ``"lens.near=0.5:8"`` and others, which change together, in equal steps, in
-        equal ratios (``log``), or slowly at both ends. `show_value` writes the values below.
-        """
-        from app.drawings.film import sweep_film
-
-        sweep_film(self, os.fspath(path), sweeps, frames, fps, ease, loop, show_value)
 
     def save(
         self, path: str | os.PathLike[str], progress: Callable[[float], bool] | None = None
