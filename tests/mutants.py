@@ -113,7 +113,8 @@ def place_of(mutant: dict[str, Any], root: Path = bootstrap.ROOT) -> Path | None
     found = [
         (path, text.count(mutant["old"]))
         for source in SOURCES
-        for path in sorted((root / source).rglob("*.py"))
+        for path in sorted((root / source).rglob("*.*"))
+        if path.suffix in (".py", ".md")
         if mutant["old"] in (text := path.read_text(encoding="utf-8"))
     ]
     return found[0][0] if len(found) == 1 and found[0][1] == 1 else None

@@ -1,16 +1,20 @@
 """Tables: the steps of a projection as matrices of formulas, and the steps that all lenses share.
 
-A step's matrix is stated once, as the lectures write it, and evaluated in rationals (the numbers
-shown), in letters (the formulas shown) and in float64.
+A step's matrix is stated once, on the page ``content/matrices.md`` as the lectures write it, and
+evaluated in rationals (the numbers shown), in letters (the formulas shown) and in float64.
 """
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any, NamedTuple, TypeAlias
 
 from app.arithmetic.rationals import Rationals, eliminate
 from app.model.formula import EXACT, Arithmetic, Formula, parse
 from app.model.limits import Array, read_only
+from app.model.parameter import read_sections
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
+
+_PAGE = read_sections(Path(__file__).with_name("content") / "matrices.md")
 
 Table: TypeAlias = tuple[tuple[Formula, ...], ...]  # a (4, 4) matrix of formulas
 
@@ -27,6 +31,21 @@ def matrix(text: str, **parts: str) -> Table:
     )
     assert [len(row) for row in rows] == [4, 4, 4, 4], text
     return rows
+
+
+def rows_of(name: str) -> str:
+    """The rows of a matrix on the page, below this heading."""
+    return "\n".join(line for line in _PAGE[name].text if line.startswith(" "))
+
+
+def matrix_of(name: str, **parts: str) -> Table:
+    """The matrix on the page below this heading; `parts` as of `matrix`."""
+    return matrix(rows_of(name), **parts)
+
+
+def formulas_of(name: str) -> dict[str, str]:
+    """The formulas that the page lists below this heading."""
+    return _PAGE[name].named
 
 
 def evaluated(table: Table, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> list[Any]:
@@ -67,55 +86,13 @@ SCALED_BY_NEAR = QT_TRANSLATE_NOOP(
     "Stage", "far is infinite: the canonical pyramid is scaled by near, which is at z = -1"
 )
 
+
+def _step(name: str, of: str, *factors: str) -> PipelineStep:
+    return PipelineStep(name, tuple((each, matrix_of(f"{of} {each}")) for each in factors))
+
+
 TO_PYRAMID = "canonical_perspective_from_view"
 """The name of the first step of a lens whose projectors meet in the eye."""
 
-DEPTH_RANGE = PipelineStep(
-    "depth_range_from_canonical_parallel",  # lecture 001's M_z, for any range
-    (
-        (
-            "translation",
-            matrix("""
-                1  0  0  0
-                0  1  0  0
-                0  0  1  z_n
-                0  0  0  1
-            """),
-        ),
-        (
-            "scale",
-            matrix("""
-                1  0  0          0
-                0  1  0          0
-                0  0  z_n - z_f  0
-                0  0  0          1
-            """),
-        ),
-    ),
-)
-"""Maps z = 0 at near and -1 at far to the depth range's ends, z_n and z_f."""
-
-VIEWPORT = PipelineStep(
-    "image_from_ndc",  # lecture 002's
-    (
-        (
-            "scale",
-            matrix("""
-                W/2  0     0              0
-                0    -H/2  0              0
-                0    0     1/(1 - z_low)  0
-                0    0     0              1
-            """),
-        ),
-        (
-            "translation",
-            matrix("""
-                1  0  0  1
-                0  1  0  -1
-                0  0  1  -z_low
-                0  0  0  1
-            """),
-        ),
-    ),
-)
-"""Maps to pixels of an image W wide and H high, and to a depth that is 0 at the lower end of z."""
+DEPTH_RANGE = _step("depth_range_from_canonical_parallel", "depth range", "translation", "scale")
+VIEWPORT = _step("image_from_ndc", "viewport", "scale", "translation")

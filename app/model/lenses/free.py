@@ -16,15 +16,8 @@ from app.model.lenses.perspective import Perspective
 from app.model.limits import SMALLEST_CELL, Cells, finite_matrix, keep_checked
 from app.model.tables import matrix
 
-TABLE = LensTable(
-    (),
-    matrix("""
-        p_11  p_12  p_13  p_14
-        p_21  p_22  p_23  p_24
-        p_31  p_32  p_33  p_34
-        p_41  p_42  p_43  p_44
-    """),
-)
+_LETTERS = [[f"p_{i}{j}" for j in range(1, 5)] for i in range(1, 5)]
+TABLE = LensTable((), matrix("\n".join(map("  ".join, _LETTERS))))
 
 
 @dataclass(frozen=True)

@@ -10,37 +10,12 @@ from app.model.lenses.central import Central
 from app.model.lenses.lens import LensTable, Windowed
 from app.model.lenses.perspective import pyramid_tables
 from app.model.limits import SMALLEST_FIELD, SMALLEST_OPENING, Keep, within
-
-SHEAR = """
-    1  0  (r + l)/(2*n)  0
-    0  1  (t + b)/(2*n)  0
-    0  0  1              0
-    0  0  0              1
-"""
-"""Moves the middle of the window onto the axis."""
-SCALE = """
-    2*n/(d*(r - l))  0                0    0
-    0                2*n/(d*(t - b))  0    0
-    0                0                1/d  0
-    0                0                0    1
-"""
-"""Scales to the canonical pyramid, as in `app.model.lenses.perspective`."""
-
-CLIP_FROM_VIEW = """
-    2*n/(r - l)  0            (r + l)/(r - l)  0
-    0            2*n/(t - b)  (t + b)/(t - b)  0
-    0            0            A                B
-    0            0            -1               0
-"""
-VIEW_FROM_CLIP = """
-    (r - l)/2/n  0            0  (r + l)/2/n
-    0            (t - b)/2/n  0  (t + b)/2/n
-    0            0            0  -1
-    0            0            C  D
-"""
+from app.model.tables import rows_of
 
 TABLE, TABLE_AT_INFINITY = pyramid_tables(
-    {"scale": SCALE, "shear": SHEAR}, CLIP_FROM_VIEW, VIEW_FROM_CLIP
+    {name: rows_of(f"frustum {name}") for name in ("scale", "shear")},
+    rows_of("frustum clip_from_view"),
+    rows_of("frustum view_from_clip"),
 )
 
 

@@ -14,7 +14,7 @@ from app.arithmetic.double_double import cotangent_deg
 from app.arithmetic.rationals import Rationals
 from app.model.lenses.answers import Window
 from app.model.lenses.lens import Lens, LensTable, Windowed
-from app.model.lenses.orthographic import SCALE, TRANSLATION, Parallel, box_table
+from app.model.lenses.orthographic import Parallel, box_table
 from app.model.lenses.solving import same, shortest
 from app.model.limits import (
     LARGEST_SHEAR,
@@ -30,34 +30,12 @@ from app.model.refusal import QT_TRANSLATE_NOOP
 
 COTS = ("cot(alpha)", "cot(beta)")  # the letters of the projectors' slant
 
-SHEAR = """
-    1  0  cot(alpha)  n*cot(alpha)
-    0  1  cot(beta)   n*cot(beta)
-    0  0  1           0
-    0  0  0           1
-"""
-"""H moves points along the projectors to the near plane."""
-
-CLIP_FROM_VIEW = """
-    2/(r - l)  0          2/(r - l)*cot(alpha)  -(r + l)/(r - l) + 2/(r - l)*(cot(alpha)*n)
-    0          2/(t - b)  2/(t - b)*cot(beta)   -(t + b)/(t - b) + 2/(t - b)*(cot(beta)*n)
-    0          0          A                     B
-    0          0          0                     1
-"""
-VIEW_FROM_CLIP = """
-    (r - l)/2  0          -cot(alpha)*C  (r + l)/2 + cot(alpha)*C*z_n
-    0          (t - b)/2  -cot(beta)*C   (t + b)/2 + cot(beta)*C*z_n
-    0          0          C              D
-    0          0          0              1
-"""
 
 _slant = partial(stated, section="lens", place="more_lens", unit="°", span=(1.0, 179.0), step=0.5)
 ALPHA = _slant("alpha_deg", letter="alpha", formula="alpha")
 BETA = _slant("beta_deg", letter="beta", formula="beta")
 
-TABLE = box_table(
-    {"scale": SCALE, "translation": TRANSLATION, "shear": SHEAR}, CLIP_FROM_VIEW, VIEW_FROM_CLIP
-)
+TABLE = box_table("oblique", "shear")
 
 
 @dataclass(frozen=True)

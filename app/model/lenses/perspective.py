@@ -21,72 +21,20 @@ from app.model.lenses.solving import shortest
 from app.model.limits import SMALLEST_FIELD, Array, Keep, between, keep_checked, positive
 from app.model.parameter import Parameter, stated
 from app.model.refusal import REFUSALS, Refusal
-from app.model.tables import DEPTH_RANGE, SCALED_BY_NEAR, TO_PYRAMID, PipelineStep, matrix
+from app.model.tables import (
+    DEPTH_RANGE,
+    SCALED_BY_NEAR,
+    TO_PYRAMID,
+    PipelineStep,
+    formulas_of,
+    matrix,
+    matrix_of,
+    rows_of,
+)
 
 # --------------------------------------------------------------------------- the table
 
-SCALE = """
-    cot(fov/2)/(aspect*d)  0             0    0
-    0                      cot(fov/2)/d  0    0
-    0                      0             1/d  0
-    0                      0             0    1
-"""
-"""Scales to the pyramid with x, y from -1 to 1 at z = -1, which is at the distance d."""
-
-M_PP = """
-    1  0  0          0
-    0  1  0          0
-    0  0  f/(f - n)  n/(f - n)
-    0  0  -1         0
-"""
-M_PP_AT_INFINITY = """
-    1  0  0   0
-    0  1  0   0
-    0  0  1   1
-    0  0  -1  0
-"""
-"""Lecture 001's step from the pyramid to the box for d = f, and its limit for d = n."""
-
-W_IS_THE_DISTANCE = """
-    d  0  0  0
-    0  d  0  0
-    0  0  d  0
-    0  0  0  d
-"""
-"""Makes w the distance again, with the usual last row 0 0 -1 0; the picture does not change."""
-
-CLIP_FROM_VIEW = """
-    cot(fov/2)/aspect  0           0   0
-    0                  cot(fov/2)  0   0
-    0                  0           A   B
-    0                  0           -1  0
-"""
-VIEW_FROM_CLIP = """
-    aspect/cot(fov/2)  0             0  0
-    0                  1/cot(fov/2)  0  0
-    0                  0             0  -1
-    0                  0             C  D
-"""
-DEPTH = {
-    "A": "-(z_f*f - z_n*n)/(f - n)",
-    "B": "(z_n - z_f)*n*(f/(f - n))",
-    "C": "(f - n)/f/n/(z_n - z_f)",
-    "D": "(z_n/f - z_f/n)/(z_n - z_f)",
-}
-DEPTH_AT_INFINITY = {
-    "A": "-z_f",
-    "B": "(z_n - z_f)*n",
-    "C": "1/n/(z_n - z_f)",
-    "D": "-z_f/n/(z_n - z_f)",
-}
-"""Of ``z_clip = A z_view + B``, which is z_n w at near and z_f w at far (lecture 000, before (12)).
-
-OpenGL's z_n = -1 and z_f = 1 make ``-(f + n)/(f - n)`` and ``-2 f n/(f - n)`` of A and B. In the
-inverse, 1/w is affine in z: ``1/w = C z + D`` is 1/n at near, 1/f at far.
-"""
-
-AS_002_WRITES = {"-1/(f - n)": "1/(n - f)", "2*f*n/(f - n)": "2*n*f/(f - n)"}
-"""Lecture 002's forms of our formulas; its n and f are the negative z of the planes."""
+SCALE = rows_of("perspective scale")
 
 
 def pyramid_tables(
@@ -97,39 +45,42 @@ def pyramid_tables(
 ) -> tuple[LensTable, LensTable]:
     """The table of a perspective lens, and the one with its far plane at infinity.
 
-    `factors` make up the step to the canonical pyramid; the closed forms contain the letters of
-    `DEPTH`.
+    `factors` make up the step to the canonical pyramid; the closed forms contain the letters A, B,
+    C and D.
     """
 
     def table(
         d: str,
-        m_pp: str,
-        depth: Mapping[str, str],
+        at: str = "",
         note: str = "",
         otherwise: Mapping[str, LensTable] = MappingProxyType({}),
     ) -> LensTable:
         to_pyramid = tuple((name, matrix(text, d=d)) for name, text in factors.items())
-        to_box = (("M_pp", matrix(m_pp)),)
+        to_box = (("M_pp", matrix_of(f"perspective M_pp{at}")),)
+        to_clip = (("scale", matrix_of("perspective w", d=d)),)
+        depth = formulas_of(f"perspective depth{at}")
         return LensTable(
             (
                 PipelineStep(TO_PYRAMID, to_pyramid, note),
                 PipelineStep("canonical_parallel_from_canonical_perspective", to_box, note),
                 DEPTH_RANGE,
-                PipelineStep("clip_from_depth_range", (("scale", matrix(W_IS_THE_DISTANCE, d=d)),)),
+                PipelineStep("clip_from_depth_range", to_clip),
             ),
             matrix(clip_from_view, **depth),
             matrix(view_from_clip, **depth),
             otherwise,
             fields,
-            written={"002": AS_002_WRITES},
+            written={"002": formulas_of("perspective in lecture 002")},
         )
 
-    finite = table("f", M_PP, DEPTH)
-    limit = table("n", M_PP_AT_INFINITY, DEPTH_AT_INFINITY, SCALED_BY_NEAR, {"far": finite})
+    finite = table("f")
+    limit = table("n", " at infinity", SCALED_BY_NEAR, {"far": finite})
     return finite, limit
 
 
-TABLE, TABLE_AT_INFINITY = pyramid_tables({"scale": SCALE}, CLIP_FROM_VIEW, VIEW_FROM_CLIP)
+TABLE, TABLE_AT_INFINITY = pyramid_tables(
+    {"scale": SCALE}, rows_of("perspective clip_from_view"), rows_of("perspective view_from_clip")
+)
 
 
 # --------------------------------------------------------------------------- the lens
