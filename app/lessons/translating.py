@@ -25,7 +25,7 @@ _ITEM = re.compile(r"(\s*[-*]\s+)(.*?)(\s*)")
 _PLAIN = re.compile(r"(\s*)(\S.*?)(\s*)")
 _VALUE = re.compile(
     r"\s*(?:until|right|wrong|value|count|matrix|first|click|at|within|unit|vary|where|state|hide"
-    r"|number|show|check|minutes)(?:\s+[\w-]+)?:.*"
+    r"|number|show|check|minutes|order|tiles)(?:\s+[\w-]+)?:.*"
 )
 _COMPARED = re.compile(r"view\.compare=.*?(?=; view\.|$)")
 _PICTURE = re.compile(r"(?<=[=|])[^=|;:]*[^\W\d_][^=|;:]*(?=: )")  # the name of a compared one
@@ -101,7 +101,10 @@ def _translated(lines: list[str], translate: Translate) -> list[str]:
     template, fixed = parted(" ".join(lines))
     if not _WORD.search(re.sub(r"\{\d+\}", "", template)):
         return lines
-    words = translate(template).split(" ")
+    translated = translate(template)
+    if translated == template:
+        return lines
+    words = translated.split(" ")
     cuts = [len(words) * at // len(lines) for at in range(len(lines) + 1)]
     return [
         re.sub(r"\{(\d+)\}", lambda place: fixed[int(place[1])], " ".join(words[begin:end]))

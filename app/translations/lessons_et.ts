@@ -859,8 +859,16 @@
         <translation>Vaatemaatriks võtab kaamera paigutamise tagasi. Järjestage selle tegurid: lohistage lülisid ja lülitage välja need, mis korrutisse ei kuulu. Esimesena mõjub kõige alumine lüli.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation>Silm on kohal {0}. Maatriksi {1} read on {2}, {3}, {4} ja {5} nihutab vektori {6} võrra. Milline korrutis on vaatemaatriks? order view: R; P tiles: R; P; R^-1; P^-1</translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Silm on kohal {0}. Maatriksi {1} read on {2}, {3}, {4} ja {5} nihutab vektori {6} võrra. Milline korrutis on vaatemaatriks?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Alguspunktis olev kaamera vaatab suunas {0}. Seda pöörati ümber y-telje {1}° ja nihutati siis vektori {2} võrra. Milline korrutis on selle vaatemaatriks?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Kaamerat kallutati ümber x-telje {0}°, pöörati ümber y-telje {1}° ja nihutati vektori {2} võrra. Milline korrutis on selle vaatemaatriks?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
@@ -875,20 +883,12 @@
         <translation>{0} viib silma alguspunkti ja {1} pöörab selle ümber. {2} ja {3} seevastu paigutavad kaamera.</translation>
     </message>
     <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation>Alguspunktis olev kaamera vaatab suunas {0}. Seda pöörati ümber y-telje {1}° ja nihutati siis vektori {2} võrra. Milline korrutis on selle vaatemaatriks? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</translation>
-    </message>
-    <message>
         <source>The view matrix undoes both, the last one first.</source>
         <translation>Vaatemaatriks võtab mõlemad tagasi, viimase esimesena.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
         <translation>Kaamera paigutas {0}. Selle pöördmaatriks on {1}: nihe võetakse tagasi esimesena.</translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation>Kaamerat kallutati ümber x-telje {0}°, pöörati ümber y-telje {1}° ja nihutati vektori {2} võrra. Milline korrutis on selle vaatemaatriks? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
@@ -958,6 +958,10 @@
         <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Milline ahel viib tähe punkti kaamera telgedesse? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
+    </message>
+    <message>
         <source>A point through T and R</source>
         <translation>Punkt läbi T ja R</translation>
     </message>
@@ -1014,6 +1018,18 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Tähte pöörati ümber z-telje {0}° ja nihutati siis {1} võrra piki x-telge. Milline korrutis seda tegi?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Täht tehti {0} korda nii laiaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Sisestage lülidesse arvud ja järjestage lülid: korrutis peab olema {0} paneelis *Maatriksid*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
         <translation>Objekt, maailm, kaamera</translation>
     </message>
@@ -1052,10 +1068,6 @@
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
         <translation>Kaameral on omad teljed ja {0} viib maailma nendesse. See võtab kaamera paigutamise tagasi. Tähe punkti {1} jaoks korrutatakse mõlemad maatriksid:</translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation>Milline ahel viib tähe punkti kaamera telgedesse? Lohistage lülisid; esimesena mõjub kõige alumine. order: view; translate 3,0,0; rotate z 90</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
@@ -1170,20 +1182,12 @@
         <translation>Tähte liigutati ahelaga ja see on seal, kus seda näitab **Maailm**. Järjestage lülid nii nagu korrutises: esimesena mõjub kõige alumine. Lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation>Tähte pöörati ümber z-telje {0}° ja nihutati siis {1} võrra piki x-telge. Milline korrutis seda tegi? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</translation>
-    </message>
-    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Kumb neist mõjub esimesena? See on all.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
         <translation>{0}: parempoolne tegur mõjub esimesena.</translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation>Täht tehti {0} korda nii laiaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
@@ -1196,10 +1200,6 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: enne skaleerimine piki tähe enda telgi, siis pööre ümber selle enda alguspunkti ja viimasena nihe.</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation>Sisestage lülidesse arvud ja järjestage lülid: korrutis peab olema {0} paneelis *Maatriksid*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,8 +2863,8 @@
         <translation>Riba iga peatus on koht ja iga tegur viib ühest järgmisse. Kaamerafreimi punkt {0} läbib need kõik: millega see kohtub esimesena, on paremal, selle kõrval.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation>Milline ahel viib peatusest *Vaade* peatusse *NDC*? Lohistage lülisid; esimesena mõjub kõige alumine. order projection: M_z; M_pp; M_persp</translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Milline ahel viib peatusest *Vaade* peatusse *NDC*? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
@@ -3059,8 +3059,16 @@
         <translation>Kaamerafreimi punkt läheb läbi püramiidi ja risttahuka kuupi. Järjestage tegurid; esimesena mõjub kõige alumine.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation>{0} ja {1}. Milline ahel viib kaamerafreimist NDC-sse? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} ja {1}. Milline ahel viib kaamerafreimist NDC-sse?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>Risttahuka lähitasand on kohal {0} ja kaugtasand kohal {1}. Teine programm tahab lähitasandit kohale {2} ja kaugtasandit kohale {3}. Milline ahel on selle {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Silm on kohal {0}, {1} ja {2}. Milline ahel viib maailma punkti NDC-sse, kuni jagamiseni?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
@@ -3069,10 +3077,6 @@
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
         <translation>{0} teeb püramiidi, {1} teeb sellest risttahuka ja {2} venitab selle sügavusi.</translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation>Risttahuka lähitasand on kohal {0} ja kaugtasand kohal {1}. Teine programm tahab lähitasandit kohale {2} ja kaugtasandit kohale {3}. Milline ahel on selle {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
@@ -3085,10 +3089,6 @@
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
         <translation>{0}: skaleerimine mõjub esimesena ja nihe viib lähitasandi kohast 0 kohta {1}.</translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation>Silm on kohal {0}, {1} ja {2}. Milline ahel viib maailma punkti NDC-sse, kuni jagamiseni? order: M_z; M_pp; M_persp; view</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
@@ -4127,8 +4127,16 @@
         <translation>Jagamine suurusega {0} on ahela samm, aga mitte maatriks. Järjestage sammud; esimesena mõjub kõige alumine. Lülitage välja see, mis ahelasse ei kuulu.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation>Pildis on {0} korda 400 pikslit. Milline ahel viib kaamerafreimi punkti selle pikslisse? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Pildis on {0} korda 400 pikslit. Milline ahel viib kaamerafreimi punkti selle pikslisse?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Tähte pöörati ümber y-telje {0}° ja nihutati {1} võrra piki x-telge; silm on kohal {2}. Milline ahel viib tähe punkti NDC-sse?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Punkti {0} skaleeritakse arvuga {1}, nihutatakse siis vektori {2} võrra ja jagatakse siis. Milline ahel see on?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
@@ -4143,20 +4151,12 @@
         <translation>Objektiivi maatriks kirjutab jagaja suurusesse {0}, jagamine teeb {1} ja {2} ning viewport teeb neist pikslid.</translation>
     </message>
     <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation>Tähte pöörati ümber y-telje {0}° ja nihutati {1} võrra piki x-telge; silm on kohal {2}. Milline ahel viib tähe punkti NDC-sse? order: divide; projection; view; translate {3},0,0; rotate y {4}</translation>
-    </message>
-    <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
         <translation>Alustage tähest: milline maatriks viib selle punktid maailma?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
         <translation>Tähest maailma, kaamerani, läbi objektiivi ja lõpuks jagamine.</translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation>Punkti {0} skaleeritakse arvuga {1}, nihutatakse siis vektori {2} võrra ja jagatakse siis. Milline ahel see on? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>

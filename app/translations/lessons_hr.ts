@@ -859,8 +859,16 @@
         <translation>Matrica pogleda poništava postavljanje kamere. Složite njezine faktore: povlačite pločice i isključite one koje ne pripadaju umnošku. Pločica na dnu djeluje prva.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation>Kamera je u {0}. Retci od {1} su {2}, {3}, {4}, a {5} pomiče za {6}. Koji je umnožak matrica pogleda? order view: R; P tiles: R; P; R^-1; P^-1</translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Kamera je u {0}. Retci od {1} su {2}, {3}, {4}, a {5} pomiče za {6}. Koji je umnožak matrica pogleda?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Kamera u ishodištu gleda duž {0}. Okrenuta je oko y za {1}°, zatim pomaknuta za {2}. Koji je umnožak njezina matrica pogleda?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Kamera je nagnuta oko x za {0}°, okrenuta oko y za {1}° i pomaknuta za {2}. Koji je umnožak njezina matrica pogleda?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
@@ -875,20 +883,12 @@
         <translation>{0} pomiče kameru u ishodište, a {1} rotira oko njega. {2} i {3}, naprotiv, postavljaju kameru.</translation>
     </message>
     <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation>Kamera u ishodištu gleda duž {0}. Okrenuta je oko y za {1}°, zatim pomaknuta za {2}. Koji je umnožak njezina matrica pogleda? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</translation>
-    </message>
-    <message>
         <source>The view matrix undoes both, the last one first.</source>
         <translation>Matrica pogleda poništava oboje, najprije posljednje.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
         <translation>Kamera je postavljena umnoškom {0}. Njegov je inverz {1}: najprije se poništava pomak.</translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation>Kamera je nagnuta oko x za {0}°, okrenuta oko y za {1}° i pomaknuta za {2}. Koji je umnožak njezina matrica pogleda? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
@@ -958,6 +958,10 @@
         <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Koji lanac točku slova prebacuje na osi kamere? Povlačite pločice; ona na dnu djeluje prva.</translation>
+    </message>
+    <message>
         <source>A point through T and R</source>
         <translation>Točka kroz T i R</translation>
     </message>
@@ -1014,6 +1018,18 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Slovo je okrenuto oko z za {0}°, a zatim pomaknuto za {1} duž x. Koji je umnožak to učinio?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Slovo je rašireno {0} puta, okrenuto oko z za {1}° i pomaknuto za {2} duž x. Zadržalo je prave kutove. Koji je umnožak to učinio?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Upišite brojeve u pločice i složite ih: umnožak mora biti {0} u ploči *Matrice*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
         <translation>Objekt, svijet, kamera</translation>
     </message>
@@ -1052,10 +1068,6 @@
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
         <translation>Kamera ima vlastite osi, a {0} svijet prebacuje na njih. Ona poništava postavljanje kamere. Točka {1} slova množi se objema matricama:</translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation>Koji lanac točku slova prebacuje na osi kamere? Povlačite pločice; ona na dnu djeluje prva. order: view; translate 3,0,0; rotate z 90</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
@@ -1170,20 +1182,12 @@
         <translation>Slovo je pomaknuto nekim lancem i stoji ondje gdje ga pokazuje **Svijet**. Složite pločice kao u umnošku: ona na dnu djeluje prva. Isključite ono što mu ne pripada.</translation>
     </message>
     <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation>Slovo je okrenuto oko z za {0}°, a zatim pomaknuto za {1} duž x. Koji je umnožak to učinio? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</translation>
-    </message>
-    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Što od toga dvoga djeluje prvo? Ono stoji na dnu.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
         <translation>{0}: faktor zdesna djeluje prvi.</translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation>Slovo je rašireno {0} puta, okrenuto oko z za {1}° i pomaknuto za {2} duž x. Zadržalo je prave kutove. Koji je umnožak to učinio? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
@@ -1196,10 +1200,6 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: najprije skaliranje, duž vlastitih osi slova, zatim okret oko njegova ishodišta, a pomak posljednji.</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation>Upišite brojeve u pločice i složite ih: umnožak mora biti {0} u ploči *Matrice*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,8 +2863,8 @@
         <translation>Svaka postaja trake je mjesto, a svaki faktor vodi s jednog mjesta na sljedeće. Točka {0} koordinatnog sustava kamere prolazi kroz sva: ono na što najprije naiđe stoji zdesna, do nje.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation>Koji lanac vodi od postaje *Kamera* do *NDC*? Povlačite pločice; ona na dnu djeluje prva. order projection: M_z; M_pp; M_persp</translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Koji lanac vodi od postaje *Kamera* do *NDC*? Povlačite pločice; ona na dnu djeluje prva.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
@@ -3059,8 +3059,16 @@
         <translation>Točka koordinatnog sustava kamere ide kroz piramidu i kvadar do kocke. Složite faktore; onaj na dnu djeluje prvi.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation>{0} i {1}. Koji lanac vodi od koordinatnog sustava kamere do NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} i {1}. Koji lanac vodi od koordinatnog sustava kamere do NDC?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>U kvadru je bliska ravnina na {0}, a daleka na {1}. Jednom drugom programu treba bliska na {2}, a daleka na {3}. Koji je lanac njegova {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Kamera je u {0}, {1} i {2}. Koji lanac točku svijeta prebacuje u NDC, sve do dijeljenja?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
@@ -3069,10 +3077,6 @@
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
         <translation>{0} čini piramidu, {1} je pretvara u kvadar, a {2} mu rasteže dubine.</translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation>U kvadru je bliska ravnina na {0}, a daleka na {1}. Jednom drugom programu treba bliska na {2}, a daleka na {3}. Koji je lanac njegova {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
@@ -3085,10 +3089,6 @@
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
         <translation>{0}: skaliranje djeluje prvo, a pomak prebacuje blisku ravninu s 0 na {1}.</translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation>Kamera je u {0}, {1} i {2}. Koji lanac točku svijeta prebacuje u NDC, sve do dijeljenja? order: M_z; M_pp; M_persp; view</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
@@ -4127,8 +4127,16 @@
         <translation>Dijeljenje s {0} jest korak lanca, ali nije matrica. Složite korake; onaj na dnu djeluje prvi. Isključite ono što ne pripada lancu.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation>Slika ima {0} puta 400 piksela. Koji lanac točku koordinatnog sustava kamere prebacuje u njezin piksel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Slika ima {0} puta 400 piksela. Koji lanac točku koordinatnog sustava kamere prebacuje u njezin piksel?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Slovo je okrenuto oko y za {0}° i pomaknuto za {1} duž x; kamera je u {2}. Koji lanac točku slova prebacuje u NDC?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Točka {0} skalira se s {1}, zatim pomiče za {2}, zatim dijeli. Koji je to lanac?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
@@ -4143,20 +4151,12 @@
         <translation>Matrica objektiva upisuje djelitelj u {0}, dijeljenje daje {1} i {2}, a prozor prikaza od njih čini piksele.</translation>
     </message>
     <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation>Slovo je okrenuto oko y za {0}° i pomaknuto za {1} duž x; kamera je u {2}. Koji lanac točku slova prebacuje u NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</translation>
-    </message>
-    <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
         <translation>Počnite od slova: koja matrica njegove točke prebacuje u svijet?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
         <translation>Od slova u svijet, u koordinatni sustav kamere, kroz objektiv, i na kraju dijeljenje.</translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation>Točka {0} skalira se s {1}, zatim pomiče za {2}, zatim dijeli. Koji je to lanac? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>

@@ -859,8 +859,16 @@
         <translation>Матрица погледа поништава постављање камере. Поређајте њене чиниоце: превуците плочице и искључите оне које не припадају производу. Плочица на дну делује прва.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation>Позиција камере је {0}. Врсте матрице {1} су {2}, {3}, {4}, а {5} помера за {6}. Који производ је матрица погледа? order view: R; P tiles: R; P; R^-1; P^-1</translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Позиција камере је {0}. Врсте матрице {1} су {2}, {3}, {4}, а {5} помера за {6}. Који производ је матрица погледа?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Камера у координатном почетку гледа дуж {0}. Окренута је око y за {1}°, па померена за {2}. Који производ је њена матрица погледа?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Камера је нагнута око x за {0}°, окренута око y за {1}° и померена за {2}. Који производ је њена матрица погледа?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
@@ -875,20 +883,12 @@
         <translation>{0} помера позицију камере у координатни почетак, а {1} ротира око њега. {2} и {3} чине обрнуто: постављају камеру.</translation>
     </message>
     <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation>Камера у координатном почетку гледа дуж {0}. Окренута је око y за {1}°, па померена за {2}. Који производ је њена матрица погледа? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</translation>
-    </message>
-    <message>
         <source>The view matrix undoes both, the last one first.</source>
         <translation>Матрица погледа поништава и једно и друго, прво оно што је било последње.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
         <translation>Камера је постављена производом {0}. Његов инверз је {1}: прво се поништава помак.</translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation>Камера је нагнута око x за {0}°, окренута око y за {1}° и померена за {2}. Који производ је њена матрица погледа? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
@@ -958,6 +958,10 @@
         <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Који ланац преводи тачку слова у осе камере? Превуците плочице; она на дну делује прва.</translation>
+    </message>
+    <message>
         <source>A point through T and R</source>
         <translation>Тачка кроз T и R</translation>
     </message>
@@ -1014,6 +1018,18 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Слово је окренуто око z за {0}°, па померено за {1} дуж x. Који производ је то учинио?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Слово је растегнуто на {0} пута већу ширину, окренуто око z за {1}°, и померено за {2} дуж x. Задржало је праве углове. Који производ је то учинио?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Унесите бројеве у плочице и поређајте их: производ мора бити {0} у панелу *Матрице*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
         <translation>Објекат, свет, камера</translation>
     </message>
@@ -1052,10 +1068,6 @@
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
         <translation>Камера има сопствене осе, и матрица {0} свет преводи у њих. Она поништава постављање камере. За тачку {1} слова множе се обе матрице:</translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation>Који ланац преводи тачку слова у осе камере? Превуците плочице; она на дну делује прва. order: view; translate 3,0,0; rotate z 90</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
@@ -1170,20 +1182,12 @@
         <translation>Слово је померио један ланац, и стоји где га показује приказ **Свет**. Поређајте плочице као у производу: она на дну делује прва. Искључите оно што му не припада.</translation>
     </message>
     <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation>Слово је окренуто око z за {0}°, па померено за {1} дуж x. Који производ је то учинио? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</translation>
-    </message>
-    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Који од та два чиниоца делује први? Он стоји на дну.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
         <translation>{0}: десни чинилац делује први.</translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation>Слово је растегнуто на {0} пута већу ширину, окренуто око z за {1}°, и померено за {2} дуж x. Задржало је праве углове. Који производ је то учинио? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
@@ -1196,10 +1200,6 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: прво скалирање, дуж сопствених оса слова, па окретање око његовог координатног почетка, и на крају помак.</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation>Унесите бројеве у плочице и поређајте их: производ мора бити {0} у панелу *Матрице*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,8 +2863,8 @@
         <translation>Свака станица траке је једно место, и сваки чинилац води са једног на следеће. Тачка {0} координатног система камере пролази кроз све: оно што прво среће стоји десно, одмах до ње.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation>Који ланац води од станице *Камера* до станице *NDC*? Превуците плочице; она на дну делује прва. order projection: M_z; M_pp; M_persp</translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Који ланац води од станице *Камера* до станице *NDC*? Превуците плочице; она на дну делује прва.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
@@ -3059,8 +3059,16 @@
         <translation>Тачка координатног система камере пролази кроз пирамиду и квадар до коцке. Поређајте чиниоце; онај на дну делује први.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation>{0} и {1}. Који ланац води из координатног система камере у NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} и {1}. Који ланац води из координатног система камере у NDC?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>Квадар има предњу раван на {0}, а задњу на {1}. Други програм тражи предњу на {2}, а задњу на {3}. Који ланац је његова матрица {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Позиција камере је {0}, а {1} и {2}. Који ланац преводи тачку света у NDC, све до дељења?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
@@ -3069,10 +3077,6 @@
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
         <translation>{0} прави пирамиду, {1} је претвара у квадар, а {2} растеже његове дубине.</translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation>Квадар има предњу раван на {0}, а задњу на {1}. Други програм тражи предњу на {2}, а задњу на {3}. Који ланац је његова матрица {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
@@ -3085,10 +3089,6 @@
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
         <translation>{0}: скалирање делује прво, а помак доводи предњу раван са 0 на {1}.</translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation>Позиција камере је {0}, а {1} и {2}. Који ланац преводи тачку света у NDC, све до дељења? order: M_z; M_pp; M_persp; view</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
@@ -4127,8 +4127,16 @@
         <translation>Дељење са {0} је корак ланца, али није матрица. Поређајте кораке; онај на дну делује први. Искључите оно што не припада ланцу.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation>Слика има {0} пута 400 пиксела. Који ланац преводи тачку координатног система камере у њен пиксел? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Слика има {0} пута 400 пиксела. Који ланац преводи тачку координатног система камере у њен пиксел?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Слово је окренуто око y за {0}° и померено за {1} дуж x; позиција камере је {2}. Који ланац преводи тачку слова у NDC?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Тачка {0} се скалира са {1}, па помера за {2}, па дели. Који је то ланац?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
@@ -4143,20 +4151,12 @@
         <translation>Матрица објектива уписује делилац у {0}, дељење прави {1} и {2}, а област приказа од њих прави пикселе.</translation>
     </message>
     <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation>Слово је окренуто око y за {0}° и померено за {1} дуж x; позиција камере је {2}. Који ланац преводи тачку слова у NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</translation>
-    </message>
-    <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
         <translation>Почните од слова: која матрица његове тачке преводи у свет?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
         <translation>Од слова до света, до камере, кроз објектив, и на крају дељење.</translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation>Тачка {0} се скалира са {1}, па помера за {2}, па дели. Који је то ланац? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>
