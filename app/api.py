@@ -166,11 +166,7 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
 
 
 def project(
-    of: Source,
-    points: ArrayLike,
-    *,
-    space: Space = "world",
-    precision: Precision | None = None,
+    of: Source, points: ArrayLike, *, space: Space = "world", precision: Precision | None = None
 ) -> Trace:
     """Follow points through every stage, as the command ``project`` does.
 

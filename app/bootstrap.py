@@ -57,33 +57,8 @@ LONGEST_ROOT = 83
 WHEELS = "wheels"
 
 _UNFINISHED = "setting up\n"
-_UNOBTAINABLE = "No matching distribution|ResolutionImpossible"
 _PIN = r"(?:No matching distribution found for|user requested \(constraint\)) ([\w.-]+)"
 _NO_ANSWER = r"Retrying \("
-_REMEDIES = (
-    (_NO_ANSWER, "check the network and run again: {again}"),
-    (
-        r"\[Errno (28|122)\]|WinError 112\b|No space left|quota exceeded|No usable temporary",
-        "too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of "
-        "temporary files is full, and run again: {again}",
-    ),
-    (r"WinError (5|32)\b", "close all windows of Frustum Lab and run again: {again}"),
-    (
-        r"WinError (1260|4551)\b",
-        "this machine's rules forbid programs in {folder}; ask who set it up",
-    ),
-    (
-        r"WinError (3|206)\b|Errno 36\b",
-        "the path {folder} is too long: move the folder of the code nearer to the drive's root",
-    ),
-    (_UNOBTAINABLE, "no version fits {python} on this machine; use another Python"),
-    (
-        r"Permission|Read-only|Errno (13|21|30)\b",
-        "put Frustum Lab into a folder that you may write to",
-    ),
-    ("", "run again: {again}; {program} doctor says more"),
-)
-"""What helps, by a pattern of what pip or the system says; the first that fits."""
 _INSTALLING = "Installing collected packages: "
 _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 _AS_IT_IS = "as it is"
@@ -91,8 +66,10 @@ _AS_IT_IS = "as it is"
 
 def _failure(what: str, why: str, folder: Path, said: str = "") -> SetupError:
     """Return a sentence of what failed, why, and what helps."""
-    remedy = next(text for pattern, text in _REMEDIES if re.search(pattern, f"{said}\n{why}"))
-    if remedy == _REMEDIES[0][1]:
+    page = Path(__file__).parent / "content" / "set-up.md"  # by patterns of what was said
+    remedies = re.findall("(?m)^- (.*?): (.*)", page.read_text(encoding="utf-8"))
+    remedy = next(text for pattern, text in remedies if re.search(pattern, f"{said}\n{why}"))
+    if remedy == remedies[0][1]:
         why = "no package server could be reached"  # whatever pip's own conclusion
     bits = 64 if sys.maxsize > 2**32 else 32
     python = f"Python {platform.python_version()}, {bits} bits, {platform.machine()},"

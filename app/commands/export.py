@@ -173,8 +173,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
 def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int]]) -> None:
     """Refuse sizes that a film cannot have, and then a machine that cannot encode it."""
     with importing():
-        from app.drawings.moving import WEBP_PX
-        from app.drawings.mp4 import program
+        from app.drawings.moving import WEBP_PX, program
     if len(sizes) > 1:
         motion = sweep.motions(options)[0]
         raise CliError(f"--{motion}: frames of a film have one size; set --size.")

@@ -81,4 +81,4 @@ def _values(options: Namespace, states: Sequence[Document], scene: "Scene") -> l
         return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
     if options.transition:
         return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
-    return sweep.shown_values(options, states, scene)
+    return list(sweep.shown_values(options, states, scene))

@@ -112,12 +112,10 @@ def with_views(
     return _film().still(figures) if options.sweep else figures
 
 
-def shown_values(
-    options: argparse.Namespace, states: Sequence[Document], scene: Scene
-) -> list[str]:
+def shown_values(options: argparse.Namespace, states: Sequence[Document], scene: Scene) -> Any:
     """Return the swept values in each state: ``near n = 4``."""
     paths = [text.partition("=")[0].strip() for text in options.sweep or ()]
-    return list(_film().shown_values(states, scene, paths))
+    return _film().shown_values(states, scene, paths)
 
 
 def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -> list[Figure]:
@@ -231,7 +229,7 @@ def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
     steps = count if options.loop == "repeat" and abs(options.orbit) == FULL_TURN else count - 1
     turns_deg = [options.orbit * step / steps for step in range(count)]
     if (view := figure.document.view.panes.get("world")) is None:
-        views = _standing([figure], turns_deg)
+        views = _film().standing(figure, [figure.document], turns_deg)
     else:
         at = view.orbit
         views = [view]  # to the last bit
@@ -246,12 +244,6 @@ def _film() -> Any:
     with importing():
         from app.drawings import film
     return film
-
-
-def _standing(figures: Sequence[Figure], turns_deg: list[float]) -> list[Camera]:
-    with importing():
-        from app.drawings.standing import standing
-    return standing(figures[0], [figure.document for figure in figures], turns_deg)
 
 
 # --------------------------------------------------------------------------- the options

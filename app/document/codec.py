@@ -124,11 +124,8 @@ def _check_tree(value: Any, path: str, depth: int) -> None:
 def _bound_of_far(kind: object) -> Bound:
     """Return the bound on a lens's far, which only some lenses allow to be infinite."""
     lens = LENSES.get(kind) if isinstance(kind, str) else None
-    return (
-        REFUSALS["finite-or-inf"]
-        if lens is not None and lens.far_may_be_infinite
-        else REFUSALS["finite-number"]
-    )
+    may_be_infinite = lens is not None and lens.far_may_be_infinite
+    return REFUSALS["finite-or-inf"] if may_be_infinite else REFUSALS["finite-number"]
 
 
 def _join(path: str, key: str) -> str:

@@ -271,23 +271,13 @@ def lens_fields(kind: object) -> tuple[Field, ...]:
 
 def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
     """Return the fields of a document with this scene and this kind of lens."""
-    settings = PHENOMENA[scene].settings if scene in PHENOMENA else ()
-    return (
-        *TOP,
-        *(
-            Field("settings", each.name, _KINDS.get(type(each.default), NUMBER))._replace(
-                unit=each.unit, whole=each.whole
-            )
-            for each in settings
-        ),
-        *OBJECT,
-        *CAMERA,
-        Field("lens", "kind", TEXT, required=True),
-        *lens_fields(kind),
-        *IMAGE,
-        *QUALITY,
-        *VIEW,
-    )
+    settings = [
+        Field("settings", each.name, _KINDS.get(type(each.default), NUMBER), False, each.unit,
+              each.whole)
+        for each in (PHENOMENA[scene].settings if scene in PHENOMENA else ())
+    ]  # fmt: skip
+    lens = Field("lens", "kind", TEXT, required=True), *lens_fields(kind)
+    return (*TOP, *settings, *OBJECT, *CAMERA, *lens, *IMAGE, *QUALITY, *VIEW)
 
 
 CAMERA_P = Field(

@@ -117,20 +117,15 @@ def read(
                     projection = cameras[_chosen(cameras, view, choose)](document.projection)
                     return replace(document, projection=projection)
             if len(content) > LARGEST_DOCUMENT:
-                raise Refusal.in_document(
-                    REFUSALS["files-too-large"], f"{LARGEST_DOCUMENT // 2**20} MiB"
-                )
+                limit = f"{LARGEST_DOCUMENT // 2**20} MiB"
+                raise Refusal.in_document(REFUSALS["files-too-large"], limit)
             text, note = _decode(content)
             document = parse(text, folder)
             log_warning(path, note)
             return document
         except Refusal as error:
-            if ending == ".json" or error.bound not in (
-                REFUSALS["broken"],
-                REFUSALS["empty"],
-                REFUSALS["foreign"],
-                REFUSALS["not-text"],
-            ):
+            known = REFUSALS["broken"], REFUSALS["empty"], REFUSALS["foreign"], REFUSALS["not-text"]
+            if ending == ".json" or error.bound not in known:
                 raise
             if ending == ".png":
                 raise Refusal.in_document(REFUSALS["broken-picture"]) from error
@@ -141,9 +136,8 @@ def split_view(path: Path) -> tuple[str, str]:
     """Split ``FILE#VIEW``; the view is empty if there is none, or a file has the whole name."""
     name = os.fspath(path)
     file, mark, view = name.rpartition("#")
-    return (
-        (file, view) if mark and not os.path.lexists(name) and os.path.isfile(file) else (name, "")
-    )
+    has_view = mark and not os.path.lexists(name) and os.path.isfile(file)
+    return (file, view) if has_view else (name, "")
 
 
 def _has_mark(content: bytes) -> bool:

@@ -28,13 +28,7 @@ from app.model.limits import OTHER_SIDE, positive
 from app.model.numerals import numbers
 from app.model.parameters import FOCAL_LENGTH, FOV_X, FOV_Y, KEEP, WINDOW_SIDES
 from app.model.projection import LENSES, Intrinsics, kinds
-from app.model.refusal import (
-    REFUSALS,
-    Refusal,
-    format_value,
-    nearest,
-    shown_name,
-)
+from app.model.refusal import REFUSALS, Refusal, format_value, nearest, shown_name
 from app.scenes.phenomena import PHENOMENA
 
 Values: TypeAlias = dict[str, Any]

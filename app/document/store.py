@@ -52,11 +52,7 @@ class Store(QObject):
     leaving = Signal()  # a document of another origin is about to be shown
 
     def __init__(
-        self,
-        document: Document,
-        parent: QObject | None = None,
-        *,
-        saved: Document | None = None,
+        self, document: Document, parent: QObject | None = None, *, saved: Document | None = None
     ) -> None:
         super().__init__(parent)
         self._document = document

@@ -164,10 +164,8 @@ def read_view(
     for name, value in given.items():
         if name in _LISTS:
             given[name] = _list(name, value)
-        elif name in _ONE_OR_NONE:
-            _check_name(
-                name, value, _ONE_OR_NONE[name], REFUSALS["one-or-none"]
-            )  # null is none of them
+        elif name in _ONE_OR_NONE:  # null is none of them
+            _check_name(name, value, _ONE_OR_NONE[name], REFUSALS["one-or-none"])
         elif name == "probes":
             given[name] = _probes(value)
         elif name == "stage" and value in STAGES:

@@ -9,16 +9,19 @@ import numpy as np
 from app.document.compare import DifferenceWriter, names_in
 from app.document.settings import name_of, pictured
 from app.drawings.drawing import Drawing
-from app.drawings.label import SceneLabel
+from app.drawings.label import SceneLabel, rim_px
 from app.drawings.label import drawn as drawn_label
 from app.drawings.off_screen import Pixels
 from app.drawings.one_pane import Ends, PanePicture
 from app.drawings.side_by_side import line_px, places_of
 from app.drawings.style import Style, rgb
 from app.drawings.vectors import Area, LineShape, Shape, TextShape, moved, within
+from app.lecture.typesetting import line_of
 from app.model.parameters import TITLES
 from app.scenes.phenomena.words import figure
 from app.scenes.scene import Scene
+
+_HALF_CAPITAL = 0.36  # half the height of a capital, in em
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,15 +144,16 @@ def compared_in(whole: PanePicture, scene: Scene) -> Compared:
 def line_of_text(text: str, x: float, y: float, style: Style, anchor: int = 0) -> TextShape:
     """A name round a point, or a line of words and letters from there on to the right."""
     written = SceneLabel(text, style, plain=not anchor, anchor=(anchor, 0)).written
-    left, low = written.place
-    return TextShape(written, (x + left, y - low), written.em)
+    place = x + written.place[0], y + _HALF_CAPITAL * written.em
+    return TextShape(written, place, written.em)
 
 
 def titled(pixels: Pixels, text: str, style: Style, *, centred: bool = True) -> Pixels:
     """A picture with a name at its top, where a pane has its title, or a line of words."""
     how = {"plain": centred, "one_size": style.one_size}
     name = drawn_label(text, style.font_size, style.tone(""), style.background, **how)
-    top = max(0, (line_px(style) - len(name)) // 2)
+    above = line_of(text, **how).box[3] - _HALF_CAPITAL  # all names stand on one line
+    top = max(0, round(line_px(style) / 2.0 - above * style.font_size) - rim_px(style.font_size))
     whole, name = pixels.copy(), name[: len(pixels) - top, : pixels.shape[1]]
     left = (pixels.shape[1] - name.shape[1]) // 2 if centred else round(style.font_size / 2.0)
     part = whole[top : top + len(name), left : left + name.shape[1]]

@@ -47,11 +47,7 @@ class Description(NamedTuple):
         return " ".join((*self.general, *self.panes.values(), *self.cut, *self.risky))
 
 
-def describe(
-    document: Document,
-    scene: Scene,
-    panes: Sequence[str] = PANES,
-) -> Description:
+def describe(document: Document, scene: Scene, panes: Sequence[str] = PANES) -> Description:
     """Say in words what the panes of a document show, what is cut off, and what is risky."""
     projection, letters = document.projection, document.view.letters
     illustration = scene.illustration(projection, document.settings)

@@ -22,6 +22,7 @@ from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena.words import digits_apart, figure
 from app.scenes.scene import Scene
 
+_MOST_MOMENTS = 9  # of the states that a view of the world shows
 FILMS = (".gif", ".apng", ".webp", ".mp4")
 
 
@@ -39,13 +40,35 @@ def seen_by(shown: Figure, view: Camera) -> Figure:
 
 def still(figures: Sequence[Figure]) -> list[Figure]:
     """Return figures whose world is seen from one place, as in the window while a value changes."""
-    from app.drawings.standing import standing
-
     first = figures[0]
     if "world" in first.document.view.panes or "world" not in first.panes or is_fixed(first):
         return list(figures)
     (view,) = standing(first, [each.document for each in figures], [0.0])
     return [seen_by(each, view) for each in figures]
+
+
+def standing(
+    figure: Figure, states: Sequence[Document], turns_deg: Sequence[float]
+) -> list[Camera]:
+    """Return the views of the world that show all of the states, one for each turn.
+
+    The free view of a figure depends on what it shows, and would jump about. The panes are those of
+    the figure, which shows the first state.
+    """
+    cameras, last = list[list[Camera]](), len(states) - 1
+    chosen = sorted({round(last * part / (_MOST_MOMENTS - 1)) for part in range(_MOST_MOMENTS)})
+    moments = [
+        (state.projection, figure.scene.illustration(state.projection, state.settings))
+        for state in map(states.__getitem__, chosen)
+    ]
+
+    def seen(drawing: Any, _factor: int) -> None:
+        if drawing.pane == "world":
+            cameras.append(drawing.views(moments, turns_deg))
+
+    figure.pixels(seen=seen)
+    # Compared pictures have a world each.
+    return max(cameras, key=lambda views: views[0].distance)
 
 
 def steady(

@@ -37,11 +37,8 @@ def plotter_of(figure: Figure, **options: Any) -> Any:
         volume: Any = getattr(drawing.state, "volume")  # noqa: B009
         camera = window.GetRenderers().GetFirstRenderer().GetActiveCamera()
         plotter.camera.DeepCopy(camera)
-        for end, place in (
-            ("Position", camera.GetPosition()),
-            ("FocalPoint", camera.GetFocalPoint()),
-        ):
-            getattr(plotter.camera, f"Set{end}")(np.add(place, origin))
+        plotter.camera.SetPosition(np.add(camera.GetPosition(), origin))
+        plotter.camera.SetFocalPoint(np.add(camera.GetFocalPoint(), origin))
     if volume.exists:
         corners = volume.corners + origin
         lines = [part for edge in CUBE_EDGES for part in (len(edge), *edge)]
@@ -50,10 +47,6 @@ def plotter_of(figure: Figure, **options: Any) -> Any:
             (style.near, style.far), style.tints, (corners[:4], corners[4:]), strict=True
         ):
             plotter.add_mesh(pyvista.PolyData(face, [4, *range(4)]), color=colour, opacity=tint)
-    plotter.add_points(
-        np.array([projection.camera.eye]),
-        color=style.eye,
-        point_size=10,
-        render_points_as_spheres=True,
-    )
+    eye, how = np.array([projection.camera.eye]), {"render_points_as_spheres": True}
+    plotter.add_points(eye, color=style.eye, point_size=10, **how)
     return plotter

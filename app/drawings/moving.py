@@ -1,13 +1,20 @@
 """Moving pictures: GIF, APNG, WebP and MP4 of frames that are encoded one by one.
 
 Pillow encodes the frames. Its own writers of animations join frames that are equal, and keep all
-pixels in memory; here a file has exactly the frames that it is given.
+pixels in memory; here a file has exactly the frames that it is given. MP4 is encoded by the program
+``ffmpeg`` if this machine has it: the frames go to it through a pipe, and the film comes from a
+folder of its own, so that it never gets the name of a file that a user has chosen.
 """
 
 import io
+import os
+import shutil
 import struct
+import subprocess
+import tempfile
 import zlib
 from collections.abc import Sequence
+from subprocess import PIPE
 
 import numpy as np
 from PIL import GifImagePlugin, Image
@@ -16,11 +23,18 @@ from app.document.codec import picture_json
 from app.document.files import chunks
 from app.drawings.figure import Figure
 from app.drawings.figure_files import png_bytes
-from app.drawings.mp4 import mp4
 from app.drawings.off_screen import Pixels
+from app.model.refusal import REFUSALS, Refusal
+from app.strangers import printable
 
 WEBP_PX = 16383  # largest side of a WebP picture
 _GIF_COLOURS = 256
+PROGRAM = "ffmpeg"
+
+# Every player shows colours of half the resolution; better quality would not change those.
+_COLOURS = "scale=out_color_matrix=bt709:out_range=tv,format=yuv420p"
+_MARKS = ("-colorspace", "bt709", "-color_primaries", "bt709", "-color_trc", "bt709")
+_QUALITY = ("-c:v", "libx264", "-crf", "18")
 
 
 def encoded(figure: Figure, ending: str) -> bytes:
@@ -44,7 +58,7 @@ def moving(
     MP4 cannot say whether it repeats.
     """
     if ending == ".mp4":
-        return mp4(frames, fps)
+        return _mp4(frames, fps)
     if ending == ".apng":
         return _apng(frames, size, fps, once)
     return (_gif if ending == ".gif" else _webp)(frames, size, fps, once)
@@ -107,3 +121,38 @@ def _webp(frames: Sequence[bytes], size: tuple[int, int], fps: float, once: bool
     about = three(0, 0) + sides + three(round(1000.0 / fps)) + b"\x02"
     parts += [chunk(b"ANMF", about + frame) for frame in frames]
     return chunk(b"RIFF", b"WEBP" + b"".join(parts))
+
+
+def program() -> str:
+    """Return the path of ffmpeg; a `Refusal` if this machine has none."""
+    path = shutil.which(PROGRAM)
+    if path is None:
+        raise Refusal.in_document(REFUSALS["no-program"], PROGRAM)
+    return os.path.abspath(path)
+
+
+def _mp4(frames: Sequence[bytes], fps: float) -> bytes:
+    """Return the film of frames that are PNG files; a `Refusal` if ffmpeg fails.
+
+    When Python is interrupted, ffmpeg is ended, and its folder removed.
+    """
+    with tempfile.TemporaryDirectory(prefix="frustum-lab-") as folder:
+        film = os.path.join(folder, "film.mp4")
+        command = [
+            program(), "-hide_banner", "-loglevel", "error", "-f", "image2pipe", "-c:v", "png",
+            "-framerate", f"{fps:.6g}", "-i", "pipe:0", "-vf", _COLOURS, *_QUALITY, *_MARKS,
+            "-movflags", "+faststart", "-bitexact", film,
+        ]  # fmt: skip
+        with subprocess.Popen(command, stdin=PIPE, stdout=PIPE, stderr=PIPE, cwd=folder) as process:
+            try:
+                _, wrong = process.communicate(b"".join(frames))
+            except BaseException:
+                process.kill()
+                process.wait()  # or its folder could not be removed
+                raise
+        if not process.returncode:
+            with open(film, "rb") as file:
+                return file.read()
+        said = wrong.decode("utf-8", "replace").strip().rpartition("\n")[2]
+        why = said[:200] or f"status {process.returncode}"
+        raise Refusal.in_document(REFUSALS["failed"], PROGRAM, printable(why.rstrip(".")))

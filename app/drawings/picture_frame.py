@@ -14,6 +14,7 @@ from app.drawings.pane_view import Spot
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, corner_at
+from app.lecture.typesetting import line_of
 from app.model.projection import Array
 from app.picking.sight import Sight
 from app.precision.quality import AUTOMATIC, Quality
@@ -237,7 +238,8 @@ class PictureFrame(Layer):
         move(self._zero, zero, above)
         if self._caption is not None:
             bare = AXES in self._canvas.hidden
-            higher = above if bare else above - 1.3 * em
+            line = line_of(self._caption.text, one_size=self._style.one_size)
+            higher = above - line.box[1] * em - (0.0 if bare else 1.3 * em)  # all on one line
             move(self._caption, left + self._state.options.middle * width, higher)
         move(self._width_label, width_end, above)
         # Below its axis, as y is beside its own: above it is the title row with its buttons.

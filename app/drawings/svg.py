@@ -21,6 +21,7 @@ OF_ALL = 'role="img" fill="none" stroke-linecap="round" stroke-linejoin="round"'
 """The attributes that elements inherit, here and on a page."""
 SIGNS_FONT = "STIXGeneral, STIX Two Text, Times New Roman, serif"
 SEAM_PX = 0.4  # of an opaque face's own colour round it: no seam shows between neighbours
+_SIGNS = f' font-family="{SIGNS_FONT}"'
 _LOWER_EM, _LOWERED = 0.22, 0.7  # a subscript: how far below the line, and its size
 TEX = re.compile(
     r"(?P<arrow>\\vec\{)?(?:\\mathrm\{(?P<word>\w+)\}|\\(?P<sign>[a-z]+) ?|(?P<letter>[^\W\d_]))"
@@ -52,7 +53,7 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
         if isinstance(first, Area):
             yield _areas([each for each in same if isinstance(each, Area)])
         elif isinstance(first, LineShape):
-            yield _strokes([each for each in same if isinstance(each, LineShape)])
+            yield from _strokes([each for each in same if isinstance(each, LineShape)])
         else:
             for shape in same:
                 if isinstance(shape, Disc):
@@ -133,16 +134,16 @@ def chained(strokes: Iterable[LineShape]) -> list[Points]:
     return chains
 
 
-def _strokes(strokes: Sequence[LineShape]) -> str:
-    data = "".join(map(_path, chained(strokes)))
-    first = strokes[0]
+def _strokes(strokes: Sequence[LineShape]) -> Iterator[str]:
+    data, first = "".join(map(_path, chained(strokes))), strokes[0]
     dash = "" if first.dash is None else (
         f' stroke-linecap="butt" stroke-dasharray="{" ".join(map(_n, first.dash))}"'
     )  # fmt: skip
-    return (
-        f'<path stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
-        f' stroke-width="{_n(first.width)}"{dash} d="{data}"/>'
-    )
+    if data:  # they are no points
+        yield (
+            f'<path stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
+            f' stroke-width="{_n(first.width)}"{dash} d="{data}"/>'
+        )
 
 
 def _image(picture: PixelShape) -> str:
@@ -171,7 +172,7 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
         # As wide as it was composed, also in another font.
         wide = f' textLength="{_n(width * size * em)}" lengthAdjust="spacingAndGlyphs"'
         if not is_tex:
-            font = "" if is_set_in_words(piece) else f' font-family="{SIGNS_FONT}"'
+            font = "" if is_set_in_words(piece) else _SIGNS
             spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
             continue
         match = TEX.fullmatch(piece)
@@ -179,7 +180,6 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
         if match is not None and match["sign"]:
             base = _OF_GREEK.get(match["sign"], match["sign"] if match["sign"] in FUNCTIONS else "")
         if match is None or not base:
-            spans.append(f'<tspan {where} visibility="hidden">{escape(piece)}</tspan>')
             outlines.append(outlined(piece, at * em, size * em))
             continue
         style = ' font-style="italic"' if len(base) == 1 else ""
@@ -187,22 +187,21 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
         primes = match["prime"].replace("'", "\u2032")
         spans.append(
             f"<tspan {where}{'' if match['sub'] or match['low'] or primes else wide}"
-            f' font-family="{SIGNS_FONT}"{style}>{escape(base + arrow)}</tspan>'
+            f"{_SIGNS}{style}>{escape(base + arrow)}</tspan>"
         )
         if match["sub"] or match["low"]:
             sub, down = match["sub"] or match["low"], _LOWER_EM * size * em
             slanted = "" if match["sub"] or sub.isdigit() else style
             spans.append(
                 f'<tspan dy="{_n(down)}" font-size="{_n(_LOWERED * size * em)}"'
-                f' font-family="{SIGNS_FONT}"{slanted}>{escape(sub)}</tspan>'
+                f"{_SIGNS}{slanted}>{escape(sub)}</tspan>"
             )
             back = f' dy="{_n(-down)}"'
         else:
             back = ""
         if primes or back:
             spans.append(
-                f'<tspan{back} font-size="{_n(size * em)}" font-family="{SIGNS_FONT}">'
-                f"{primes or chr(0x200B)}</tspan>"
+                f'<tspan{back} font-size="{_n(size * em)}"{_SIGNS}>{primes or chr(0x200B)}</tspan>'
             )
     colour, faint = written.colour, _faint("fill", written.opacity)
     letters = f'{"".join(outlines)}<text xml:space="preserve" font-family="{WORDS_FONT}">'

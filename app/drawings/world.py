@@ -258,9 +258,7 @@ class WorldDrawing(Drawing):
         self.reset_clipping_range()
 
     def views(
-        self,
-        moments: Iterable[tuple[Projection, Illustration | None]],
-        turns_deg: Sequence[float],
+        self, moments: Iterable[tuple[Projection, Illustration | None]], turns_deg: Sequence[float]
     ) -> list[Camera]:
         """Return free views of several moments, one for each turn; see `from_all_sides`."""
         self.show_fixed("")

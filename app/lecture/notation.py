@@ -19,14 +19,7 @@ from app.lecture.algebra import SYMBOLS, Ratio, number, ratio
 from app.lecture.algebra import Letters as Quantities
 from app.lecture.dependence import FIELDS, ProjectionState, reach, state_of
 from app.lecture.highlight import OBJECT_AXES, Highlight
-from app.lecture.letters import (
-    FROM_SHEARED,
-    SHEARED,
-    Letters,
-    base_of,
-    lettering,
-    written,
-)
+from app.lecture.letters import FROM_SHEARED, SHEARED, Letters, base_of, lettering, written
 from app.model.chain import FROM_OBJECT, Chain, lettered_kinds
 from app.model.formula import ARROW, Difference, Formula, Pair, Quotient, Sum, parse
 from app.model.lenses.lens import LensTable

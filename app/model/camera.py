@@ -52,11 +52,7 @@ def _dot(a: Whole, b: Whole) -> int:
 
 
 def _cross(a: Whole, b: Whole) -> Whole:
-    return (
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    )
+    return (a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0])
 
 
 def _unit(exact: Whole) -> tuple[Fraction, ...]:

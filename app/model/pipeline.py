@@ -198,14 +198,8 @@ class Pipeline:
         """The values of the letters of every step after the view matrix, in rationals."""
         width, height = map(Fraction, self.image_size)
         z_near, z_far = map(Fraction, self.depth_range)
-        return {
-            **self.lens.exact_letters(width / height),
-            "z_n": z_near,
-            "z_f": z_far,
-            "z_low": min(z_near, z_far),
-            "W": width,
-            "H": height,
-        }
+        own = {"z_n": z_near, "z_f": z_far, "z_low": min(z_near, z_far), "W": width, "H": height}
+        return {**self.lens.exact_letters(width / height), **own}
 
     # -- matrices in float64
 

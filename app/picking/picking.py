@@ -169,10 +169,7 @@ class PickSurface:
                 a, b, c = (column.take(corner) for corner in triangles[block].T)
                 np.minimum(np.minimum(a, b), c, out=least[block])
                 np.maximum(np.maximum(a, b), c, out=most[block])
-            for sides, choose, of_all in (
-                (lowest, np.minimum, least),
-                (highest, np.maximum, most),
-            ):
+            for sides, choose, of_all in ((lowest, np.minimum, least), (highest, np.maximum, most)):
                 np.take(of_all, self._order, out=in_order, mode="clip")  # "clip" avoids a copy
                 sides[:, axis] = choose.reduceat(in_order, self._starts)
         self._middles, self._halves = (lowest + highest) / 2.0, (highest - lowest) / 2.0

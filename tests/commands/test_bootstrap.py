@@ -132,7 +132,7 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands/content", "document", "model/content"):
+    for folder in ("commands/content", "content", "document", "model/content"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     (checkout.root / "widgets").mkdir()
     (checkout.root / "widgets" / "__init__.py").touch()
@@ -153,6 +153,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__init__.py",
         "__main__.py",
         "bootstrap.py",
+        "content/set-up.md",
         "held_lock.py",
         "languages.py",
         "modules.py",

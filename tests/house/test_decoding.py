@@ -18,7 +18,7 @@ OWN = {
     "app/bootstrap.py": "files of the checkout and of its environment",
     "app/python_packages.py": "pyproject.toml, a file of the checkout",
     "app/document/files.py": "the chunk of a PNG picture, which is UTF-8 by definition",
-    "app/drawings/mp4.py": "what ffmpeg says",
+    "app/drawings/moving.py": "what ffmpeg says",
     "app/model/parameter.py": "a file of the program",
     "app/scenes/phenomena/depth_buffer.py": "codes of a depth buffer, which are numbers",
     "app/scenes/ply.py": "a header, after its encoding is known",

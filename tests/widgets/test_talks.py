@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer
-from PySide6.QtGui import QGuiApplication, QTextDocument, QWheelEvent
+from PySide6.QtGui import QGuiApplication, QKeySequence, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
@@ -43,6 +43,7 @@ from tests.support.window import (
 )
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import MessageBar
+from widgets.window import talk_keys
 from widgets.window.lesson_card import heads
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
@@ -514,6 +515,20 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
     press(window, PAGE_UP)
     arrive(window.lessons)
     assert near() == first and "✓" not in asked(window)
+
+
+@pytest.mark.undrawn
+def test_the_second_way_of_a_key_is_one_of_the_talk_too(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """macOS has it, where the speaker's window has no action with such a key."""
+    ways = [QKeySequence("F7"), QKeySequence("Meta+7")]
+    monkeypatch.setattr(talk_keys, "ways_to_press", lambda _key: ways)
+    shown = window.store.document
+    window.store.set_projection(replace(shown.projection, depth="reversed"))
+    QTest.keyClick(window, Qt.Key.Key_7, Qt.KeyboardModifier.MetaModifier)
+    arrive(window.lessons)
+    assert window.store.document == shown and not window.lessons.is_away
 
 
 @pytest.mark.undrawn

@@ -35,10 +35,7 @@ class LessonMenu(QMenu):
     """The menu of the menu bar; `make` and `submenu` make what its content file names."""
 
     def __init__(
-        self,
-        window: QWidget,
-        make: Callable[[str], QAction],
-        submenu: Callable[[str], QMenu],
+        self, window: QWidget, make: Callable[[str], QAction], submenu: Callable[[str], QMenu]
     ) -> None:
         super().__init__(window)
         self._window = window

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from functools import partial
 
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
-from PySide6.QtGui import QKeyEvent, QWindow
+from PySide6.QtGui import QKeyEvent, QKeySequence, QWindow
 from PySide6.QtWidgets import (
     QAbstractSpinBox,
     QApplication,
@@ -19,19 +19,20 @@ from PySide6.QtWidgets import (
     QWidget,
 )
 
+from widgets.window.help import ways_to_press
+from widgets.window.lesson_card import AGAIN_KEY
 from widgets.window.lessons import Lessons
 from widgets.window.present import Present
 from widgets.window.speaker import NOTES_STEP_PX, SpeakerWindow
 
 TYPED_MS = 3000  # time that digits wait for another one, or for Enter
 MOST_DIGITS = 4
-AGAIN_KEY = Qt.Key.Key_F7
 _KEYS = Qt.Key
 _DIGITS = {Qt.Key(_KEYS.Key_0.value + digit): str(digit) for digit in range(10)}
 _ENTER = (_KEYS.Key_Return, _KEYS.Key_Enter)
 _LARGER = {_KEYS.Key_Plus: 1, _KEYS.Key_Equal: 1, _KEYS.Key_Minus: -1}
 """With Ctrl, they enlarge the speaker's notes."""
-_IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp, AGAIN_KEY)
+_IN_FIELDS = (_KEYS.Key_PageDown, _KEYS.Key_PageUp)
 """Keys of the talk even while the user types in a field."""
 
 
@@ -48,7 +49,7 @@ class TalkKeys(QObject):
         self, window: QMainWindow, lessons: Lessons, present: Present, parent: QObject
     ) -> None:
         super().__init__(parent)
-        self._window, self._present = window, present
+        self._window, self._present, self._again = window, present, lessons.come_back
         self.speaker: SpeakerWindow | None = None
         self._is_on = self._listens = False
         self._digits = ""
@@ -59,7 +60,6 @@ class TalkKeys(QObject):
             _KEYS.Key_PageDown: self.next.emit,
             _KEYS.Key_PageUp: self.previous.emit,
             _KEYS.Key_V: self.reveal.emit,
-            AGAIN_KEY: lessons.come_back,
         }
 
     def listen(self, is_on: bool, speaker: SpeakerWindow | None) -> None:
@@ -98,6 +98,8 @@ class TalkKeys(QObject):
         larger = _LARGER.get(key, 0) if held & Qt.KeyboardModifier.ControlModifier else 0
         if larger and is_of_speaker and self.speaker is not None:
             return partial(self.speaker.enlarge, larger * NOTES_STEP_PX)
+        if QKeySequence(event.keyCombination()) in ways_to_press(AGAIN_KEY):
+            return self._again
         if held or (is_typed_in() and key not in _IN_FIELDS):
             return None
         if key in _DIGITS:
