@@ -27,6 +27,13 @@ LANGUAGES = {
     "et": "Eesti",
 }  # fmt: skip
 """What each language is called in itself, by its code in BCP 47."""
+OF_LESSONS = frozenset(
+    ("LessonCard", "StepMarks", "BlockView", "ChoiceView", "TaskView", "ClickView", "ExerciseView",
+     "MarkedAnswerView", "NumberAnswerView", "MatrixAnswerView", "OrderView", "Exam", "Spoken")
+)  # fmt: skip
+"""The contexts of a lesson's card, and of a test on paper."""
+LETTERS = {"hr": "004", "sr": "003", "sr-Latn": "003", "et": "002"}
+"""The lecture whose letters a lesson in a language has, if it asks for no others."""
 TRANSLATIONS = Path(__file__).with_name("translations")
 
 _LATIN = str.maketrans(
@@ -44,7 +51,7 @@ _POINT = re.compile(r"(?<=\d)\.(?=\d)(?!\d+\.\d)(?<!\d\.\d\.)")
 class _Chosen:
     """The language that the program speaks, and that of an open lesson, if it has its own."""
 
-    program = lesson = ENGLISH
+    program, lesson = ENGLISH, ""
 
 
 def chosen() -> str:
@@ -53,7 +60,17 @@ def chosen() -> str:
 
 def choose(language: str) -> None:
     """Speak a language from now on; what is shown already stays as it is."""
-    _Chosen.program = _Chosen.lesson = language
+    _Chosen.program = language
+
+
+def follow_lesson(language: str) -> None:
+    """Let the language that an open lesson states rule its card; empty for that of the program."""
+    _Chosen.lesson = language if language in LANGUAGES else ""
+
+
+def of_lessons() -> str:
+    """Return the language of the open lesson's card and of its refutations."""
+    return _Chosen.lesson or _Chosen.program
 
 
 def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
@@ -65,7 +82,7 @@ def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
 
     @wraps(function)
     def result(*given: _P.args, **_named: _P.kwargs) -> _T:
-        return kept(_Chosen.program, *given)
+        return kept(of_lessons(), *given)
 
     return result
 
@@ -93,19 +110,20 @@ def of_system(environment: Mapping[str, str] = os.environ) -> str:
 
 def translate(text: str, context: str, count: int | None = None) -> str:
     """Return a text in the language of the program; in English where it has no translation."""
-    if _Chosen.program == ENGLISH:
+    language = of_lessons() if context in OF_LESSONS else _Chosen.program
+    if language == ENGLISH:
         return text
-    forms = texts("program", _Chosen.program).get((context, text))
+    forms = texts("program", language).get((context, text))
     if forms is None:
         return text
-    return forms[0 if count is None or len(forms) == 1 else plural(_Chosen.program, count)]
+    return forms[0 if count is None or len(forms) == 1 else plural(language, count)]
 
 
 def sentence_of(lesson: str, text: str) -> str:
     """Return a sentence of a lesson of the program, by the name of its file."""
-    if _Chosen.program == ENGLISH:
+    if of_lessons() == ENGLISH:
         return text
-    return texts("lessons", _Chosen.program).get((lesson, text), (text,))[0]
+    return texts("lessons", of_lessons()).get((lesson, text), (text,))[0]
 
 
 @cache

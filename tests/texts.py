@@ -21,6 +21,7 @@ from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS
 from app.lecture.kinds import KINDS
 from app.lessons.course import CONTENT
+from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
@@ -30,6 +31,8 @@ from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
 
 TRANSLATED = [each for each in LANGUAGES if each not in (ENGLISH, "sr-Latn")]
+QT_TEXTS = {"OK", "Save", "Cancel", "Close", "Discard", "&Yes", "&No"}
+"""Buttons that Qt itself names, in languages that it has no texts in."""
 EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
@@ -142,6 +145,8 @@ def source() -> str:
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
             ("Options", command_texts()),
+            ("Spoken", SPOKEN),
+            ("QPlatformTheme", QT_TEXTS),
             *sentence_texts(),
             *wording_texts(),
         )
@@ -168,7 +173,8 @@ def update(folder: Path = TRANSLATIONS) -> None:
             page.write_text(text, encoding="utf-8")
             for language in TRANSLATED:
                 file = folder / f"{part}_{language}.ts"
-                given = [*more, page, "-locations", "none", "-source-language", "en"]
+                given = [*more, page, "-locations", "none", "-no-obsolete"]
+                given += ["-source-language", "en"]
                 tool = [Path(sys.executable).with_name("pyside6-lupdate"), *given]
                 tool += ["-target-language", language, "-ts", file]
                 subprocess.run(tool, check=True, capture_output=True)

@@ -88,9 +88,9 @@ class CameraDrawing(Layer):
     def _make_emphasis(self) -> None:
         emphasis = self._state.emphasis
         for name, line in self.shafts.items():
-            emphasis.line(line, name)
+            emphasis.line(line, name, of=(name, "frame-e"))
         for solid in self.solid:
-            emphasis.line(solid, of=("eye",))
+            emphasis.line(solid, of=("eye", "frame-e"))
         for name, disc in self.discs.items():
             emphasis.point(disc, name)
         for name in ("eye", "target", *AXES):
@@ -137,9 +137,10 @@ class CameraDrawing(Layer):
         """Show the axes and the target that are named."""
         names = self._state.names
         named = frozenset(name for name in (*AXES, "target") if name in names)
-        if names.wanted is not None and "frame-e" in names:
+        wanted = names.wanted or frozenset()
+        if "frame-e" in wanted:
             named |= set(AXES)
-        self.axes_lead = names.wanted is not None and names.wanted.issuperset(AXES)
+        self.axes_lead = "frame-e" in wanted or wanted.issuperset(AXES)
         if named != self._named:
             self._named = named
             self._show_parts()

@@ -42,9 +42,9 @@ _STEEPEST = math.radians(30.0)
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _MOVES = 200
-_LITTLE_INK = 0.1  # of a label's box: a place that hides so much more is about as good
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _RIM_EM = 0.45  # of a mark, where its leader begins
+_ROUNDING_PX = 1e-6  # beyond the frame: a label that slides to its border is inside
 _FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
 
 
@@ -328,11 +328,11 @@ class Ground:
         )
         return np.asarray(inked / np.maximum((right - left) * (high - low), 1))
 
-    def inked_px(self, left: float, low: float, right: float, high: float) -> float:
-        """Return how many square pixels of a box are ink; it may lie outside the frame."""
-        sides = np.clip([left, low, right, high], 0.0, self.limits[2:] * 2)
-        wide, tall = sides[2:] - sides[:2]
-        return float(self.hidden(sides[None])[0] * wide * tall)
+    def inked_px(self, boxes: Floats) -> Floats:
+        """Return how many square pixels of each box are ink; it may lie outside the frame."""
+        sides = np.clip(boxes, 0.0, self.limits[2:] * 2)
+        wide, tall = (sides[:, 2:] - sides[:, :2]).T
+        return np.asarray(self.hidden(sides) * wide * tall)
 
 
 # --------------------------------------------------------------------------- the placer
@@ -344,20 +344,17 @@ def place(
     kept: Mapping[Hashable, KeptSpot] | None = None,
     *,
     patient: bool = False,
-    best: Mapping[Hashable, KeptSpot] | None = None,
 ) -> dict[Hashable, PlacedLabel]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
     from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
-    anyway, and say whether their places are free. With `best`, the places that labels would have
-    without `kept`, a place is free only if it is about as good.
+    anyway, and say whether their places are free.
     """
     stays: dict[Hashable, PlacedLabel] = {}
     if kept:
-        stays = _kept_labels(wishes, ground, kept, patient, best)
-        allowed = {wish.key for wish in wishes} if best is None else best.keys()
-        wishes = [wish for wish in wishes if wish.key in allowed - stays.keys()]
+        stays = _kept_labels(wishes, ground, kept, patient)
+        wishes = [wish for wish in wishes if wish.key not in stays]
     choices = [wish.choices(ground) for wish in wishes]
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
@@ -372,9 +369,8 @@ def place(
 
 
 def _kept_labels(
-    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool,
-    best: Mapping[Hashable, KeptSpot] | None,
-) -> dict[Hashable, PlacedLabel]:  # fmt: skip
+    wishes: Sequence[Wish], ground: Ground, kept: Mapping[Hashable, KeptSpot], patient: bool
+) -> dict[Hashable, PlacedLabel]:
     """The labels whose kept places are still free, or all; no other label may overlap them."""
     stayed: dict[Hashable, PlacedLabel] = {}
     taken = ground.taken
@@ -389,14 +385,12 @@ def _kept_labels(
         half_y = (sin * wish.size[0] + cos * wish.size[1]) / 2.0
         left, right = x + to_right - half_x, x + to_right + half_x
         low, high = y + up - half_y, y + up + half_y
-        inside = left >= left_most and low >= lowest and right <= right_most and high <= highest
-        is_free = inside and not any(
+        room = min(left - left_most, low - lowest, right_most - right, highest - high)
+        is_free = room >= -_ROUNDING_PX and not any(
             left < t_right and t_left < right and low < t_high and t_low < high
             for t_left, t_low, t_right, t_high in taken
         )
         centre, leader = (x + to_right, y + up), None
-        if is_free and best is not None and wish.key in best:
-            is_free = _is_as_good(wish, was, best[wish.key], ground)
         if not is_free and not (patient and math.isfinite(x + y)):
             continue
         taken.append((left, low, right, high))
@@ -404,14 +398,6 @@ def _kept_labels(
             leader = _leader((x, y), centre, wish.size, ground.em)
         stayed[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
     return stayed
-
-
-def _is_as_good(wish: Wish, one: KeptSpot, other: KeptSpot, ground: Ground) -> bool:
-    """Whether one place hides little more than another, and has a leader only if that has one."""
-    spots = np.array([wish.spots[each.spot] for each in (one, other)])
-    turns, sizes = np.array([one.turn, other.turn]), np.array([wish.size, wish.size])
-    mine, its = _hidden(spots + np.array([one.offset, other.offset]), turns, sizes, ground)
-    return one.leads <= other.leads and bool(mine <= its + _LITTLE_INK)
 
 
 class Candidates(NamedTuple):
@@ -445,7 +431,8 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     half = (across * size + up * size[:, ::-1]) / 2.0
     boxes, frame = np.hstack([centres - half, centres + half]), np.array(ground.limits)
     far = away > LEADER_FROM_EM * em
-    free = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
+    free = (boxes[:, :2] >= frame[:2] - _ROUNDING_PX).all(axis=1)
+    free &= (boxes[:, 2:] <= frame[2:] + _ROUNDING_PX).all(axis=1)
     free &= leads | ~far
     if ground.taken:
         free &= ~overlap(boxes, np.array(ground.taken)).any(axis=1)

@@ -64,8 +64,6 @@ class Board:
         """Whether labels wait for `pass_time` before they leave a place that is not free."""
         self.director: Director | None = None
         """Who says where labels stand in a frame of a film, and how visible they are."""
-        self.is_soft = False
-        """Whether labels that leave their places fade, by `pass_time`."""
         self._asked: tuple[list[Wish], Ground, int] | None = None
         """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
@@ -135,8 +133,8 @@ class Board:
     def settle(self, ground: Ground, *, afresh: bool, at_rest: bool = False) -> bool:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
 
-        If not `afresh`, labels stay where they are as long as possible; `at_rest`, unless there is
-        a place that hides much less or needs no leader.
+        If not `afresh`, labels stay where they are as long as possible; `at_rest`, those that would
+        stand elsewhere afresh begin to fade.
         """
         self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         lights = dict[Hashable, float]()
@@ -147,15 +145,22 @@ class Board:
             self._kept = {key: spot for key, (spot, _) in stands.items()}
             lights = {key: light for key, (_, light) in stands.items()}
         self._asked = self._wishes, ground, len(ground.taken)
-        best = {key: each.kept for key, each in self._place(None).items()} if at_rest else None
-        placed = self._place(None if afresh else self._kept, best)
+        best = self._place(None) if afresh or at_rest else {}
+        afresh |= at_rest and not self.is_patient
+        placed = best if afresh else self._place(self._kept)
         if afresh:
-            self._end_fades()
+            for key in self._fades:
+                self._fade(key, 1.0)
+            self._fades = {}
         texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
         self._wishes = []
         before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
+        for key, each in placed.items() if best else ():
+            goal = best[key].kept if key in best else None
+            if each.kept.is_elsewhere(goal):
+                self._fades.setdefault(key, (0.0, goal))
         self._waits = {
             key: self._waits.get(key, 0.0)
             for key, each in placed.items()
@@ -175,16 +180,12 @@ class Board:
         if not self.is_restless:
             self._asked = None
 
-    def _place(
-        self,
-        kept: Mapping[Hashable, KeptSpot] | None,
-        best: Mapping[Hashable, KeptSpot] | None = None,
-    ) -> dict[Hashable, PlacedLabel]:
+    def _place(self, kept: Mapping[Hashable, KeptSpot] | None) -> dict[Hashable, PlacedLabel]:
         """Place the labels that were wanted last."""
         assert self._asked is not None
         wishes, ground, taken = self._asked
         del ground.taken[taken:]
-        placer = partial(place, ground=ground, kept=kept, patient=self.is_patient, best=best)
+        placer = partial(place, ground=ground, kept=kept, patient=self.is_patient)
         placed = placer(wishes)
         if any(wish.rank in (PLANE, TARGET) and wish.key not in placed for wish in wishes):
             # The window's sides stand back: the planes and the target are named before them.
@@ -215,11 +216,8 @@ class Board:
         """Whether `pass_time` has anything to do."""
         return bool(self._waits or self._fades)
 
-    def pass_time(self, seconds: float) -> bool:
-        """Move labels that have waited long enough, and fade them; return whether that is seen.
-
-        If the board is not `is_soft`, they move without fading.
-        """
+    def pass_time(self, seconds: float, *, is_soft: bool = False) -> bool:
+        """Move or fade labels that have waited long enough; return whether that is seen."""
         self._waits = {key: waited + seconds for key, waited in self._waits.items()}
         late = {key for key, waited in self._waits.items() if waited >= PATIENCE_S}
         if late:
@@ -231,7 +229,7 @@ class Board:
                     self._fades[key] = -seconds, goal
         is_seen, arrived = bool(self._fades), False
         for key, (before, goal) in list(self._fades.items()):
-            now = before + seconds if self.is_soft else FADE_S
+            now = before + seconds if is_soft else FADE_S
             if before < FADE_S / 2.0 <= now:
                 arrived = True
                 self._kept.pop(key, None)
@@ -253,11 +251,6 @@ class Board:
         light *= self._canvas.labels_light
         label.fade(light)
         leader.actor.GetProperty().SetOpacity(light)
-
-    def _end_fades(self) -> None:
-        for key in self._fades:
-            self._fade(key, 1.0)
-        self._fades = {}
 
 
 def _is_outside(wish: Wish, ground: Ground) -> bool:

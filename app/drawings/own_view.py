@@ -17,7 +17,7 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 import math
 from collections.abc import Iterable, Iterator, Sequence
 from itertools import product
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -126,15 +126,13 @@ class OwnView(PaneCamera):
 
     def show(self, view: Camera) -> None:
         self.fixed = ""
-        self._see_by_perspective()
-        self._stand_at(view.eye - self._origin, view.target - self._origin, view.up)
+        self._stand_freely(view.eye - self._origin, view.target - self._origin, view.up)
 
     # -- the free view
 
     def reset(self, framed: Framed) -> None:
         """Look from the shot, or as the fixed view does."""
-        self._heading_deg = framed.camera.orbit.azimuth_deg
-        self._was_shifted = False
+        self._heading_deg, self._was_shifted = framed.camera.orbit.azimuth_deg, False
         self.place(framed)
 
     def place(self, framed: Framed) -> bool:
@@ -148,14 +146,14 @@ class OwnView(PaneCamera):
                 self._fixed_at = None
             self.follow(framed)
         else:
-            self._see_by_perspective()
-            self._stand_at(*self._stand(self._shot_axes(framed.shot), [framed], [np.eye(3)]))
+            self._stand_freely(*self._stand(self._shot_axes(framed.shot), [framed], [np.eye(3)]))
             self._placed = self._now
         return self._now != before
 
-    def _see_by_perspective(self) -> None:
+    def _stand_freely(self, *place: Any) -> None:
         self._camera.SetParallelProjection(False)
         self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
+        self._stand_at(*place)
 
     def _shot_axes(self, shot: Shot) -> Array:
         """Right, up and toward what is looked at, (3, 3)."""
@@ -269,8 +267,7 @@ class OwnView(PaneCamera):
         orbit = Camera(tuple(-now.axes[2]), (0.0, 0.0, 0.0), self._camera.GetViewUp()).orbit
         elevation_deg = max(-_HIGHEST_DEG, min(_HIGHEST_DEG, orbit.elevation_deg))
         toward = self._shot_axes(Shot(orbit.azimuth_deg, elevation_deg))[2]
-        self._see_by_perspective()
-        self._stand_at(now.focus - distance * toward, now.focus)
+        self._stand_freely(now.focus - distance * toward, now.focus)
         self._placed = None
 
     # -- what depends on where it stands

@@ -306,11 +306,6 @@ class WorldDrawing(Drawing):
         return {name: px for name, px in outside.items() if px > _ROUNDING_PX}
 
     def refit(self) -> bool:
-        """Frame the view again if something that has to be inside has left it.
-
-        The direction of looking stays. During a gesture the pane stands still, so that the model is
-        seen moving.
-        """
         if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
             self.reset_clipping_range()
             return True

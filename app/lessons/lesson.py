@@ -71,7 +71,7 @@ class Lesson:
     steps: tuple[Step, ...]
     lecture: str = ""
     topics: tuple[str, ...] = ()  # ``L1`` to ``L27``
-    language: str = "en"
+    language: str = ""  # that it states; empty for the program's
     letters: Letters | None = None  # whose letters the formulas use; None for the window's choice
     minutes: float = 0.0  # planned duration of the talk
 
@@ -114,7 +114,7 @@ def read(path: AnyPath, complain: AddFault | None = None, letters: Letters | Non
 
 def _in_language(text: str, path: Path) -> str:
     """Return a lesson of the program in the language that it speaks; of others, the same text."""
-    if languages.chosen() == languages.ENGLISH or path.parent != CONTENT:
+    if path.parent != CONTENT:
         return text
     return in_language(text, partial(languages.sentence_of, path.stem))
 
@@ -147,7 +147,7 @@ def parse_lesson(
     """Read a lesson from its text, as `read` does; the file need not exist yet."""
     lines = _lines(text)
     top, first = _top(lines)
-    asked = letters or top["letters"]
+    asked = letters or top["letters"] or languages.LETTERS.get(top["language"])
     if asked is not None and letters is None and asked not in LETTERS:  # a file beside the lesson
         try:
             asked = read_letters(Path(os.path.dirname(os.path.realpath(path))) / asked)
@@ -202,7 +202,7 @@ def _top(lines: Sequence[str]) -> tuple[dict[str, Any], int]:
         "title": title,
         "lecture": values.get("lecture", ""),
         "topics": tuple(_parted(values.get("topic", ""))),
-        "language": values.get("language", "en"),
+        "language": values.get("language", ""),
         "letters": values.get("letters"),
         "minutes": float(values.get("minutes", 0.0)),
     }, number

@@ -409,13 +409,16 @@ class Player:
         return replace(look, **{"panes": {}, **shown.view})
 
     def view_beside(self, document: Document, look: View, *, other_scene: bool) -> View:
-        """Return the view of a state that refutes an idea or answers a prediction."""
-        fields = _fields(document, self.course.shown(self.place).view)
+        """Return the view of a state beside the step, in which a pane stays as a hand turned it."""
+        shown, panes = self.course.shown(self.place), document.view.panes
+        if panes == shown.document.view.panes:
+            panes = {} if other_scene else look.panes
+        fields = _fields(document, shown.view)
         first = {name: before for name, (before, _) in self._beside.items()}
         self._beside |= {
             name: (first.get(name, getattr(look, name)), value) for name, value in fields.items()
         }
-        return replace(look, **fields | {"panes": {} if other_scene else look.panes})
+        return replace(look, **fields | {"panes": panes})
 
     def show_aside(self, document: Document | None) -> None:
         """Take a state that is shown to refute an idea; None once the step is shown again."""

@@ -16,7 +16,17 @@ from typing import Any
 
 import numpy as np
 
-from app.measure.results import GAPS, ChartPoint, Measurements, Sweep, Trade, named, plain
+from app.languages import translate, with_comma
+from app.measure.results import (
+    GAPS,
+    ChartPoint,
+    Measurements,
+    Sweep,
+    Trade,
+    named,
+    of_measure,
+    plain,
+)
 from app.model import parameters
 from app.model.refusal import MEASURE, SENTENCES
 from app.scenes.phenomena.words import Curve, Diagram, Spot
@@ -38,19 +48,19 @@ _SAME = 0.005  # largest distance, in decades, of points that share one name
 _HEIGHT = 0.07  # distance of the bars along the top, in parts of the chart
 
 
-def title(part: Trade | Sweep, translate: Callable[[str], str] = str) -> str:
+def title(part: Trade | Sweep) -> str:
     """Return the title of a trade or sweep, marked if it was cancelled."""
     name = part.name if isinstance(part, Trade) else part.parameter
-    text = translate(TITLES[name])
-    return text if part.complete else translate(MEASURE["cancelled-title"]).format(text)
+    text = of_measure(TITLES[name])
+    return text if part.complete else of_measure(MEASURE["cancelled-title"]).format(text)
 
 
-def remark(trade: Trade, translate: Callable[[str], str] = str) -> str:
+def remark(trade: Trade) -> str:
     """Write the remark of a chart: a busy machine, a mesh that is not the scene's."""
     notes = [*trade.doubts]
     if trade.name == "detail":
         notes += [choice.note for choice in trade.choices[:1]]
-    return "; ".join(named(note, translate) for note in notes if note)
+    return "; ".join(named(note) for note in notes if note)
 
 
 def where(results: Measurements) -> str:
@@ -67,7 +77,7 @@ def machine(results: Measurements) -> str:
     return ", ".join(filter(None, (*names, results.date)))
 
 
-def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
+def seen(results: Measurements) -> str:
     """Name the scene and the camera of results."""
 
     def tree(section: str) -> dict[str, Any]:
@@ -84,8 +94,9 @@ def seen(results: Measurements, translate: Callable[[str], str] = str) -> str:
     kind = [str(lens.pop("kind", ""))]
     for name, value in lens.items():
         unit = "°" if name.endswith("_deg") else ""
-        kind.append(f"{translate(parameters.TITLES.get(name, name)).lower()} {short(value)}{unit}")
-    return translate(MEASURE["seen"]).format(
+        field = translate(parameters.TITLES.get(name, name), "Field").lower()
+        kind.append(f"{field} {with_comma(short(value))}{unit}")
+    return of_measure(MEASURE["seen"]).format(
         os.path.basename(str(results.document.get("mesh") or results.document.get("scene", ""))),
         vector(camera.get("eye")), vector(camera.get("target")), ", ".join(kind),
     )  # fmt: skip
@@ -96,7 +107,6 @@ def diagrams(
     current: Mapping[str, str] | None = None,
     other: Trade | Sweep | None = None,
     other_name: str = "",
-    translate: Callable[[str], str] = str,
 ) -> tuple[Diagram, ...]:
     """Return the chart of a trade or sweep; two for fields of view on both sides of 90 degrees.
 
@@ -106,9 +116,9 @@ def diagrams(
     """
     if isinstance(part, Trade):
         overlaid = other if isinstance(other, Trade) else None
-        return _of_trade(part, current or {}, overlaid, other_name, translate)
+        return _of_trade(part, current or {}, overlaid, other_name)
     overlaid_sweep = other if isinstance(other, Sweep) else None
-    return _of_sweep(part, overlaid_sweep, other_name, translate)
+    return _of_sweep(part, overlaid_sweep, other_name)
 
 
 def in_use(trade: Trade, current: Mapping[str, str]) -> ChartPoint | None:
@@ -138,7 +148,6 @@ def _of_trade(
     current: Mapping[str, str],
     other: Trade | None,
     other_name: str,
-    translate: Callable[[str], str],
 ) -> tuple[Diagram, ...]:
     shown = [trade, *([other] if other else [])]
     both = [c for each in shown for c in each.choices if c.error is not None]
@@ -172,24 +181,22 @@ def _of_trade(
     for choice in placed:
         x, y = point(choice)
         here = [c for c in placed if _is_near(point(c), (x, y))]
-        name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here, translate)
+        name = "" if any(_is_near(p, (x, y)) for p in named) else _common(here)
         named.append((x, y))
         spots.append(
             Spot(
-                x, y, name, choice.name, _tip(trade, choice, translate), "n",
+                x, y, name, choice.name, _tip(trade, choice), "n",
                 faded=trade.is_beaten(choice), marked=choice is now, hollow=choice.library,
             )
         )  # fmt: skip
     if any(spot.marked for spot in spots):
-        named_now = translate(MEASURE["current"]).format(
-            _common(placed[:1], translate)
-        )  # not its neighbours
+        named_now = of_measure(MEASURE["current"]).format(_common(placed[:1]))  # not its neighbours
         spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
-            ": ".join(filter(None, (title(trade, translate), remark(trade, translate)))),
+            ": ".join(filter(None, (title(trade), remark(trade)))),
             tuple(curves), *across, *up,
-            translate((_BYTES if paid else _ACROSS)[trade.name]), translate(_UP[trade.name]),
+            of_measure((_BYTES if paid else _ACROSS)[trade.name]), of_measure(_UP[trade.name]),
             x_log=not memory, y_log=True, spots=tuple(spots),
         ),
     )  # fmt: skip
@@ -199,10 +206,10 @@ def _is_near(one: tuple[float, float], other: tuple[float, float]) -> bool:
     return all(abs(math.log10(a / b)) < _SAME for a, b in zip(one, other, strict=True))
 
 
-def _common(choices: Sequence[ChartPoint], translate: Callable[[str], str]) -> str:
+def _common(choices: Sequence[ChartPoint]) -> str:
     """Return one name for choices at one place: ``fixed24, opengl / direct3d``."""
     names = [
-        named(choice.name, translate) + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
+        named(choice.name) + {0.0: " (0)", math.inf: " (∞)"}.get(choice.error or 0.0, "")
         for choice in choices
     ]
     heads, _, tails = zip(*(name.partition(", ") for name in names), strict=True)
@@ -211,17 +218,15 @@ def _common(choices: Sequence[ChartPoint], translate: Callable[[str], str]) -> s
     return " / ".join(names)
 
 
-def _tip(trade: Trade, choice: ChartPoint, translate: Callable[[str], str]) -> str:
-    name = named(choice.name, translate)
+def _tip(trade: Trade, choice: ChartPoint) -> str:
+    name = named(choice.name)
     cost, error = plain(choice.cost, 3), plain(choice.error, 3)
     said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
-    why = "" if choice.use else translate(MEASURE["measured-only"]).format(name)
-    return "; ".join(filter(None, (said, named(choice.note, translate), why)))
+    why = "" if choice.use else of_measure(MEASURE["measured-only"]).format(name)
+    return "; ".join(filter(None, (said, named(choice.note), why)))
 
 
-def _of_sweep(
-    sweep: Sweep, other: Sweep | None, other_name: str, translate: Callable[[str], str]
-) -> tuple[Diagram, ...]:
+def _of_sweep(sweep: Sweep, other: Sweep | None, other_name: str) -> tuple[Diagram, ...]:
     shown = [sweep, *([other] if other else [])]
     errors = [e for each in shown for c in each.curves.values() for e in c.errors]
     gaps = sweep.parameter in GAPS
@@ -258,7 +263,7 @@ def _of_sweep(
                 ys = [curve.errors[i] for i in kept]
                 places = [math.nan if y is None else max(y, up[0] * 1.3) for y in ys]
                 line = np.column_stack([xs, places])
-                own = named(name, translate) if each is sweep else ""
+                own = named(name) if each is sweep else ""
                 keys = [f"{i},{number + 1}" for i in kept] if each is sweep else []
                 chosen = keys if each.use(kept[0], number + 1) else []
                 curves.append(Curve(line, colour, own, width, keys=tuple(chosen), dash=dash))
@@ -268,11 +273,11 @@ def _of_sweep(
                     bars, crosses = _breaks(name, colour, xs, ys, notes, bar_y)
                     curves += bars
                     spots += crosses
-        text = title(sweep, translate)
+        text = title(sweep)
         charts.append(
             Diagram(
-                text, tuple(curves), *across, *up, translate(label),
-                translate(_UP["depth"] if gaps else MEASURE["error-px"]),
+                text, tuple(curves), *across, *up, of_measure(label),
+                of_measure(_UP["depth"] if gaps else MEASURE["error-px"]),
                 x_log=True, y_log=True, spots=tuple(spots),
             )
         )  # fmt: skip

@@ -1,8 +1,7 @@
 """One sentence that states the result of a trade."""
 
-from collections.abc import Callable
-
-from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, plain
+from app.languages import with_comma
+from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, of_measure, plain
 from app.model.refusal import MEASURE, SENTENCES
 
 GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
@@ -51,7 +50,7 @@ _BARGAINS = {
 }
 
 
-def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
+def meaning(trade: Trade) -> str:
     """State what a trade's measurements mean for a choice."""
     parts = [_template_and_values(trade)]
     if trade.frontier and trade.name != "depth":
@@ -60,17 +59,18 @@ def meaning(trade: Trade, translate: Callable[[str], str] = str) -> str:
             parts += _costs_elsewhere(trade, cheapest_one)
         if equal := trade.as_cheap(cheapest_one):
             others = "; ".join(
-                named(each.name, translate)
+                named(each.name)
                 + (f" ({_plain(each.bytes)} B)" if each.bytes != cheapest_one.bytes else "")
                 for each in equal
             )
             equal_in = MEASURE["equal-bytes"] if trade.cost_unit == "B" else MEASURE["equal-time"]
             parts.append((equal_in, (cheapest_one.name, others)))
         parts += [(MEASURE["doubtful"], (doubt,)) for doubt in trade.doubts]
-    return " ".join(
-        translate(template).format(*(named(value, translate) for value in values))
+    said = " ".join(
+        of_measure(template).format(*(named(value) for value in values))
         for template, values in parts
     )
+    return with_comma(said)
 
 
 def _costs_elsewhere(trade: Trade, best: ChartPoint) -> list[tuple[str, tuple[str, ...]]]:
@@ -139,7 +139,7 @@ def _times_cheaper(trade: Trade, choice: ChartPoint) -> float:
     return usual / choice.cost if usual and choice.cost else 0.0
 
 
-def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = str) -> str:
+def bargain(trade: Trade, choice: ChartPoint) -> str:
     """State what a choice gains and costs against the usual one; empty if that is unknown."""
     usual, ratio = USUAL[trade.name], _times_cheaper(trade, choice)
     if usual == choice.name or not ratio or choice.error is None:
@@ -150,10 +150,10 @@ def bargain(trade: Trade, choice: ChartPoint, translate: Callable[[str], str] = 
         template = MEASURE["as-dear"]
     error = choice.error if choice.predicted is None else max(choice.predicted, choice.error)
     off = MEASURE["measured"] if choice.predicted is None else MEASURE["predicted"]
-    off = translate(MEASURE["separates"] if trade.name == "depth" else off)
-    off = off.format(f"{_plain(error)} {named(trade.error_unit, translate)}")
-    names = (named(each, translate) for each in (choice.name, usual))
-    return translate(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off)
+    off = of_measure(MEASURE["separates"] if trade.name == "depth" else off)
+    off = off.format(f"{_plain(error)} {named(trade.error_unit)}")
+    names = (named(each) for each in (choice.name, usual))
+    return with_comma(of_measure(template).format(*names, _plain(max(ratio, 1.0 / ratio)), off))
 
 
 def _price(trade: Trade, choice: ChartPoint) -> str:

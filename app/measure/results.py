@@ -31,13 +31,18 @@ import io
 import json
 import math
 import re
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field, fields, is_dataclass, replace
+from functools import partial
 from types import UnionType
 from typing import Any, get_args, get_origin, get_type_hints
 
+from app.languages import translate, with_comma
 from app.model.parameters import ASPECT, DISTANCE, FAR, FOV_Y, NEAR, UP
 from app.model.refusal import MEASURE, REFUSALS, SENTENCES, Refusal
+
+of_measure = partial(translate, context="Measure")
+"""Translate a text of this room."""
 
 FORMAT = "frustum-lab-measurements"
 VERSION = 2
@@ -397,7 +402,7 @@ def _note(choice: ChartPoint) -> str:
 CANCELLED = MEASURE["cancelled"]  # the note of a choice that was not timed
 
 
-def named(name: str, translate: Callable[[str], str] = str) -> str:
+def named(name: str) -> str:
     """Translate the name of a choice or column, or a note, part by part: ``affine, 4 pieces``.
 
     A text without a part in `WORDS` is translated as a whole.
@@ -406,13 +411,13 @@ def named(name: str, translate: Callable[[str], str] = str) -> str:
     def part(text: str) -> str:
         numbers = re.findall(r"(?<![A-Za-z\d])\d+(?![\dA-Za-z.])", text)
         if numbers and text.replace(numbers[0], "{0}") in WORDS:
-            return translate(text.replace(numbers[0], "{0}")).format(numbers[0])
-        return translate(text) if text in WORDS else text
+            return of_measure(text.replace(numbers[0], "{0}")).format(numbers[0])
+        return of_measure(text) if text in WORDS else text
 
     parts = name.split(", ")
     if any(part(text) != text for text in parts):
-        return ", ".join(map(part, parts))
-    return translate(name) if name else name
+        return with_comma(", ".join(map(part, parts)))
+    return with_comma(of_measure(name)) if name else name
 
 
 def plain(value: float | None, digits: int) -> str:

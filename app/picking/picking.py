@@ -355,6 +355,8 @@ class Lines:
         local = ends + offset
         values = local @ tests[:, :3].T + tests[:, 3]
         which = np.flatnonzero((values.max(axis=1) >= 0.0).all(axis=1))
+        if not len(which):  # the pointer is mostly near no line
+            return []
         at_start, at_end = values[which, 0], values[which, 1]
         # The share of the way at which a test becomes 0: the line is clipped there.
         with np.errstate(divide="ignore", invalid="ignore"):

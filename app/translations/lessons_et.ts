@@ -5,386 +5,570 @@
     <name>ideas</name>
     <message>
         <source>Wrong ideas, and what refutes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Väärarusaamad ja mis need ümber lükkab</translation>
     </message>
     <message>
         <source>n is where I look</source>
-        <translation type="unfinished"></translation>
+        <translation>n on see, kuhu ma vaatan</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. The camera looks along {1}: {2} runs from the target back to the eye, so that with {3} to the right and {4} up the three axes are right-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Kaamera vaatab suunas {1}: {2} on suunatud sihtpunktist tagasi silma, nii et koos vektoriga {3} paremale ja vektoriga {4} üles on kolm telge paremakäelised.</translation>
     </message>
     <message>
         <source>My up vector is v</source>
-        <translation type="unfinished"></translation>
+        <translation>Minu ülesvektor on v</translation>
     </message>
     <message>
         <source>This takes the normalised up vector for {0}. Up only has to point roughly upwards; {1} is at a right angle to the view direction, so the more the camera looks down, the farther {2} tilts away from up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} normeeritud ülesvektor. Ülesvektor peab ainult ligikaudu üles näitama; {1} on vaate suunaga risti, nii et mida rohkem kaamera alla vaatab, seda kaugemale kaldub {2} ülesvektorist.</translation>
     </message>
     <message>
         <source>Unit times unit is a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühik korda ühik on ühik</translation>
     </message>
     <message>
         <source>This does not normalise the cross product of up and {0}, because both are unit vectors. But its length is the sine of the angle between them, so {1} is the product divided by that length; otherwise everything measured along {2} is too short.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse ülesvektori ja vektori {0} vektorkorrutis normeerimata, sest mõlemad on ühikvektorid. Aga selle pikkus on nendevahelise nurga siinus, seega on {1} korrutis jagatud selle pikkusega; muidu on kõik, mida piki telge {2} mõõdetakse, liiga lühike.</translation>
     </message>
     <message>
         <source>The view matrix puts the camera in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks paneb kaamera oma kohale</translation>
     </message>
     <message>
         <source>This writes down the inverse of the view matrix, which moves a camera from the origin to its place. The view matrix does the opposite: it moves the world until the eye is at the origin, so its last column is minus the eye along {0}, {1} and {2}, not the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kirjutatakse vaatemaatriksi pöördmaatriks, mis viib kaamera alguspunktist oma kohale. Vaatemaatriks teeb vastupidist: see liigutab maailma, kuni silm on alguspunktis, nii et selle viimane veerg on miinus silm piki telgi {0}, {1} ja {2}, mitte silm.</translation>
     </message>
     <message>
         <source>Rows and columns may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Read ja veerud võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This reads the matrix with rows and columns exchanged. Points are columns here, {0}, so a cell {1} says how much of coordinate {2} goes into coordinate {3}, and the axes are the columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse maatriksit, mille read ja veerud on vahetuses. Punktid on siin veerud, {0}, nii et lahter {1} ütleb, kui palju koordinaadist {2} läheb koordinaati {3}, ja teljed on veerud.</translation>
     </message>
     <message>
         <source>The order does not matter</source>
-        <translation type="unfinished"></translation>
+        <translation>Järjekord ei loe</translation>
     </message>
     <message>
         <source>This multiplies the factors in the opposite order. The factor on the right acts first. First rotating and then moving differs from first moving and then rotating, because the later rotation rotates the move as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse tegureid vastupidises järjekorras. Esimesena mõjub parempoolne tegur. Enne pöörata ja siis nihutada ei ole sama mis enne nihutada ja siis pöörata, sest hilisem pööre pöörab ka nihet.</translation>
     </message>
     <message>
         <source>The function takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Funktsioonile kõlbavad minu kraadid</translation>
     </message>
     <message>
         <source>This passes degrees to a function that expects radians. 60 degrees are {0} radians; 60 radians are nine and a half turns, so the result can be anything, even of the opposite sign, and the picture upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii antakse kraadid funktsioonile, mis ootab radiaane. 60 kraadi on {0} radiaani; 60 radiaani on üheksa ja pool pööret, nii et tulemus võib olla mis tahes, isegi vastupidise märgiga, ja pilt tagurpidi.</translation>
     </message>
     <message>
         <source>The lens takes the whole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiiv võtab kogu nurga</translation>
     </message>
     <message>
         <source>This takes the tangent or cotangent of the whole field of view. The right-angled triangle lies between the axis and the edge of the picture and contains half of the angle: at 90° the lens has {0}, whereas {1} is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kogu frustumi nurga tangens või kootangens. Täisnurkne kolmnurk on telje ja pildi serva vahel ning selles on pool nurka: 90° korral on objektiivil {0}, aga {1} on 0.</translation>
     </message>
     <message>
         <source>Twice the angle is twice the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahekordne nurk on kahekordne laius</translation>
     </message>
     <message>
         <source>This assumes that widths are proportional to angles. They are proportional to the tangent of half the angle: with 120° high and 16:9 that tangent is 1.73 upwards and 3.08 sideways, so the picture is 144.0° wide: 72.0° on each side, not 213°, which no picture can be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et laiused on võrdelised nurkadega. Need on võrdelised poole nurga tangensiga: kui vertikaalne nurk on 120° ja pilt 16:9, on see tangens üles 1.73 ja kõrvale 3.08, nii et pildi laius on 144.0°: kummalgi pool 72.0°, mitte 213°, mida ühelgi pildil olla ei saa.</translation>
     </message>
     <message>
         <source>An angle is an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurk on nurk</translation>
     </message>
     <message>
         <source>This uses the vertical angle in place of the horizontal one. A picture that is wider than high reaches farther sideways than upwards, as width to height, and so does the tangent of half the angle; only then do circles stay round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kasutatakse horisontaalse nurga asemel vertikaalset. Pilt, mis on laiem kui kõrge, ulatub kõrvale kaugemale kui üles, nagu laius kõrguse suhtes, ja niisamuti poole nurga tangens; ainult siis jäävad ringid ümaraks.</translation>
     </message>
     <message>
         <source>I measure from the picture plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõõdan pilditasandist</translation>
     </message>
     <message>
         <source>This divides by the distance from the plane, {0}. The two similar triangles share the corner at the eye, so measure both depths from the eye: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse kaugusega tasandist, {0}. Kahel sarnasel kolmnurgal on ühine nurk silma juures, seega mõõtke mõlemat sügavust silmast: {1}.</translation>
     </message>
     <message>
         <source>Dividing by z is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>z-iga jagamisest piisab</translation>
     </message>
     <message>
         <source>This has the sign for the wrong side of the eye: in front of it {0} is negative, and {1} is the result for a film *behind* the hole. A plane in front of the eye has {2} and an upright image; only a film behind it, at {3}, has it upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on silma vale poole märk: silma ees on {0} negatiivne ja {1} on tulemus filmi jaoks, mis on ava *taga*. Silma ees oleval tasandil on {2} ja püstine kujutis; tagurpidi on see ainult taga oleval filmil, kohal {3}.</translation>
     </message>
     <message>
         <source>Near enlarges</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand suurendab</translation>
     </message>
     <message>
         <source>This multiplies the picture by {0}. The image on the near plane does grow with {1}, but so does the window round it. {2} does not contain {3}: near only decides what is cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse pilti suurusega {0}. Kujutis lähitasandil tõesti kasvab koos suurusega {1}, aga kasvab ka aken selle ümber. Avaldises {2} ei ole suurust {3}: lähitasand otsustab ainult, mis ära lõigatakse.</translation>
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished">lähitasand 1</translation>
+        <translation>lähitasand 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished">lähitasand 2</translation>
+        <translation>lähitasand 2</translation>
     </message>
     <message>
         <source>Near is a z, so it is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on z, seega negatiivne</translation>
     </message>
     <message>
         <source>This uses a negative number where a length belongs. Near, far and the distance of a picture plane are lengths from the eye, and positive; the planes are at negative {0}, and the formulas already contain that minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kasutatakse negatiivset arvu seal, kus on vaja pikkust. Lähitasandi, kaugtasandi ja pilditasandi kaugused on pikkused silmast ja positiivsed; tasandid on seal, kus {0} on negatiivne, ja valemites on see miinus juba olemas.</translation>
     </message>
     <message>
         <source>n and f may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>n ja f võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}, which changes the sign of {2} and of everything divided by it. The near plane would then be at {3}, where the far plane belongs, and all depths would run backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}, mis muudab suuruse {2} ja kõige sellega jagatu märki. Lähitasand oleks siis kohal {3}, kuhu kuulub kaugtasand, ja kõik sügavused jookseksid tagurpidi.</translation>
     </message>
     <message>
         <source>A window to the right moves the picture right</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken paremale viib pildi paremale</translation>
     </message>
     <message>
         <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse pilti samale poole kui akent. Aken raamib seda, mida te näete: kui selle keskkoht on teljest paremal, paistab telg pildi keskkohast vasakul, kohal {0}. Maatriksis on seal pluss, sest see lahter korrutatakse suurusega {1}, mis on negatiivne.</translation>
     </message>
     <message>
         <source>Cameras turn as eyes do</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerad pöörduvad nagu silmad</translation>
     </message>
     <message>
         <source>This toes the two cameras in, because eyes turn to what they look at. But each turned camera divides by the depth along its own axis, so points at the sides are not equally high in both pictures, and no pair of eyes can look up with one eye and down with the other: both cameras look straight ahead, and their windows move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse kaks kaamerat kokku, sest silmad pöörduvad selle poole, mida vaatavad. Aga kumbki pööratud kaamera jagab sügavusega piki omaenda telge, nii et äärtes olevad punktid ei ole mõlemal pildil ühel kõrgusel, ja ükski silmapaar ei saa ühe silmaga üles ja teisega alla vaadata: mõlemad kaamerad vaatavad otse ette ja liiguvad nende aknad.</translation>
     </message>
     <message>
         <source>Far is always small</source>
-        <translation type="unfinished"></translation>
+        <translation>Kauge on alati väike</translation>
     </message>
     <message>
         <source>This divides by the depth, although the projectors are parallel. A parallel lens divides every point by 1, so equal heights stay equal at every depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse sügavusega, kuigi projektsioonikiired on paralleelsed. Paralleelne objektiiv jagab iga punkti 1-ga, nii et võrdsed kõrgused jäävad igal sügavusel võrdseks.</translation>
     </message>
     <message>
         <source>Clip is NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Kärperuum on NDC</translation>
     </message>
     <message>
         <source>This stops at the clip coordinates. The division by {0} is still to come, {1} and {2}; it makes far things small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli kärperuumi koordinaatide juures. Jagamine {0} on veel ees, {1} ja {2}; see teeb kauged asjad väikeseks.</translation>
     </message>
     <message>
         <source>z needs no divide</source>
-        <translation type="unfinished"></translation>
+        <translation>z ei vaja jagamist</translation>
     </message>
     <message>
         <source>This stops before the division. The depth is divided by {0} like {1} and {2}: only then does far come to 1, and only then do straight lines stay straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäädakse pooleli enne jagamist. Sügavus jagatakse suurusega {0} nagu {1} ja {2}: alles siis satub kaugtasand kohale 1 ja alles siis jäävad sirged sirgeks.</translation>
     </message>
     <message>
         <source>Depth is the distance to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus on kaugus silmani</translation>
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse silmast otse punktini. Sügavust mõõdetakse ainult piki telge, sest lähi- ja kaugtasand on tasandid, mitte kerad: kõrval oleva punkti kaugus on suurem kui selle sügavus.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavus kasvab ühtlaselt</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. But {0} changes with one over the depth, so the cube is filled fast at first: its middle is less than twice as deep as near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus lähi- ja kaugtasandi vahel ühtlaselt. Aga {0} muutub koos sügavuse pöördarvuga, nii et alguses täitub kuup kiiresti: selle keskkoha sügavus on vähem kui kaks korda lähitasandi oma.</translation>
     </message>
     <message>
         <source>Near stays where it is in the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand jääb püramiidis oma kohale</translation>
     </message>
     <message>
         <source>This leaves the near plane at {0}. On the way into the canonical pyramid everything is divided by {1}, so far comes to {2} and near to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse lähitasand kohale {0}. Teel kanoonilisse püramiidi jagatakse kõik suurusega {1}, nii et kaugtasand satub kohale {2} ja lähitasand kohale {3}.</translation>
     </message>
     <message>
         <source>NDC starts at 0</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC algab 0-st</translation>
     </message>
     <message>
         <source>This takes an NDC coordinate for a share from 0 to 1. It runs from {0} to {1} with 0 in the middle, so first add 1 and then halve: {2} and depth {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse NDC koordinaat osaks 0-st 1-ni. See on kohast {0} kohani {1} ja keskel 0, seega liitke enne 1 ja võtke siis pool: {2} ja sügavus {3}.</translation>
     </message>
     <message>
         <source>Pixel rows count up</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslite ridu loetakse alt üles</translation>
     </message>
     <message>
         <source>This counts the rows of pixels upwards, like {0}. The image begins at its upper left corner and its rows count downwards: the higher a point is, the smaller is its row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse pikslite ridu alt üles, nagu kasvab {0}. Pilt algab ülemisest vasakust nurgast ja selle ridu loetakse ülalt alla: mida kõrgemal punkt on, seda väiksem on selle rida.</translation>
     </message>
     <message>
         <source>Pixel 100 is at 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel 100 on kohal 100</translation>
     </message>
     <message>
         <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse piksli keskpunkti kohaks piksli number. Piksel {0} ulatub kohast {1} kohani {2}, seega on selle keskpunkt kohal {3}, seega {4}: nelja piksli äärmised keskpunktid on kohtadel {5}, mitte kohtadel {6}.</translation>
     </message>
     <message>
         <source>k makes up the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>k on kogu vahe</translation>
     </message>
     <message>
         <source>This adds the whole missing length at one end and again at the other. Both ends get the same share, so each gets half of what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii liidetakse kogu puuduv pikkus ühes otsas ja siis veel kord teises. Mõlemad otsad saavad sama palju, seega kumbki pool sellest, mis puudub.</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished">venitatud</translation>
+        <translation>venitatud</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished">variant X</translation>
+        <translation>variant X</translation>
     </message>
     <message>
         <source>X adjusts x</source>
-        <translation type="unfinished"></translation>
+        <translation>X kohandab x-i</translation>
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse tähte selleks koordinaadiks, mis muutub. Variant X *säilitab* {0} ja {1} ning kohandab koordinaati {2}, kuni aknal on pildi proportsioonid; variant Y säilitab {3} ja kohandab {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished">variant Y</translation>
+        <translation>variant Y</translation>
     </message>
     <message>
         <source>The slant grows with alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Kalle kasvab koos alfaga</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. {1} is the angle between the projectors and the picture, so at 90° they meet it head-on and nothing is shifted. The formula is {2}; at 80° the shift is only 0.18 for each unit of depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kaldeks {0}. {1} on projektsioonikiirte ja pildi vaheline nurk, nii et 90° korral kohtavad need pilti otse ja midagi ei nihku. Valem on {2}; 80° korral on nihe ainult 0.18 sügavuse ühiku kohta.</translation>
     </message>
     <message>
         <source>Half the scale, half the slant</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool mastaapi, pool kallet</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. The scale is the cotangent of the angle, {0}, so a cabinet drawing with {1} has {2}, not 67.5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii eeldatakse, et nurk on mastaabiga võrdeline. Mastaap on nurga kootangens, {0}, nii et cabinet-joonisel, mille {1}, on {2}, mitte 67.5°.</translation>
     </message>
     <message>
         <source>Infinity is very far</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõpmatus on väga kaugel</translation>
     </message>
     <message>
         <source>This takes a point that is very far away for the point at infinity. A direction has {0} and no starting point, so its image depends on the direction alone, {1}; every point on the way there falls short of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse lõpmatuspunktiks väga kaugel olev punkt. Suunal on {0} ja alguspunkti ei ole, nii et selle kujutis sõltub ainult suunast, {1}; ükski punkt teel sinna ei küüni selleni.</translation>
     </message>
     <message>
         <source>A box has three</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukal on neid kolm</translation>
     </message>
     <message>
         <source>This counts the directions of the box. Only a direction that is not parallel to the picture has a vanishing point, {0}; edges that are parallel to the picture stay parallel in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse risttahuka suundi. Koondumispunkt on ainult suunal, mis ei ole pildiga paralleelne, {0}; pildiga paralleelsed servad jäävad sellel paralleelseks.</translation>
     </message>
     <message>
         <source>Join the two images</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühendage kaks kujutist</translation>
     </message>
     <message>
         <source>This divides both ends and joins the results. An end behind the eye has {0}, and its image is mirrored. The right image of the segment runs through infinity, not between the two, so cut the segment in front of the eye before dividing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. Silma taga oleval otsal on {0} ja selle kujutis on peegeldatud. Lõigu õige kujutis läheb läbi lõpmatuse, mitte nende kahe vahelt, seepärast lõigake lõik enne jagamist silma eest läbi.</translation>
     </message>
     <message>
         <source>The middle of the picture is the middle of the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi keskkoht on serva keskkoht</translation>
     </message>
     <message>
         <source>This interpolates {0} itself on the screen. There {1} and {2} are linear, so {3}, and the middle of the picture shows a place that is closer to the nearer end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii interpoleeritakse ekraanil {0} ise. Seal on lineaarsed {1} ja {2}, seega {3}, ja pildi keskkoht näitab kohta, mis on lähemale otsale lähemal.</translation>
     </message>
     <message>
         <source>A lamp is a sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp on päike</translation>
     </message>
     <message>
         <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse lambi asukoht suunaks, mis on kõigil kiirtel ühine. Lambist on igal kiirel oma suund, {0}, ja see kohtab maad kohas {1}; ainult päike on nii kaugel, et kõik kiired on paralleelsed.</translation>
     </message>
     <message>
         <source>As sharp behind as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Taga sama terav kui ees</translation>
     </message>
     <message>
         <source>This puts the far limit as far behind the focus as the near limit is in front of it. The limits are {0} and {1}. Their reciprocals are equally far from {2}, so the sharp range reaches farther behind than in front, and it has no end from {3} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaugem piir fookuse taha sama kaugele, kui lähem piir on selle ees. Piirid on {0} ja {1}. Nende pöördarvud on arvust {2} võrdsel kaugusel, nii et terav vahemik ulatub taga kaugemale kui ees, ja alates {3} ei ole sellel lõppu.</translation>
     </message>
     <message>
         <source>Zooming is walking</source>
-        <translation type="unfinished"></translation>
+        <translation>Suumimine on kõndimine</translation>
     </message>
     <message>
         <source>This keeps the size ratio of the old place after a walk. A zoom enlarges the whole picture by one factor, but sizes are proportional to one over the distance. Walking therefore changes {0}, the size ratio of a thing and an equal one {1} behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse pärast kõndimist alles vana koha suuruste suhe. Suum suurendab kogu pilti sama arv kordi, aga suurused on võrdelised kauguse pöördarvuga. Kõndimine muudab seepärast suurust {0}, mis on asja ja sellest {1} tagapool oleva võrdse asja suuruste suhe.</translation>
     </message>
     <message>
         <source>More places than pixels are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Piisab, kui kohti on rohkem kui piksleid</translation>
     </message>
     <message>
         <source>This counts the places of a coordinate against the pixels of a picture. The places are spread over the whole scene, {0} apart, and a picture may show a small part of it: there the gap between two of 65 536 places can be wider than a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võrreldakse koordinaadi kohtade arvu pildi pikslite arvuga. Kohad on jaotatud üle kogu stseeni, vahega {0}, ja pilt võib näidata sellest väikest osa: seal võib kahe koha vahe, olgugi kohti 65 536, olla pikslist laiem.</translation>
     </message>
     <message>
         <source>Seven digits, so seven are right</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitse numbrit, seega on õiged seitse</translation>
     </message>
     <message>
         <source>This takes the digits of a coordinate for those of the picture. A float32 keeps 24 bits of the whole number; when eye and vertex, both near 1 000 000, are subtracted, the leading digits go and the rounding stays, so two or three digits are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse pildi numbriteks koordinaadi numbrid. float32 hoiab kogu arvust 24 bitti; kui silm ja tipp, mõlemad 1 000 000 lähedal, lahutatakse, kaovad esimesed numbrid ja ümardusviga jääb, nii et järele jääb kaks või kolm numbrit.</translation>
     </message>
     <message>
         <source>An error is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Viga on kõikjal sama</translation>
     </message>
     <message>
         <source>This takes the error in the scene for the error in the picture. A vertex is stored wrong by a fixed length, but a length is drawn with {0} pixels a unit: twice as near, every error is twice as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse veaks pildil viga stseenis. Tipp on salvestatud kindla pikkusega veaga, aga pikkus joonistatakse nii, et ühikus on {0} pikslit: kaks korda lähemal on iga viga kaks korda suurem.</translation>
     </message>
     <message>
         <source>Seven digits, so 360 steps keep five</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitse numbrit, seega jääb 360 sammuga alles viis</translation>
     </message>
     <message>
         <source>This takes the digits of the format for those of the result. How much a step loses depends on what it does: with a fast inverse square root each renormalising is off by 0.17 %, and after one round two digits are left, in float32 and in float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse tulemuse numbriteks vormingu numbrid. Kui palju samm kaotab, sõltub sellest, mida see teeb: kiire pöördruutjuurega on iga uuesti normeerimise viga 0.17 % ja pärast üht ringi jääb järele kaks numbrit, nii float32-s kui ka float64-s.</translation>
     </message>
     <message>
         <source>Renormalising repairs the direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Uuesti normeerimine parandab suuna</translation>
     </message>
     <message>
         <source>This expects of axes that are made orthonormal again that they point where they should. Renormalising knows the lengths, 1, and the angles between the axes, 90°. It does not know where the camera should look, so the drift of the direction stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii oodatakse telgedelt, mis on jälle ortonormeeritud, et need näitavad sinna, kuhu peaksid. Uuesti normeerimine teab pikkusi, 1, ja telgede vahelisi nurki, 90°. See ei tea, kuhu kaamera vaatama peaks, nii et suuna triiv jääb.</translation>
     </message>
     <message>
         <source>Logarithmic depth is always better</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritmiline sügavus on alati parem</translation>
     </message>
     <message>
         <source>This takes a better spread of digits for a better depth. A logarithm at each pixel is right everywhere; at the vertices it is interpolated linearly on the screen, where only {0} is linear. A piece whose far end is {1} times as far as its near end is drawn up to {2} times too far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse numbrikohtade paremat jaotust paremaks sügavuseks. Logaritm igas pikslis on kõikjal õige; tippudes arvutatuna interpoleeritakse seda ekraanil lineaarselt, kus lineaarne on ainult {0}. Tükk, mille kaugem ots on {1} korda nii kaugel kui lähem, joonistatakse kuni {2} korda liiga kaugele.</translation>
     </message>
     <message>
         <source>Fine enough is equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Piisavalt peen on võrdne</translation>
     </message>
     <message>
         <source>This takes a small error for none. Two grids put the same vertex at two places, however many bits they have: more bits make the gap narrower, and from near enough it is seen again. Only a common grid rounds both copies alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii peetakse väikest viga olematuks. Kaks ruudustikku panevad sama tipu kahte kohta, olgu bitte kui palju tahes: rohkem bitte teeb pilu kitsamaks ja piisavalt lähedalt on seda jälle näha. Ainult ühine ruudustik ümardab mõlemat koopiat ühtemoodi.</translation>
     </message>
     <message>
         <source>The inverse undoes exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördmaatriks võtab täpselt tagasi</translation>
     </message>
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <translation>Nii peetakse paberil olevat pöördmaatriksit arvutis olevaks. Selle lahtrid on ümardatud ja ümardatud on ka iga korrutis. Alguspunktist kaugel on silma koordinaadid suured ja pöördmaatriks korrutab need ümardatud arvude väikese vahega: float32 läheb punktist mööda protsentide võrra selle kaugusest.</translation>
+    </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -392,545 +576,641 @@
     <name>l01-camera-frame</name>
     <message>
         <source>The camera&apos;s own axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera enda teljed</translation>
     </message>
     <message>
         <source>Which way does n point?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu näitab n?</translation>
     </message>
     <message>
         <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaameral on kolm ühikvektorit: {0} näitab paremale, {1} üles ja {2} on vaatekiire sihis. Loeng 001 paneb kaamera kohale {3} ja laseb sel vaadata piki maailma {4}-telge; F-täht on 8 ühikut eespool. **Maailm** näitab silma {5}, vaatekiirt sihtpunkti {6} ja ülesvektorit {7}. Vektorit {8} veel ei ole.</translation>
     </message>
     <message>
         <source>What is {0} of this camera?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline on selle kaamera {0}?</translation>
     </message>
     <message>
         <source>(1, 0, 0), the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(1, 0, 0), suund, milles see vaatab</translation>
     </message>
     <message>
         <source>The camera looks along {0}: {1} runs from the target back to the eye. Look at its arrow: it points away from the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab suunas {0}: {1} on suunatud sihtpunktist tagasi silma. Vaadake selle noolt: see näitab F-ist eemale.</translation>
     </message>
     <message>
         <source>(-1, 0, 0), opposite to the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(-1, 0, 0), vastupidine suunale, milles see vaatab</translation>
     </message>
     <message>
         <source>(0, 0, -1), as for every camera</source>
-        <translation type="unfinished"></translation>
+        <translation>(0, 0, -1), nagu igal kaameral</translation>
     </message>
     <message>
         <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on suund, milles see vaatab omaenda koordinaatides, pärast vaatemaatriksit. Maailmas vaatab see suunas +x. Vaadake vektorit {0}: see on piki maailma x-telge, mitte piki z-telge.</translation>
     </message>
     <message>
         <source>n runs from the target back to the eye. The camera looks along {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>n on suunatud sihtpunktist tagasi silma. Kaamera vaatab suunas {0}.</translation>
     </message>
     <message>
         <source>Eye, target, up: then u, v, n</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm, siht, üles: siis u, v, n</translation>
     </message>
     <message>
         <source>The eye {0} is at {1}, the target {2} at the origin, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm {0} on kohal {1}, sihtpunkt {2} alguspunktis ja {3}.</translation>
     </message>
     <message>
         <source>{0}; its length is 3, so {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; selle pikkus on 3, seega {1}.</translation>
     </message>
     <message>
         <source>{0}; its length is only 0.745, so it is divided too: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; selle pikkus on ainult 0.745, nii et ka see jagatakse: {1}.</translation>
     </message>
     <message>
         <source>{0}; {1} and {2} are unit vectors at a right angle, so {3} needs no division.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; {1} ja {2} on teineteisega risti olevad ühikvektorid, nii et {3} jagamist ei vaja.</translation>
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneelis *Kaamerafreim* ehitavad **Tagasi** ja **Edasi** need ükshaaval.</translation>
     </message>
     <message>
         <source>V is not v</source>
-        <translation type="unfinished"></translation>
+        <translation>V ei ole v</translation>
     </message>
     <message>
         <source>The up vector {0} only says roughly which way is up. Here it is {1}, and the camera looks slightly down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülesvektor {0} ütleb ainult ligikaudu, kus on üles. Siin on see {1} ja kaamera vaatab veidi alla.</translation>
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörake {0} vektorist {1} eemale, kuni nendevaheline nurk on 30° või rohkem.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
-        <translation type="unfinished"></translation>
+        <translation>v on alati vaatekiirega risti. Mis kallutab vaatekiirt?</translation>
     </message>
     <message>
         <source>Raise the eye: Elevation in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tõstke silma: Tõusunurk külgribal.</translation>
     </message>
     <message>
         <source>Right: v has the direction of the part of V at a right angle to the line of sight. Only for a camera that looks level are the two the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: v suund on see osa V-st, mis on vaatekiirega risti. Ainult horisontaalselt vaatava kaamera puhul on need kaks samad.</translation>
     </message>
     <message>
         <source>The length of a cross product</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektorkorrutise pikkus</translation>
     </message>
     <message>
         <source>A cross product of two unit vectors has length 1 only if they are at a right angle to each other. {0} and {1} are seldom at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahe ühikvektori vektorkorrutise pikkus on 1 ainult siis, kui need on teineteisega risti. {0} ja {1} on harva risti.</translation>
     </message>
     <message>
         <source>Eye (2, 3, 6), target at the origin, {0}. How large is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm (2, 3, 6), sihtpunkt alguspunktis, {0}. Kui suur on {1}?</translation>
     </message>
     <message>
         <source>This takes {0} itself for {1}. Look at the two arrows: {2} is at a right angle to {3}, and {4} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {1} vektor {0} ise. Vaadake kaht noolt: {2} on vektoriga {3} risti, aga {4} mitte.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1, because {1} and {2} are not at a right angle. Look at them, and divide by the length before the second product.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on 1-st lühem, sest {1} ja {2} ei ole risti. Vaadake neid ja jagage pikkusega enne teist korrutist.</translation>
     </message>
     <message>
         <source>N = (2, 3, 6) is 7 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>N = (2, 3, 6), pikkusega 7.</translation>
     </message>
     <message>
         <source>{0}. Its length is not 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Selle pikkus ei ole 1.</translation>
     </message>
     <message>
         <source>{0} is 0.904 long, so {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on 0.904, seega {1} ja {2}.</translation>
     </message>
     <message>
         <source>The last column of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriksi viimane veerg</translation>
     </message>
     <message>
         <source>The view matrix first moves the eye to the origin, then rotates: {0}, where the rows of {1} are {2}, {3}, {4}. Its last column is therefore {5} times minus the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks viib enne silma alguspunkti ja pöörab siis: {0}, kus maatriksi {1} read on {2}, {3}, {4}. Selle viimane veerg on seepärast {5} korda miinus silm.</translation>
     </message>
     <message>
         <source>The same camera: eye (2, 3, 6), target at the origin. Which number stands in row 3, column 4 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama kaamera: silm (2, 3, 6), sihtpunkt alguspunktis. Milline arv on vaatemaatriksi reas 3 ja veerus 4?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja nihutatakse siis. Nihe mõjub esimesena, nii et rida {0} korrutab kõiki kolme selle arvu. Vaadake kaamerafreimi: sihtpunkt, maailma alguspunkt, on teljel.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is at the origin, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaamera oma kohale. Vaatemaatriks liigutab maailma, kuni silm on alguspunktis. Vaadake kaamerafreimi: silm on alguspunktis ja sihtpunkt selle ees.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Vaadake kaamerafreimi: {1} näitab tahapoole, seega on sihtpunktil, mis on maailma alguspunkt, negatiivne z.</translation>
     </message>
     <message>
         <source>Row 3 is n. What does it make of the moved origin, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida 3 on n. Mis saab sellega nihutatud alguspunktist {0}?</translation>
     </message>
     <message>
         <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Maailma alguspunkt on kaamerast 7 ühikut eespool, seega on selle z seal {1}.</translation>
     </message>
     <message>
         <source>A camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera antud n-i jaoks</translation>
     </message>
     <message>
         <source>Now the other way round: find the camera for a given axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd vastupidi: leidke kaamera antud telje jaoks.</translation>
     </message>
     <message>
         <source>Give the camera {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andke kaamerale {0}.</translation>
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
-        <translation type="unfinished"></translation>
+        <translation>n-il kõrguse komponenti ei ole: kaamera vaatab horisontaalselt.</translation>
     </message>
     <message>
         <source>From the target, go along n to the eye: 6 along x for every 8 along z. Then Elevation is 0 and Azimuth 36.87.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge sihtpunktist piki n-i silma: 6 piki x-telge iga 8 kohta piki z-telge. Siis on Tõusunurk 0 ja Asimuut 36.87.</translation>
     </message>
     <message>
         <source>Right: any eye on the ray from the target along n will do. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: sobib iga silm kiirel sihtpunktist piki n-i. Kaugus ei loe.</translation>
     </message>
     <message>
         <source>Back to the camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi kaamera juurde kohal (4, 2, 0)</translation>
     </message>
     <message>
         <source>It is tempting to take {0} as the direction in which the camera looks, {1}. But {2} to the right, {3} up and the third axis must make a right-handed system, so the third one comes out of the picture, towards the reader: {4}. Lecture 001 calls it {5} and writes {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on võtta vektoriks {0} suund, milles kaamera vaatab, {1}. Aga {2} paremale, {3} üles ja kolmas telg peavad moodustama paremakäelise süsteemi, nii et kolmas tuleb pildist välja, lugeja poole: {4}. Loeng 001 nimetab selle {5} ja kirjutab {6}.</translation>
     </message>
     <message>
         <source>That is why what is in front of a camera has a *negative* z in its coordinates: the F, 8 units ahead, is at {0}. In *Camera frame*, row 3 of the matrix begins with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seepärast on sellel, mis on kaamera ees, kaamera koordinaatides *negatiivne* z: F, 8 ühikut eespool, on kohal {0}. Paneelis *Kaamerafreim* on maatriksi rea 3 alguses {1}.</translation>
     </message>
     <message>
         <source>Practise: how upright is v?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kui püsti on v?</translation>
     </message>
     <message>
         <source>Eye {0} and target {1} are new each time; {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm {0} ja sihtpunkt {1} on iga kord uued; {2}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. How large is {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1}. Kui suur on {2}?</translation>
     </message>
     <message>
         <source>{0}, divided by its length, is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, jagatuna oma pikkusega, on {1}.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1. Divide it by its length before you form {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on 1-st lühem. Jagage see oma pikkusega, enne kui moodustate {1}.</translation>
     </message>
     <message>
         <source>{0} is {1} long, {2} only {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}, {2} pikkus ainult {3}.</translation>
     </message>
     <message>
         <source>Practise: a row of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: vaatemaatriksi rida</translation>
     </message>
     <message>
         <source>The view matrix is {0}: {1} moves the eye {2} to the origin, and the rows of {3} are {4}, {5}, {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks on {0}: {1} viib silma {2} alguspunkti ja maatriksi {3} read on {4}, {5}, {6}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. Which four numbers are in row 3 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kohal {0}, sihtpunkt kohal {1}. Millised neli arvu on vaatemaatriksi reas 3?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so {0} multiplies all three numbers of {1}. Look at view space: the eye is at the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja nihutatakse siis. Nihe mõjub esimesena, nii et {0} korrutab vektori {1} kõiki kolme arvu. Vaadake kaamerafreimi: silm on alguspunktis.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is there, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse kaamera oma kohale. Vaatemaatriks liigutab maailma, kuni silm on alguspunktis. Vaadake kaamerafreimi: silm on seal ja sihtpunkt selle ees.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, away from the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse vektoriks {0} vaate suund. Vaadake kaamerafreimi: {1} näitab tahapoole, sihtpunktist eemale.</translation>
     </message>
     <message>
         <source>{0} is {1} long.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} is {1}. What does it make of the moved origin, {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} rida 3 on {1}. Mis saab sellega nihutatud alguspunktist {2}?</translation>
     </message>
     <message>
         <source>{0} is {1} long. Row 3 begins with {2} and ends with {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pikkus on {1}. Rea 3 alguses on {2} ja lõpus {3}.</translation>
     </message>
     <message>
         <source>Practise: a camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaamera antud n-i jaoks</translation>
     </message>
     <message>
         <source>Use *Azimuth* and *Elevation* in the dock, drag the eye in **World**, or type its coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kasutage külgriba sätteid *Asimuut* ja *Tõusunurk*, lohistage silma paanis **Maailm** või sisestage selle koordinaadid.</translation>
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Andke kaamerale selline {0}, mille suund on {1}.</translation>
     </message>
     <message>
         <source>{0} runs from the target to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on suunatud sihtpunktist silma.</translation>
     </message>
     <message>
         <source>The tangent of the azimuth is {0}. The tangent of the elevation is {1}, divided by the length of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Asimuudi tangens on {0}. Tõusunurga tangens on {1}, jagatud vektori {2} pikkusega.</translation>
     </message>
     <message>
         <source>The eye is on the ray from the target along {0}: {1}. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm on kiirel sihtpunktist suunas {0}: {1}. Kaugus ei loe.</translation>
     </message>
     <message>
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
+        <translation>Teie kaamera vaatab suunas {0}. Vaadake selle vektorit {1}: see näitab teisele poole, sihtpunktist silma.</translation>
+    </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>l02-columns</name>
     <message>
-        <source>The columns are the axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>First rotate, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne pööre, siis nihe</translation>
     </message>
     <message>
         <source>An object has coordinates of its own; {0} takes them to the world. Here {1}: the object is turned by 90° about z, then moved by 3 along x. With column vectors the matrix on the right acts first. In **World** the letter F still stands where it was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektil on omad koordinaadid; {0} viib need maailma. Siin {1}: objekti pööratakse 90° ümber z-telje ja nihutatakse siis 3 võrra piki x-telge. Veeruvektorite puhul mõjub esimesena parempoolne maatriks. Paanis **Maailm** on F-täht veel seal, kus see tehti.</translation>
     </message>
     <message>
         <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrgele maapinnast, y-sihis, satub objekti punkt (1, 0, 0) maailmas?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: objekti punkt satuks sinna, kõrgusele 4.</translation>
     </message>
     <message>
         <source>The move alone keeps it on the ground, but the turn by 90° takes x to y. Look at point 1: it is where the move alone takes the point, on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe üksi jätab selle maapinnale, aga 90° pööre viib x-i y-iks. Vaadake punkti 1: see on seal, kuhu nihe üksi punkti viib, maapinnal.</translation>
     </message>
     <message>
         <source>The turn takes (1, 0, 0) to (0, 1, 0), and then the move takes that to (3, 1, 0): probe 1 in World.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pööre viib punkti (1, 0, 0) punktiks (0, 1, 0) ja siis viib nihe selle punktiks (3, 1, 0): sond 1 paanis Maailm.</translation>
     </message>
     <message>
         <source>Read the matrix by columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Lugege maatriksit veergude kaupa</translation>
     </message>
     <message>
         <source>In *Matrices*, world ← object holds the turn and the move:</source>
-        <translation type="unfinished"></translation>
+        <translation>Paneelis *Maatriksid* sisaldab maailm ← objekt pööret ja nihet:</translation>
     </message>
     <message>
         <source>x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>x-telg</translation>
     </message>
     <message>
         <source>y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>y-telg</translation>
     </message>
     <message>
         <source>z axis</source>
-        <translation type="unfinished"></translation>
+        <translation>z-telg</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>alguspunkt</translation>
     </message>
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An axis straight up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt läbi T ja R</translation>
     </message>
     <message>
         <source>The letter is turned by 30° about z and then moved by 4 along x: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse 30° ümber z-telje ja nihutatakse siis 4 võrra piki x-telge: {0}.</translation>
     </message>
     <message>
         <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur on objekti punkti (2, 1, 0) x maailmas?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud −30°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>2 times column 1, plus 1 times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 korda veerg 1, pluss 1 kord veerg 2, pluss veerg 4.</translation>
     </message>
     <message>
         <source>cos 30° = 0.866, sin 30° = 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>cos 30° = 0.866, sin 30° = 0.5</translation>
     </message>
     <message>
         <source>Where must it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu see nihkuma peab?</translation>
     </message>
     <message>
         <source>The letter is turned by 90° about z. Probe 1 in **World** is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte on pööratud 90° ümber z-telje. Sond 1 paanis **Maailm** on kohal {0}.</translation>
     </message>
     <message>
         <source>Keep the turn, and move the object so that its point (1, 0, 0) comes to probe 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke pööre samaks ja nihutage objekti nii, et selle punkt (1, 0, 0) langeb kokku sondiga 1.</translation>
     </message>
     <message>
         <source>Where is the point now, when it is turned but not moved?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on see punkt praegu, kui seda on pööratud, aga mitte nihutatud?</translation>
     </message>
     <message>
         <source>It is at (0, 1, 0), and it must go to (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kohal (0, 1, 0) ja peab minema kohta (2, 3, 0).</translation>
     </message>
     <message>
         <source>Right: column 1 plus column 4 is (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige: veerg 1 pluss veerg 4 on (2, 3, 0).</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
+        <source>Object, world, camera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pöörde maatriks</translation>
     </message>
     <message>
         <source>The letter is turned about z by an angle {0}. Seen from the tip of z, a positive angle turns it anticlockwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse ümber z-telje nurga {0} võrra. z-telje otsast vaadates pöörab positiivne nurk seda vastupäeva.</translation>
     </message>
     <message>
         <source>Here {0}. Which numbers are in rows 1 and 2, columns 1 and 2 of {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0}. Millised arvud on maatriksi {1} ridades 1 ja 2, veergudes 1 ja 2?</translation>
     </message>
     <message>
         <source>This has rows and columns exchanged, which turns the letter the other way. Look at its own axes: they are turned by {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on read ja veerud vahetuses, mis pöörab tähte teistpidi. Vaadake selle enda telgi: neid on pööratud {0}°.</translation>
     </message>
     <message>
         <source>My degrees are radians</source>
-        <translation type="unfinished"></translation>
+        <translation>Minu kraadid on radiaanid</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}° asemel {1} radiaani. Vaadake tähte, mida on pööratud nii palju radiaane.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on pööratud tähe x-telg, veerg 2 selle y-telg.</translation>
     </message>
     <message>
         <source>Column 1 is where the x axis points after the turn, column 2 where the y axis points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on see, kuhu x-telg pärast pööret näitab, veerg 2 see, kuhu näitab y-telg.</translation>
     </message>
     <message>
         <source>Practise: turn, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pööre, siis nihe</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte pööratakse ümber z-telje nurga {0} võrra ja nihutatakse siis piki x-telge: {1}. Punkt 1 on seal, kuhu satub tähe enda ruumi punkt.</translation>
     </message>
     <message>
         <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0} ja nihe on {1} piki x-telge. Kui suur on objekti punkti {2} x maailmas?</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud {0}°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
         <source>{0} times column 1, plus {1} times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} korda veerg 1, pluss {1} korda veerg 2, pluss veerg 4.</translation>
     </message>
     <message>
         <source>The x of column 1 is {0}, and the x of column 2 is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veeru 1 x on {0} ja veeru 2 x on {1}.</translation>
     </message>
     <message>
         <source>First the turn, then the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne pööre, siis nihe.</translation>
     </message>
     <message>
         <source>Practise: bring a point to its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: viige punkt oma kohale</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja veel ei ole nihutatud. Selle nihe on külgribal jaotises *Objekt*.</translation>
     </message>
     <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke pööre {0}° samaks ja nihutage tähte nii, et selle punkt {1} langeb kokku sondiga 1, mis on kohal {2}.</translation>
     </message>
     <message>
         <source>Where does the turn alone take {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu viib pööre üksi punkti {0}?</translation>
     </message>
     <message>
         <source>To {0}. The move adds to that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punktiks {0}. Nihe liidetakse sellele.</translation>
     </message>
     <message>
         <source>Column 1 plus column 4 is {0}: {1} {2} and {3} {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 pluss veerg 4 on {0}: {1} {2} ja {3} {4}.</translation>
     </message>
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
+        <translation>See nihe on õige, kui see mõjub enne pööret. Vaadake tähte järjekorraga R T S: ainult seal viib see punkti kokku sondiga 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -946,7 +1226,7 @@
     </message>
     <message>
         <source>The number in *Field of view* is the vertical angle, from the bottom of the picture to its top. The picture is 16 wide and 9 high. **World**, seen from *Above*, shows half of the horizontal angle at the eye: {0}.</source>
-        <translation>*Frustumi nurga* arv on vertikaalne nurk, pildi alumisest servast ülemiseni. Pildi laius on 16 ja kõrgus 9. **Maailm**, vaadatuna *Ülalt*, näitab silma juures poolt horisontaalsest nurgast: {0}.</translation>
+        <translation>Väljal *Frustumi nurk* olev arv on vertikaalne nurk, pildi alumisest servast ülemiseni. Pildi laius on 16 ja kõrgus 9. **Maailm**, vaadatuna *Ülalt*, näitab silma juures poolt horisontaalsest nurgast: {0}.</translation>
     </message>
     <message>
         <source>The vertical angle is set to 60°. How large is the horizontal one?</source>
@@ -1002,7 +1282,7 @@
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
+        <translation>Pilt, mille laius on kahekordne kõrgus</translation>
     </message>
     <message>
         <source>Now the picture is 1000 by 500 pixels, and the vertical angle is 40°.</source>
@@ -1074,7 +1354,7 @@
     </message>
     <message>
         <source>Keep the picture twice as wide as high, and make the horizontal angle 100°.</source>
-        <translation>Jätke pildi laiuseks kaks korda kõrgus ja tehke horisontaalseks nurgaks 100°.</translation>
+        <translation>Jätke pildi laiuseks kahekordne kõrgus ja tehke horisontaalseks nurgaks 100°.</translation>
     </message>
     <message>
         <source>Half of 100° has the tangent 1.192.</source>
@@ -1835,7 +2115,7 @@
     </message>
     <message>
         <source>The plus in {0} does not contradict this. The cell is multiplied by {1}, and {2} is {3} at probe 1: {4}. Lecture 002 writes a plus where its own signs require a minus. So always try such a sign on a point.</source>
-        <translation>Plussmärk avaldises {0} ei räägi sellele vastu. Lahter korrutatakse suurusega {1}, ja sondi 1 juures on {2} {3}: {4}. Loeng 002 kirjutab plussi kohta, kus tema enda märgid nõuavad miinust. Proovige seepärast sellist märki alati mõne punktiga.</translation>
+        <translation>Plussmärk avaldises {0} ei räägi sellele vastu. Lahter korrutatakse suurusega {1}, ja sondi 1 juures on {2} võrdne arvuga {3}: {4}. Loeng 002 kirjutab plussi kohta, kus tema enda märgid nõuavad miinust. Proovige seepärast sellist märki alati mõne punktiga.</translation>
     </message>
     <message>
         <source>Two eyes, one window</source>
@@ -1986,7 +2266,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Aken lähitasandil on 4 lai ja 2 kõrge: {0} -2-st 2-ni, {1} -1-st 1-ni. Pildis on 720 korda 720 pikslit. Sellesse venitatult on F-täht kaks korda kõrgem, kui see olema peaks. Loengus 000 on kaks abinõu. Variant X asendab suuruse {2} suurusega {3} (ja {4} suurusega {5}), nii et proportsioonid on õiged.</translation>
+        <translation>Akna laius lähitasandil on 4 ja kõrgus 2: {0} -2-st 2-ni, {1} -1-st 1-ni. Pildis on 720 korda 720 pikslit. Sellesse venitatult on F-täht kaks korda kõrgem, kui see olema peaks. Loengus 000 on kaks abinõu. Variant X asendab suuruse {2} suurusega {3} (ja {4} suurusega {5}), nii et proportsioonid on õiged.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -1998,7 +2278,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 6 high and 4 wide now, and the F is too low.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 6 kõrge ja 4 lai ning F on liiga madal.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 6 ja laius 4 ning F on liiga madal.</translation>
     </message>
     <message>
         <source>The window must become as high as it is wide, 4. It grows equally at both ends: by 1 below and by 1 above.</source>
@@ -2054,7 +2334,7 @@
     </message>
     <message>
         <source>A picture twice as wide as high</source>
-        <translation>Pilt, mille laius on kaks korda kõrgus</translation>
+        <translation>Pilt, mille laius on kahekordne kõrgus</translation>
     </message>
     <message>
         <source>The window is {0} from -3 to 3, {1} from -1 to 1. The picture has 1000 by 500 pixels.</source>
@@ -2066,15 +2346,15 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 4 high and 6 wide now, not twice as wide as high, and the F is too low.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 4 kõrge ja 6 lai, laius ei ole kaks korda kõrgus ja F on liiga madal.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 4 ja laius 6, see ei ole kahekordne kõrgus, ja F on liiga madal.</translation>
     </message>
     <message>
         <source>How high must a window be that is 6 wide, for a picture of 1000 by 500?</source>
-        <translation>Kui kõrge peab olema aken, mis on 6 lai, kui pilt on 1000 korda 500?</translation>
+        <translation>Kui kõrge peab olema aken laiusega 6, kui pilt on 1000 korda 500?</translation>
     </message>
     <message>
         <source>3 high, and it is 2 high now.</source>
-        <translation>3 kõrge, aga praegu on see 2 kõrge.</translation>
+        <translation>Kõrgus peab olema 3, aga praegu on see 2.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 1.5.</source>
@@ -2094,7 +2374,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 12 wide and 4 high now, not twice as wide as high, and the F is too narrow.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: aken on nüüd 12 lai ja 4 kõrge, laius ei ole kaks korda kõrgus ja F on liiga kitsas.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna laius on nüüd 12 ja kõrgus 4, see ei ole kahekordne kõrgus, ja F on liiga kitsas.</translation>
     </message>
     <message>
         <source>Variant Y *keeps* y. Look at variant X: it is the one that leaves x as it is, and adjusts y.</source>
@@ -2102,7 +2382,7 @@
     </message>
     <message>
         <source>The window must become 8 wide.</source>
-        <translation>Aken peab saama 8 laiaks.</translation>
+        <translation>Akna laiuseks peab saama 8.</translation>
     </message>
     <message>
         <source>{0}, and so {1} goes from {2} to 5. Its middle is still 1.</source>
@@ -2162,7 +2442,7 @@
     </message>
     <message>
         <source>{0} wide; it is {1} wide now. Both ends get the same share.</source>
-        <translation>{0} lai; praegu on see {1} lai. Mõlemad otsad saavad sama palju.</translation>
+        <translation>Laius peab olema {0}; praegu on see {1}. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>Practise: where does X put it?</source>
@@ -2210,11 +2490,11 @@
     </message>
     <message>
         <source>How high must a window be that is {0} wide, for {1} by 600 pixels?</source>
-        <translation>Kui kõrge peab olema aken, mis on {0} lai, kui piksleid on {1} korda 600?</translation>
+        <translation>Kui kõrge peab olema aken laiusega {0}, kui piksleid on {1} korda 600?</translation>
     </message>
     <message>
         <source>{0} high; it is {1} high now. Both ends get the same share.</source>
-        <translation>{0} kõrge; praegu on see {1} kõrge. Mõlemad otsad saavad sama palju.</translation>
+        <translation>Kõrgus peab olema {0}; praegu on see {1}. Mõlemad otsad saavad sama palju.</translation>
     </message>
     <message>
         <source>{0} {1}. Half of it goes to each end: {2} and {3}.</source>
@@ -2433,7 +2713,7 @@
     </message>
     <message>
         <source>This stops before the division by {0}. Look at point 1, moved to far: there {1} is {2}, and only the division makes it 1.</source>
-        <translation>Nii jäädakse pooleli enne jagamist suurusega {0}. Vaadake punkti 1, mis on viidud kaugtasandile: seal on {1} {2} ja alles jagamine teeb sellest 1.</translation>
+        <translation>Nii jäädakse pooleli enne jagamist suurusega {0}. Vaadake punkti 1, mis on viidud kaugtasandile: seal on {1} võrdne arvuga {2} ja alles jagamine teeb sellest 1.</translation>
     </message>
     <message>
         <source>{0}, with {1} and {2}.</source>
@@ -2500,254 +2780,322 @@
     <name>l09-pyramid-to-cube</name>
     <message>
         <source>From the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiidist kuubiks</translation>
     </message>
     <message>
         <source>Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu läheb lähitasand?</translation>
     </message>
     <message>
         <source>Every lens has a volume of its own. Lecture 001 brings them all into one pyramid first: {0} moves the far plane to {1} and the sides of the picture to {2}. Here {3} and {4}, and the strip under the large cube is at *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Igal objektiivil on oma nähtav ruum. Loeng 001 viib need kõik enne ühte püramiidi: {0} viib kaugtasandi kohta {1} ja pildi küljed kohta {2}. Siin {3} ja {4} ning suure kuubi all olev riba on peatuses *Vaade*.</translation>
     </message>
     <message>
         <source>The strip goes on to *Pyramid*: the far plane moves from {0} to {1}. Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Riba läheb edasi peatusse *Püramiid*: kaugtasand liigub kohast {0} kohta {1}. Kuhu läheb lähitasand?</translation>
     </message>
     <message>
         <source>It stays at z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>See jääb kohale z = −1</translation>
     </message>
     <message>
         <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} jagab arvuga {1} iga sügavuse, mitte ainult kaugtasandi oma. Vaadake lähitasandit: see on kohal −0.111, silma lähedal.</translation>
     </message>
     <message>
         <source>At z = −0.111</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohale z = −0.111</translation>
     </message>
     <message>
         <source>At z = 0, with the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohale z = 0, silma</translation>
     </message>
     <message>
         <source>{0} is the eye. {1} only scales: a plane that is in front of the eye stays in front of it. Look at near and the eye: they are 0.111 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on silm. {1} ainult skaleerib: silma ees olev tasand jääb selle ette. Vaadake lähitasandit ja silma: nende vahe on 0.111.</translation>
     </message>
     <message>
         <source>{0} only scales. All depths are divided by {1}, so the near plane is at {2}, and the eye stays at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ainult skaleerib. Kõik sügavused jagatakse suurusega {1}, seega on lähitasand kohal {2} ja silm jääb kohale 0.</translation>
     </message>
     <message>
         <source>The two factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks tegurit</translation>
     </message>
     <message>
         <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Maatriksid* näitab ahelat loengu tähtedega ja tõstab esile riba peatuse maatriksi. {0} jagab z-i suurusega {1}: siin {2}.</translation>
     </message>
     <message>
         <source>{0} turns the pyramid into a box. Its third row ends in {1} and {2}, here 1.125 and 0.125, and its last row gives {3}. Try it on both planes:</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidist risttahuka. Selle kolmanda rea lõpus on {1} ja {2}, siin 1.125 ja 0.125, ning viimane rida annab {3}. Proovige mõlema tasandiga:</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>numerator</source>
-        <translation type="unfinished"></translation>
+        <translation>lugeja</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>z of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>risttahuka z</translation>
     </message>
     <message>
         <source>c</source>
-        <translation type="unfinished"></translation>
+        <translation>c</translation>
     </message>
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <translation>{0} viib vahemiku 0 … −1 OpenGL-i vahemikku −1 … 1: {1}. Klõpsake kuubi all *Püramiid*, *Risttahukas* ja *NDC*.</translation>
+    </message>
+    <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Half-way through the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas poolel teel</translation>
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sond 1 on fikseeritud F-i punkti, mis on silmast 7.5 eespool. {0} risttahukas on NDC-s {1}; seda näitab paneel Sond.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viige punkt 1 risttahukas kohta z = −1/2: lähi- ja kaugtasandiga, kaameraga või punkti endaga.</translation>
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui lähitasand = 6, on punkt maailmas tasandite vahel poolel teel. Kus on see siis risttahukas?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on sügavusel {1}, mis on suurusele {2} lähemal kui suurusele {3}.</translation>
     </message>
     <message>
         <source>The middle of the box is not the middle of the pyramid: the space close behind near fills half of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahuka keskkoht ei ole püramiidi keskkoht: ruum kohe lähitasandi taga täidab poole risttahukast.</translation>
     </message>
     <message>
         <source>The cells of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahela lahtrid</translation>
     </message>
     <message>
         <source>Compute before you open *Matrices*. In this step {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvutage, enne kui avate *Maatriksid*. Selles sammus {0} ja {1}.</translation>
     </message>
     <message>
         <source>What is in row 3, column 4 of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on maatriksi {0} reas 3 ja veerus 4?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is closer to the eye, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}. Teel püramiidi jagatakse iga sügavus suurusega {1}. Vaadake lähitasandit: see on silmale lähemal, kohal {2}.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the box: near comes to 0 and far to {2}; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}. Vaadake risttahukat: lähitasand satub kohale 0 ja kaugtasand kohale {2}; vahetatult oleksid need vastupidi.</translation>
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished">{0}, kus {1}.</translation>
+        <translation>{0}, kus {1}.</translation>
     </message>
     <message>
         <source>{0}, here 0.5/8.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, siin 0.5/8.5.</translation>
     </message>
     <message>
         <source>And in row 3, column 3 of the product {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ja korrutise {0} reas 3 ja veerus 3?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth from 0 … −1 to −1 … 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mõjub esimesena, seega on see paremal. Vaadake risttahukat, mille see teeb: alles siis venitab {1} selle sügavuse vahemikust 0 … −1 vahemikku −1 … 1.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the cube: near comes to {2} and far to 1; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse {0} ja {1}. Vaadake kuupi: lähitasand satub kohale {2} ja kaugtasand kohale 1; vahetatult oleksid need vastupidi.</translation>
     </message>
     <message>
         <source>Third row of {0} times third column of {1}: {2} times one cell, and {3} times another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} kolmas rida korda maatriksi {1} kolmas veerg: {2} korda üks lahter ja {3} korda teine.</translation>
     </message>
     <message>
         <source>{0}. That is {1}, which other lectures derive in one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. See on {1}, mille teised loengud tuletavad ühe sammuga.</translation>
     </message>
     <message>
         <source>A near plane of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand teie valikul</translation>
     </message>
     <message>
         <source>The pyramid keeps its shape for every lens. Only {0} differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiid säilitab oma kuju iga objektiivi jaoks. Erineb ainult {0}.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at z = −0.2 in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke lähi- või kaugtasand nii, et lähitasand on püramiidis kohal z = −0.2.</translation>
     </message>
     <message>
         <source>The title of the large pane shows {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suure paani pealkiri näitab {0}.</translation>
     </message>
     <message>
         <source>In {0} only the quotient matters: 1.8 to 9 gives the same pyramid as 1 to 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaldises {0} loeb ainult jagatis: 1.8 ja 9 annavad sama püramiidi mis 1 ja 5.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on jätta lähitasand oma kohale {0}, sest see samm käib kaugtasandi kohta. Aga maatriks, mis z-i skaleerib, liigutab iga sügavust; kui lähitasand paigale jääks, oleks see kaugtasandil. Alles jääb ainult kahe kauguse jagatis {1} ja sellest koosneb {2}. Laske ribal veel kord peatusest *Maailm* peatuseni *NDC* joosta: püramiidis on lähitasand silmast 0.111 kaugusel ja lõpus on see terve kuubi tahk.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: püramiidist risttahukaks</translation>
     </message>
     <message>
         <source>{0} takes the pyramid, whose near plane is at {1} and whose far plane is at {2}, to a box from 0 to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidist, mille lähitasand on kohal {1} ja kaugtasand kohal {2}, risttahuka kohast 0 kohani {3}.</translation>
     </message>
     <message>
         <source>The near plane is {0} in front of the eye, the far plane {1}. What is in row 3 of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on silmast {0} eespool, kaugtasand {1}. Mis on maatriksi {2} reas 3?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse {0}. Teel püramiidi jagatakse iga sügavus suurusega {1}. Vaadake lähitasandit: see on kohal {2}.</translation>
     </message>
     <message>
         <source>The row ends in {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rea lõpus on {0} ja {1}.</translation>
     </message>
     <message>
         <source>{0} and {1} with {2}: near comes to 0, and far to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, kus {2}: lähitasand satub kohale 0 ja kaugtasand kohale {3}.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: püramiidist kuubiks</translation>
     </message>
     <message>
         <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib risttahuka kohast 0 kohani {1} OpenGL-i sügavustele kohast {2} kohani {3}: {4}, ja {5} jääb samaks. Esimesena tuleb {6}.</translation>
     </message>
     <message>
         <source>With {0} and {1}, what is in rows 3 and 4, columns 3 and 4 of the product {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0} ja {1}, mis on korrutise {2} ridades 3 ja 4, veergudes 3 ja 4?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} mõjub esimesena, seega on see paremal. Vaadake risttahukat, mille see teeb: alles siis venitab {1} selle sügavust.</translation>
     </message>
     <message>
         <source>In these rows and columns {0} is {1} above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nendes ridades ja veergudes on {0} {1} ja selle all {2}.</translation>
     </message>
     <message>
         <source>{0} is {1} above {2} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on seal {1} ja selle all {2}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} takes {1} times row 3 of {2} and {3} times its row 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} rida 3 võtab {1} korda maatriksi {2} rida 3 ja {3} korda selle rida 4.</translation>
     </message>
     <message>
         <source>Practise: choose the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: valige püramiid</translation>
     </message>
     <message>
         <source>In the canonical pyramid the far plane is at {0}. The lens decides where the near plane is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanoonilises püramiidis on kaugtasand kohal {0}. Kus on lähitasand, otsustab objektiiv.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at {0} in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seadke lähi- või kaugtasand nii, et lähitasand on püramiidis kohal {0}.</translation>
     </message>
     <message>
         <source>All depths are divided by {0} on the way into the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teel püramiidi jagatakse kõik sügavused suurusega {0}.</translation>
     </message>
     <message>
         <source>{0}: only the quotient of the two distances matters. If far stays at {1}, near is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: loeb ainult kahe kauguse jagatis. Kui kaugtasandiks jääb {1}, on lähitasand {2}.</translation>
     </message>
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
+        <translation>Nii on lähitasand maailmas silmast {0} eespool. Teel püramiidi jagatakse kõik sügavused suurusega {1}. Vaadake lähitasandit: see on palju liiga lähedal, püramiidis kohal {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2955,7 +3303,7 @@
     </message>
     <message>
         <source>{0} {1}, and {2}. The depth of {3} has no part in it.</source>
-        <translation>{0} {1} ja {2}. Sügavus {3} ei puutu siia.</translation>
+        <translation>{0} {1} ja {2}. Sügavus {3} ei puutu asjasse.</translation>
     </message>
     <message>
         <source>A parallel lens divides by nothing but the half height of its box. Look at a box with {0}, twice as high as the point: there the point is at {1}, whatever its depth.</source>
@@ -3465,7 +3813,7 @@
     </message>
     <message>
         <source>Azimuth {0}° looks straight at one side of the cube.</source>
-        <translation>Asimuut {0}° vaatab otse kuubi üht külge.</translation>
+        <translation>Asimuudilt {0}° vaatab kaamera otse kuubi üht külge.</translation>
     </message>
     <message>
         <source>The uprights are parallel to the picture if the camera looks level. From azimuth {0}° one more direction is; from another azimuth two have a vanishing point.</source>
@@ -3476,298 +3824,346 @@
     <name>l13-homogeneous</name>
     <message>
         <source>What w is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Milleks on w</translation>
     </message>
     <message>
         <source>Four numbers for a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Neli arvu ühe punkti jaoks</translation>
     </message>
     <message>
         <source>A point can be written with a fourth coordinate, {0}. Many such rows of numbers stand for the same point. With them, matrices can do what they cannot do with three numbers: translate and divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti võib kirjutada neljanda koordinaadiga {0}. Sama punkti esindab palju selliseid arvuridu. Nendega saavad maatriksid teha seda, mida kolme arvuga ei saa: nihutada ja jagada.</translation>
     </message>
     <message>
         <source>Which point of space is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline ruumi punkt on {0}?</translation>
     </message>
     <message>
         <source>(2, 4, −6); the 2 is dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>(2, 4, −6); 2 jäetakse ära</translation>
     </message>
     <message>
         <source>The fourth number is an extra</source>
-        <translation type="unfinished"></translation>
+        <translation>Neljas arv on lisand</translation>
     </message>
     <message>
         <source>The fourth number is not an extra: it is the divisor of the other three. Only if {0} can it be dropped. Look at points 1 and 2: {1} is another place than {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neljas arv ei ole lisand: sellega jagatakse teised kolm. Ainult siis, kui {0}, võib selle ära jätta. Vaadake punkte 1 ja 2: {1} on teine koht kui {2}.</translation>
     </message>
     <message>
         <source>None: four numbers are not a point of space</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte ükski: neli arvu ei ole ruumi punkt</translation>
     </message>
     <message>
         <source>They stand for one: divide the first three by the fourth. Many rows of four numbers stand for the same point. Look at point 1: it is the point that they stand for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Need esindavad üht punkti: jagage esimesed kolm neljandaga. Sama punkti esindab palju neljaarvulisi ridu. Vaadake punkti 1: see on punkt, mida need esindavad.</translation>
     </message>
     <message>
         <source>{0} is the point {1}. Type 2, 4, −6 and w = 2 in the Probe panel: it becomes point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on punkt {1}. Sisestage paneelis Sond 2, 4, −6 ja w = 2: sellest saab punkt 1.</translation>
     </message>
     <message>
         <source>The w of the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiivi w</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on kaamerafreimis {0}. Objektiivi maatriksi viimane rida on {1}, seega {2}, mis on sügavus. Kärperuumis ei ole veel midagi jagatud:</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>kärperuum</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>The matrix keeps straight lines straight. The division by {0}, which is not a matrix, makes far things small. *Probe* shows each in a row of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriks jätab sirged sirgeks. Jagamine suurusega {0}, mis ei ole maatriks, teeb kauged asjad väikeseks. *Sond* näitab kumbagi omas reas.</translation>
     </message>
     <message>
         <source>Without a w</source>
-        <translation type="unfinished"></translation>
+        <translation>Ilma w-ta</translation>
     </message>
     <message>
         <source>If {0}, the division is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, ei saa jagada.</translation>
     </message>
     <message>
         <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
-        <translation type="unfinished"></translation>
+        <translation>Liigutage kaamerat või punkti 1, kuni punkti w on kärperuumis 0, täpsusega 0.05.</translation>
     </message>
     <message>
         <source>{0} is the depth in front of the eye, here 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on sügavus silma ees, siin 5.</translation>
     </message>
     <message>
         <source>The distance is 8, and the point is 3 in front of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugus on 8 ja punkt on sihtpunktist 3 eespool.</translation>
     </message>
     <message>
         <source>The point lies beside the eye, in the eye plane: its image is at infinity, in no pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt on silma kõrval, silmatasandil: selle kujutis on lõpmatuses ega ole üheski pikslis.</translation>
     </message>
     <message>
         <source>Computing with w</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvutamine w-ga</translation>
     </message>
     <message>
         <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga küsimus on punkti {0} kohta pärast objektiivi maatriksit või sellise maatriksi kohta.</translation>
     </message>
     <message>
         <source>A point comes out of the matrix as {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksist tuleb välja punkt {0}. Kui suur on selle {1} NDC-s?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1, which has {1} and {2} in clip space: it is inside the cube, where {3} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on alles rea esimene arv. NDC-s jagatakse see viimasega, {0}. Vaadake punkti 1, millel on kärperuumis {1} ja {2}: see on kuubi sees, kus {3} on ülimalt 1.</translation>
     </message>
     <message>
         <source>w has the sign of z</source>
-        <translation type="unfinished"></translation>
+        <translation>w-l on z-i märk</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1, which has {3} and {4} in clip space: it is in the right half of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märk on muutunud: {0} juba ongi positiivne sügavus {1}, seega jagage suurusega {2} endaga. Vaadake punkti 1, millel on kärperuumis {3} ja {4}: see on pildi paremas pooles.</translation>
     </message>
     <message>
         <source>NDC is the result of the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC on jagamise tulemus.</translation>
     </message>
     <message>
         <source>{0}. The same w divides y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sama w jagab ka y-i ja z-i.</translation>
     </message>
     <message>
         <source>Lecture 000: with {0} in row 4, column 3 the matrix has 1 in row 1, column 1. Multiply the matrix by the {1} that makes row 4, column 3 equal to {2}; let {3}. What is in row 1, column 1 then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng 000: kui reas 4 ja veerus 3 on {0}, on maatriksi reas 1 ja veerus 1 1. Korrutage maatriks sellise arvuga {1}, et rea 4 ja veeru 3 lahtriks saab {2}; olgu {3}. Mis on siis reas 1 ja veerus 1?</translation>
     </message>
     <message>
         <source>One minus is left over</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks miinus jääb üle</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} annab {1}, mis on positiivne: miinus on mõlemal pool. Vaadake loengu stseenis suurust {2}: {3} on see pikkus.</translation>
     </message>
     <message>
         <source>{0} and {1} take a point to the same point. Multiply every cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1} viivad punkti samaks punktiks. Korrutage iga lahter.</translation>
     </message>
     <message>
         <source>{0}. All four resulting coordinates are four times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kõik neli tulemuse koordinaati on neli korda suuremad ja nende jagatised on samad.</translation>
     </message>
     <message>
         <source>w = 0 before the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w = 0 enne objektiivi</translation>
     </message>
     <message>
         <source>{0} is not a point but a direction: a *point at infinity*. A matrix takes it like any other row, and a translation leaves it unchanged. Here P is at {1} along z: its {2} is 0 in the world, yet it has an image, because its w in clip space is not 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ei ole punkt, vaid suund: *lõpmatuspunkt*. Maatriks teisendab seda nagu iga teist rida ja nihe jätab selle samaks. Siin on P kohal {1} piki z-telge: selle {2} on maailmas 0, ometi on sellel kujutis, sest selle w kärperuumis ei ole 0.</translation>
     </message>
     <message>
         <source>The image is 720 high and the field of view 70°. In which row is the image of the direction {0} in view space? Its {1} is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildi kõrgus on 720 ja frustumi nurk 70°. Millises reas on kaamerafreimi suuna {0} kujutis? Selle {1} on {2}.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. {0} is positive, so the row is above the middle, 360. Look at the numbers beside the frame: 0 is at the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ridu loetakse ülalt. {0} on positiivne, seega on rida keskkohast 360 kõrgemal. Vaadake numbreid raami kõrval: 0 on üleval.</translation>
     </message>
     <message>
         <source>This is a point ten steps along a line in this direction. The point at infinity depends on the direction alone: {0}. Look at P at {1}: it has not reached its vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt kümme sammu mööda selle suuna sirget. Lõpmatuspunkt sõltub ainult suunast: {0}. Vaadake punkti P, kui {1}: see ei ole oma koondumispunkti jõudnud.</translation>
     </message>
     <message>
         <source>Row {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Rida {0}.</translation>
     </message>
     <message>
         <source>{0}, so row 102.9. All lines in this direction meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega rida 102.9. Kõik selle suuna sirged kohtuvad seal.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Tagasi ennustuse juurde</translation>
+        <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on lugeda neljandat arvu lisandiks ja see ära jätta. Aga sellega jagatakse teised kolm. {0} ja {1} on ühel sirgel läbi neljamõõtmelise ruumi alguspunkti ja see sirge esindab üht punkti. Seepärast saab maatriks jagada: see kirjutab jagaja suurusesse {2}. Ja kui {3} on 0, esindab sirge suunda, mitte punkti.</translation>
     </message>
     <message>
         <source>Practise: divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: jagage</translation>
     </message>
     <message>
         <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 tuleb objektiivi maatriksist välja kujul {0}.</translation>
     </message>
     <message>
         <source>Its row of numbers is {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle arvurida on {0}. Kui suur on selle {1} NDC-s?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on alles rea esimene arv. NDC-s jagatakse see viimasega, {0}. Vaadake kuubis punkti 1: selle {1} on −1 ja 1 vahel.</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1 in the picture: it is on the side that the sign of {3} says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Märk on muutunud: {0} juba ongi positiivne sügavus {1}, seega jagage suurusega {2} endaga. Vaadake punkti 1 pildil: see on sellel pool, mida ütleb {3} märk.</translation>
     </message>
     <message>
         <source>The third number divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagab kolmas arv</translation>
     </message>
     <message>
         <source>This divides by the third number of the row. The divisor is the fourth one, {0}, which the matrix made of the depth. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse rea kolmanda arvuga. Jagaja on neljas, {0}, mille maatriks tegi sügavusest. Vaadake kuubis punkti 1: selle {1} on −1 ja 1 vahel.</translation>
     </message>
     <message>
         <source>Which of the four numbers is the divisor?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline neljast arvust on jagaja?</translation>
     </message>
     <message>
         <source>The same {0} divides the first three numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimesed kolm arvu jagab sama {0}.</translation>
     </message>
     <message>
         <source>Practise: the same matrix, multiplied</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: sama maatriks, korrutatud</translation>
     </message>
     <message>
         <source>Lecture 000 projects onto the plane {0} by a matrix {1} with 1, 1, 1, 0 on its diagonal, {2} in row 4, column 3, and 0 elsewhere. {3} and {4} take every point to the same point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeng 000 projitseerib tasandile {0} maatriksiga {1}, mille diagonaalil on 1, 1, 1, 0, reas 4 ja veerus 3 on {2} ja mujal 0. {3} ja {4} viivad iga punkti samaks punktiks.</translation>
     </message>
     <message>
         <source>{0}. Which {1} has {2} in row 4, column 3? Give its rows 3 and 4, columns 3 and 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Millisel maatriksil {1} on reas 4 ja veerus 3 {2}? Kirjutage selle read 3 ja 4, veerud 3 ja 4.</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2}: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} annab {1}, mis on positiivne: miinus on mõlemal pool. Vaadake suurust {2}: {3} on see pikkus.</translation>
     </message>
     <message>
         <source>One cell is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühest lahtrist piisab</translation>
     </message>
     <message>
         <source>This changes one cell only. {0} multiplies every cell of the matrix, the ones on the diagonal too. Look at {1}: only for this plane is 1 right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii muudetakse ainult üht lahtrit. {0} korrutab maatriksi iga lahtrit, ka ühtesid diagonaalil. Vaadake juhtu {1}: ainult selle tasandi jaoks on 1 õige.</translation>
     </message>
     <message>
         <source>The diagonal is divided</source>
-        <translation type="unfinished"></translation>
+        <translation>Diagonaal jagatakse</translation>
     </message>
     <message>
         <source>This multiplies the diagonal by {0}, but the last row by {1}. All cells have the same factor. Look at {2}: only for this plane are {3} and {4} the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii korrutatakse diagonaal suurusega {0}, aga viimane rida suurusega {1}. Kõigil lahtritel on sama kordaja. Vaadake juhtu {2}: ainult selle tasandi jaoks on {3} ja {4} samad.</translation>
     </message>
     <message>
         <source>By what is {0} multiplied to become {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millega korrutada {0}, et saada {1}?</translation>
     </message>
     <message>
         <source>{0}. All four numbers of a point are {1} times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Kõik neli punkti arvu on {1} korda suuremad ja nende jagatised on samad.</translation>
     </message>
     <message>
         <source>Practise: a direction in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: suund pildil</translation>
     </message>
     <message>
         <source>Lines in one direction of view space run to one point of the picture: the image of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimi ühe suuna sirged jooksevad pildi ühte punkti, milleks on suuna {0} kujutis.</translation>
     </message>
     <message>
         <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge algab kaamerafreimis punktist {0} ja kulgeb suunas {1}. Frustumi nurk on {2}°. Märkige sirge lõpmatuspunkti kujutis.</translation>
     </message>
     <message>
         <source>This is a point five steps along the line. At infinity {0}, and the start has no part in the image: only the direction counts. Look at point 1, 60 steps along the line: it has moved on.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on punkt viis sammu mööda sirget. Lõpmatuses {0} ja alguspunktil ei ole kujutises osa: loeb ainult suund. Vaadake punkti 1, 60 sammu mööda sirget: see on edasi liikunud.</translation>
     </message>
     <message>
         <source>The column is right, but the rows are counted from the top: a direction that leads up ends in the upper half of the picture. Look at point 1, 60 steps along the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg on õige, aga ridu loetakse ülalt: ülespoole viiv suund lõpeb pildi ülemises pooles. Vaadake punkti 1, 60 sammu mööda sirget.</translation>
     </message>
     <message>
         <source>{0}, where *aspect* is 16/9.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus *aspect* on 16/9.</translation>
     </message>
     <message>
         <source>{0} is the middle of the picture and {1} its right edge; {2} is its top.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on pildi keskkoht ja {1} selle parem serv; {2} on ülemine.</translation>
     </message>
     <message>
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
+        <translation>Punkti asemele tuleb suund: {0} ja {1} on selle kärperuumi koordinaadid, jagatud nende suurusega {2}.</translation>
+    </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3827,7 +4223,7 @@
     </message>
     <message>
         <source>Bring point 1 within one pixel of (0, 0).</source>
-        <translation>Viige punkt 1 kohale (0, 0) lähemale kui üks piksel.</translation>
+        <translation>Viige punkt 1 kohast (0, 0) vähem kui ühe piksli kaugusele.</translation>
     </message>
     <message>
         <source>Drag its mark in *Image*, or move the camera.</source>
@@ -3867,7 +4263,7 @@
     </message>
     <message>
         <source>{0}: half the height, because NDC is 2 high, and negative, because y is reversed.</source>
-        <translation>{0}: pool kõrgusest, sest NDC on 2 kõrge, ja negatiivne, sest y on ümber pööratud.</translation>
+        <translation>{0}: pool kõrgusest, sest NDC kõrgus on 2, ja negatiivne, sest y on ümber pööratud.</translation>
     </message>
     <message>
         <source>This counts the rows upwards, like {0}. They are counted from the top, so a point above the middle has a y below 360. Look at point 1: it is above the middle of the picture.</source>
@@ -4202,7 +4598,7 @@
     </message>
     <message>
         <source>{0} is {1} at point 1 and negative at point 2; at {2} it is 0.</source>
-        <translation>{0} on punktis 1 {1} ja punktis 2 negatiivne; kohal {2} on see 0.</translation>
+        <translation>{0} võrdub punktis 1 suurusega {1} ja on punktis 2 negatiivne; kohal {2} on see 0.</translation>
     </message>
     <message>
         <source>Practise: cut by near</source>
@@ -4242,7 +4638,7 @@
     </message>
     <message>
         <source>The far plane cuts the edge from point 1 to point 2; {0} is 0 at point 1 and 1 at point 2.</source>
-        <translation>Kaugtasand lõikab serva punktist 1 punkti 2; {0} on punktis 1 0 ja punktis 2 1.</translation>
+        <translation>Kaugtasand lõikab serva punktist 1 punkti 2; {0} on 0 punktis 1 ja 1 punktis 2.</translation>
     </message>
     <message>
         <source>In view space point 1 is at {0} and point 2 at {1}. Set far so that it cuts the edge at {2}.</source>
@@ -4277,7 +4673,7 @@
     </message>
     <message>
         <source>Which {0} does the image of the segment AB cover?</source>
-        <translation>Millised {0} katab lõigu AB kujutis?</translation>
+        <translation>Milliseid {0} väärtusi katab lõigu AB kujutis?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, the way from one to the other</source>
@@ -4285,7 +4681,7 @@
     </message>
     <message>
         <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
-        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab üle iga tõkke: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -4293,7 +4689,7 @@
     </message>
     <message>
         <source>Just 0.5: B is behind the camera and does not count</source>
-        <translation>Ainult 0.5: B on kaamera taga ja ei loe</translation>
+        <translation>Ainult 0.5: B on kaamera taga ega loe</translation>
     </message>
     <message>
         <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
@@ -4301,7 +4697,7 @@
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
-        <translation>A-st alates läheneb lõik silmatasandile {0}; x jääb 1, nii et {1} kasvab üle iga tõkke. Silmatasandi taga oleval osal kujutist ei ole.</translation>
+        <translation>A-st alates läheneb lõik silmatasandile {0}; x jääb 1, nii et {1} kasvab tõkestamatult. Silmatasandi taga oleval osal kujutist ei ole.</translation>
     </message>
     <message>
         <source>Cut before the divide</source>
@@ -4552,7 +4948,7 @@
     </message>
     <message>
         <source>Depth depends on {0}, and {1} has only become {2}. (Single stripes move with every change of the codes, and with the size of the picture; the gap does not depend on it.)</source>
-        <translation>Sügavus sõltub suurusest {0}, ja {1} asemele on tulnud ainult {2}. (Üksikud triibud nihkuvad iga koodide muutusega ja pildi suurusega; vahe sellest ei sõltu.)</translation>
+        <translation>Sügavus sõltub suurusest {0}, ja väärtusest {1} on saanud ainult {2}. (Üksikud triibud nihkuvad iga koodide muutusega ja pildi suurusega; vahe sellest ei sõltu.)</translation>
     </message>
     <message>
         <source>Where the codes are</source>
@@ -4644,7 +5040,7 @@
     </message>
     <message>
         <source>With far at 50 instead of 100 the range is half as long, so it is tempting to expect codes twice as close. They would be if depth changed evenly. But it changes with {0}, so most codes lie just behind near. The space from 50 to 100 had hardly any, and giving them up gains nothing. Now move *Near* a little and watch the stripes.</source>
-        <translation>Kui kaugtasand on 100 asemel 50, on vahemik poole lühem, nii et ahvatlev on oodata kaks korda tihedamaid koode. Nii see oleks, kui sügavus muutuks ühtlaselt. Aga see muutub koos suurusega {0}, seega on enamik koode kohe lähitasandi taga. Vahemikus 50-st 100-ni ei olnud neid peaaegu üldse ja selle äraandmine ei too midagi. Nihutage nüüd natuke *Lähitasandit* ja jälgige triipe.</translation>
+        <translation>Kui kaugtasand on 100 asemel 50, on vahemik poole lühem, nii et ahvatlev on oodata kaks korda tihedamaid koode. Nii see oleks, kui sügavus muutuks ühtlaselt. Aga see muutub koos suurusega {0}, seega on enamik koode kohe lähitasandi taga. Vahemikus 50-st 100-ni ei olnud neid peaaegu üldse ja selle äraandmine ei too midagi. Nihutage nüüd natuke liugurit *Lähitasand* ja jälgige triipe.</translation>
     </message>
     <message>
         <source>Practise: a stored depth</source>
@@ -4835,7 +5231,7 @@
     </message>
     <message>
         <source>Practise: a value on the way</source>
-        <translation>Harjutus: väärtus poolel teel</translation>
+        <translation>Harjutus: väärtus vahepeal</translation>
     </message>
     <message>
         <source>Points 1 and 2 are the ends of an edge.</source>
@@ -4843,7 +5239,7 @@
     </message>
     <message>
         <source>Point 1 is {0} deep and has {1}. Point 2 is {2} deep and has {3}. What is {4} at the share {5} of the way from 1 to 2 in the picture?</source>
-        <translation>Punkti 1 sügavus on {0} ja sellel on {1}. Punkti 2 sügavus on {2} ja sellel on {3}. Kui suur on {4}, kui pildil on punktist 1 punkti 2 läbitud osa {5}?</translation>
+        <translation>Punkti 1 sügavus on {0} ja sellel on {1}. Punkti 2 sügavus on {2} ja sellel on {3}. Kui suur on {4} kohas, kus pildil on punktist 1 punkti 2 läbitud osa {5}?</translation>
     </message>
     <message>
         <source>This mixes {0} itself. In the picture only the divided quantities change evenly: mix {1} and {2}, then divide. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
@@ -4871,7 +5267,7 @@
     </message>
     <message>
         <source>Practise: a depth on the way</source>
-        <translation>Harjutus: sügavus poolel teel</translation>
+        <translation>Harjutus: sügavus vahepeal</translation>
     </message>
     <message>
         <source>A thin rod, drawn in colour, begins at point 1 and ends at point 2.</source>
@@ -4879,7 +5275,7 @@
     </message>
     <message>
         <source>Point 1 is {0} deep, point 2 is {1} deep. How deep is the place that is seen at the share {2} of the way from 1 to 2 in the picture?</source>
-        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Kui sügaval on koht, mida on näha, kui pildil on punktist 1 punkti 2 läbitud osa {2}?</translation>
+        <translation>Punkti 1 sügavus on {0}, punkti 2 sügavus {1}. Kui sügaval on see, mida on näha kohas, kus pildil on punktist 1 punkti 2 läbitud osa {2}?</translation>
     </message>
     <message>
         <source>This mixes the depth itself. In the picture {0} changes evenly, not {1}. Look from above at point 3, half-way in the picture: it is closer to point 1 than to point 2.</source>
@@ -4923,7 +5319,7 @@
     </message>
     <message>
         <source>At the middle of the rod, {0} is {1}. At which share {2} of the way in the picture is that?</source>
-        <translation>Varda keskkohas on {0} {1}. Kui suur osa {2} teest on siis pildil läbitud?</translation>
+        <translation>Varda keskkohas on {0} võrdne suurusega {1}. Kui suur osa {2} teest on siis pildil läbitud?</translation>
     </message>
     <message>
         <source>{0}, seen from point 1.</source>
@@ -4986,7 +5382,7 @@
     </message>
     <message>
         <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
-        <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese puhul on suurusel {5} {6} ja kiired on paralleelsed.</translation>
+        <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese {5} puhul {6} ja kiired on paralleelsed.</translation>
     </message>
     <message>
         <source>Put the shadow there</source>
@@ -5042,7 +5438,7 @@
     </message>
     <message>
         <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
-        <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke *Valguse liiki* ja jälgige F-i ülemist otsa, siis alumist.</translation>
+        <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke sätet *Valguse liik* ja jälgige F-i ülemist otsa, siis alumist.</translation>
     </message>
     <message>
         <source>Practise: a lamp&apos;s shadow</source>
@@ -5126,7 +5522,7 @@
     </message>
     <message>
         <source>You look down from above: {0} runs to the right, {1} runs down. The squares of the grid are 1 wide, the middle of the F is at {2}, {3}, and point 2 is at {4}.</source>
-        <translation>Vaatate ülalt alla: {0} kasvab paremale, {1} alla. Ruudustiku ruudud on 1 laiad, F-i keskkoht on {2}, {3} ja punkt 2 on kohal {4}.</translation>
+        <translation>Vaatate ülalt alla: {0} kasvab paremale, {1} alla. Ruudustiku ruutude külg on 1, F-i keskkoht on {2}, {3} ja punkt 2 on kohal {4}.</translation>
     </message>
     <message>
         <source>You see the shadow of the sun in the direction {0}. Mark where the shadow of point 1, {1}, is with a *lamp* at the point {2}.</source>
@@ -5209,7 +5605,7 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Loeng pildistab kassi 29 mm-ga 30 cm kauguselt ja 105 mm-ga. Filmil on asi {0} korda oma tegelik suurus, nii et see jääb sama suureks, kui</translation>
+        <translation>Loeng pildistab kassi 29 mm-ga 30 cm kauguselt ja 105 mm-ga. Filmil on asja suurus {0} korda tegelik suurus, nii et see jääb samaks, kui</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
@@ -5253,7 +5649,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
-        <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea sama kõrge.</translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea kõrgus sama.</translation>
     </message>
     <message>
         <source>The image on the film is as large as before. What happened to {0}?</source>
@@ -5297,7 +5693,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the head is {0} times as large as it is; the angle of view is no measure of that. Look at the head from here with {1} mm: it is {2} times as large.</source>
-        <translation>Nii võetakse suuruseks vaatenurk. Filmil on pea {0} korda oma tegelik suurus; vaatenurk seda ei mõõda. Vaadake pead siit objektiiviga {1} mm: see on {2} korda nii suur.</translation>
+        <translation>Nii võetakse suuruseks vaatenurk. Filmil on pea suurus {0} korda tegelik suurus; vaatenurk seda ei mõõda. Vaadake pead siit objektiiviga {1} mm: see on {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A longer lens goes nearer</source>
@@ -5309,7 +5705,7 @@
     </message>
     <message>
         <source>On the film, the head is {0} times as large as it is.</source>
-        <translation>Filmil on pea {0} korda oma tegelik suurus.</translation>
+        <translation>Filmil on pea suurus {0} korda tegelik suurus.</translation>
     </message>
     <message>
         <source>{0} must be equal to {1}: a longer lens needs a distance longer by the same factor.</source>
@@ -5524,7 +5920,7 @@
     </message>
     <message>
         <source>The image is {0} times as high as the arrow, and upside down.</source>
-        <translation>Kujutis on {0} korda noole kõrgune ja tagurpidi.</translation>
+        <translation>Kujutise kõrgus on {0} korda noole kõrgus, ja kujutis on tagurpidi.</translation>
     </message>
     <message>
         <source>Practise: a corner on the film</source>
@@ -5619,7 +6015,7 @@
     </message>
     <message>
         <source>Standing high does not make uprights meet; looking down does. This camera looks level, so the uprights are parallel to the picture and have no vanishing point. Look at both pictures from this height: only where the camera looks down do the uprights lean.</source>
-        <translation>Püstservad ei koondu sellest, et seistakse kõrgel; alla vaatamisest koonduvad. See kaamera vaatab horisontaalselt, nii et püstservad on pildiga paralleelsed ja neil ei ole koondumispunkti. Vaadake mõlemat pilti sellelt kõrguselt: püstservad on kaldu ainult seal, kus kaamera vaatab alla.</translation>
+        <translation>Püstservad ei koondu mitte kõrgel seismisest, vaid alla vaatamisest. See kaamera vaatab horisontaalselt, nii et püstservad on pildiga paralleelsed ja neil ei ole koondumispunkti. Vaadake mõlemat pilti sellelt kõrguselt: püstservad on kaldu ainult seal, kus kaamera vaatab alla.</translation>
     </message>
     <message>
         <source>level</source>
@@ -5743,7 +6139,7 @@
     </message>
     <message>
         <source>From above you usually *look down*, and houses lean in photographs from towers, so it was tempting to let the uprights lean. But looking down makes them lean, not the height. If a camera rises and looks level, the F moves in the picture but its uprights stay parallel. If a camera turns down to its target, {0} and the uprights meet. Press play in the tool bar: the section Animation has both ways of looking.</source>
-        <translation>Ülalt *vaadatakse* tavaliselt *alla* ja tornist tehtud fotodel on majad kaldu, nii et ahvatlev oli panna püstservad kaldu. Aga kaldu teeb need alla vaatamine, mitte kõrgus. Kui kaamera tõuseb ja vaatab horisontaalselt, liigub F pildil, aga selle püstservad jäävad paralleelseks. Kui kaamera pöördub alla oma sihtpunkti poole, siis {0} ja püstservad kohtuvad. Vajutage tööriistaribal Esita: jaotises Animatsioon on mõlemad vaatamise viisid.</translation>
+        <translation>Ülalt tavaliselt *vaadatakse alla* ja tornist tehtud fotodel on majad kaldu, nii et ahvatlev oli panna püstservad kaldu. Aga kaldu teeb need alla vaatamine, mitte kõrgus. Kui kaamera tõuseb ja vaatab horisontaalselt, liigub F pildil, aga selle püstservad jäävad paralleelseks. Kui kaamera pöördub alla oma sihtpunkti poole, siis {0} ja püstservad kohtuvad. Vajutage tööriistaribal Esita: jaotises Animatsioon on mõlemad vaatamise viisid.</translation>
     </message>
     <message>
         <source>Practise: the vector v</source>
@@ -5834,2733 +6230,2757 @@
     <name>l23-popping</name>
     <message>
         <source>Why does it pop?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks see hüppeliselt ilmub?</translation>
     </message>
     <message>
         <source>A tree at the side</source>
-        <translation type="unfinished"></translation>
+        <translation>Puu kõrval</translation>
     </message>
     <message>
         <source>The camera stands beside an avenue and looks along it. Far is 30. Point 1, on the axis of a tree that is not drawn yet, is 38 ahead and 15 to the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera seisab allee kõrval ja vaatab piki seda. Kaugtasand on 30. Punkt 1, mis on ühe veel joonistamata puu teljel, on 38 eespool ja 15 paremal.</translation>
     </message>
     <message>
         <source>Far moves out to 40. Is the trunk of that tree drawn then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand viiakse 40 peale. Kas selle puu tüvi siis joonistatakse?</translation>
     </message>
     <message>
         <source>No: it is 40.85 away from the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Ei: see on silmast 40.85 kaugusel</translation>
     </message>
     <message>
         <source>This measures straight from the eye to the tree, as if far were a sphere. Far is a plane across the direction of view: only the 38 ahead count. Look from above: point 1 lies before far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse silmast otse puuni, nagu kaugtasand oleks kera. Kaugtasand on vaate suunaga risti olev tasand: loeb ainult 38 ettepoole. Vaadake ülalt: punkt 1 on kaugtasandi ees.</translation>
     </message>
     <message>
         <source>Yes: its depth is 38</source>
-        <translation type="unfinished"></translation>
+        <translation>Jah: selle sügavus on 38</translation>
     </message>
     <message>
         <source>No: you can see only half of far, up to 20</source>
-        <translation type="unfinished"></translation>
+        <translation>Ei: näete ainult poolt kaugtasandist, kuni 20</translation>
     </message>
     <message>
         <source>The whole distance up to far is visible, measured from the eye. Look from above: the pyramid reaches from the eye to far, and point 1 lies in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav on kogu kaugus kaugtasandini, silmast mõõdetuna. Vaadake ülalt: püramiid ulatub silmast kaugtasandini ja punkt 1 on selle sees.</translation>
     </message>
     <message>
         <source>Far is a plane across the axis. What matters is how far ahead the tree is, not how far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on teljega risti olev tasand. Loeb, kui palju puu on eespool, mitte kui kaugel see on.</translation>
     </message>
     <message>
         <source>What passes the plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis tasandit läbib</translation>
     </message>
     <message>
         <source>Seen from above the far plane cuts straight across the avenue. A tree appears when its depth {0} is less than {1}. If you drive ahead by {2}, every depth shrinks by {3}, however far a tree is to the side: a tree 62 ahead appears at {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülalt vaadatuna lõikab kaugtasand alleed otse risti. Puu ilmub, kui selle sügavus {0} on väiksem kui {1}. Kui te sõidate {2} edasi, väheneb iga sügavus {3} võrra, ükskõik kui kaugel kõrval puu on: puu, mis on 62 eespool, ilmub siis, kui {4}.</translation>
     </message>
     <message>
         <source>The lecture has two remedies. Fog fades distant things, so you do not see them appear. Level of detail draws distant trees with fewer vertices, so far can be farther at the same cost.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loengus on kaks abinõu. Udu hajutab kauged asjad, nii et te ei näe neid ilmumas. Detailsus joonistab kauged puud vähemate tippudega, nii et kaugtasand võib sama kulu juures olla kaugemal.</translation>
     </message>
     <message>
         <source>Just so many trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Täpselt nii palju puid</translation>
     </message>
     <message>
         <source>Each tree has 272 vertices. Set far so that exactly 10 trees are drawn, 2720 vertices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Igal puul on 272 tippu. Seadke kaugtasand nii, et joonistatakse täpselt 10 puud, 2720 tippu.</translation>
     </message>
     <message>
         <source>A tree that the far plane cuts is drawn in part, and it counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puu, mida kaugtasand lõikab, joonistatakse osaliselt ja läheb arvesse.</translation>
     </message>
     <message>
         <source>The rows are 6 apart: to remove two trees, move far in by 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Read on 6 vahega: kahe puu eemaldamiseks tooge kaugtasand 6 võrra lähemale.</translation>
     </message>
     <message>
         <source>Every six units another pair of trees reaches the far plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga kuue ühiku järel jõuab kaugtasandini järgmine paar puid.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished">Valemi järgi</translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>Point 1 is on the axis of a tree 44 ahead and 15 to the right. Far is 34. How far must the camera drive until the point is at the far plane?</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on puu teljel, mis on 44 eespool ja 15 paremal. Kaugtasand on 34. Kui kaugele peab kaamera sõitma, kuni punkt on kaugtasandil?</translation>
     </message>
     <message>
         <source>This waits until the tree is 34 away from the eye, measured straight. Far is a plane across the direction of view, so how far the tree is to the side does not matter. Look from above at far = 44: it goes through point 1, though the point is 46.5 away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii oodatakse, kuni puu on silmast otse mõõdetuna 34 kaugusel. Kaugtasand on vaate suunaga risti olev tasand, nii et ei loe, kui kaugel kõrval puu on. Vaadake ülalt, kui kaugtasand = 44: see läbib punkti 1, kuigi see punkt on 46.5 kaugusel.</translation>
     </message>
     <message>
         <source>44 − 34. A tree at the side appears at the same time as one straight ahead.</source>
-        <translation type="unfinished"></translation>
+        <translation>44 − 34. Kõrval olev puu ilmub samal ajal kui otse ees olev.</translation>
     </message>
     <message>
         <source>The Above view shows the plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaade Ülalt näitab seda tasandit.</translation>
     </message>
     <message>
         <source>A fog begins at 15 and hides everything from 66 on; between them the contrast falls evenly. What percentage of the contrast is left at the far plane?</source>
-        <translation type="unfinished"></translation>
+        <translation>Udu algab kohal 15 ja peidab kõik alates kohast 66; nende vahel langeb kontrast ühtlaselt. Mitu protsenti kontrastist on kaugtasandil alles?</translation>
     </message>
     <message>
         <source>32 of the 51 units are left. With this contrast a tree still pops in.</source>
-        <translation type="unfinished"></translation>
+        <translation>51 ühikust on alles 32. Sellise kontrastiga ilmub puu endiselt hüppeliselt.</translation>
     </message>
     <message>
         <source>Back to the tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi puu juurde</translation>
     </message>
     <message>
         <source>The tree is 40.85 away, more than far, so it was tempting to leave it out. If far were a sphere, that would be right. But a matrix can only give planes, so near and far are planes: the tree is drawn because it is 38 *ahead*. When the camera turns, the plane turns with it, and trees at the edge of the picture come and go although nobody has driven. Drag the azimuth and watch them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Puu on 40.85 kaugusel, kaugemal kui kaugtasand, nii et ahvatlev oli see välja jätta. Kui kaugtasand oleks kera, oleks see õige. Aga maatriks annab ainult tasandeid, seega on lähi- ja kaugtasand tasandid: puu joonistatakse, sest see on 38 *eespool*. Kui kaamera pöördub, pöördub tasand koos sellega ja pildi servas olevad puud tulevad ja lähevad, kuigi keegi ei ole sõitnud. Lohistage asimuuti ja jälgige neid.</translation>
     </message>
     <message>
         <source>Practise: drive until it appears</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: sõitke, kuni see ilmub</translation>
     </message>
     <message>
         <source>Point 1 is {0} ahead and {1} to the right, and far is {2}. How far must the camera drive, straight ahead, until the point is at the far plane?</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt 1 on {0} eespool ja {1} paremal ning kaugtasand on {2}. Kui kaugele peab kaamera otse edasi sõitma, kuni punkt on kaugtasandil?</translation>
     </message>
     <message>
         <source>This waits until the point is {0} away from the eye, measured straight. Far is a plane across the direction of view, so how far the point is to the side does not matter. Look from above at far = {1}: it goes through point 1, however far that is to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii oodatakse, kuni punkt on silmast otse mõõdetuna {0} kaugusel. Kaugtasand on vaate suunaga risti olev tasand, nii et ei loe, kui kaugel kõrval punkt on. Vaadake ülalt, kui kaugtasand = {1}: see läbib punkti 1, ükskõik kui kaugel kõrval see on.</translation>
     </message>
     <message>
         <source>The straight way counts</source>
-        <translation type="unfinished"></translation>
+        <translation>Loeb otsetee</translation>
     </message>
     <message>
         <source>This subtracts far from the straight distance to the point. Far is a plane across the direction of view: only how far the point is ahead counts. Look from above at far = {0}: it goes through point 1, however far that is to the side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii lahutatakse kaugtasand otsesest kaugusest punktini. Kaugtasand on vaate suunaga risti olev tasand: loeb ainult, kui palju punkt on eespool. Vaadake ülalt, kui kaugtasand = {0}: see läbib punkti 1, ükskõik kui kaugel kõrval see on.</translation>
     </message>
     <message>
         <source>The view from above shows the far plane. Which distance to it does the drive shorten?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaade ülalt näitab kaugtasandit. Millist kaugust selleni sõit lühendab?</translation>
     </message>
     <message>
         <source>Driving shortens the depth alone. The point may be as far to the side as it likes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sõit lühendab ainult sügavust. Punkt võib olla kõrval nii kaugel kui tahes.</translation>
     </message>
     <message>
         <source>Practise: the last tree</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: viimane puu</translation>
     </message>
     <message>
         <source>You look down on the avenue; in each row the trees are 6 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatate alleed ülalt; igas reas on puud 6 vahega.</translation>
     </message>
     <message>
         <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera&apos;s way, mark the last tree whose trunk is then drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand viiakse {0} võrra kaugemale, kohast {1} kohani {2}. Märkige reas, mis on kaamera teest kaugemal, viimane puu, mille tüvi siis joonistatakse.</translation>
     </message>
     <message>
         <source>The tree behind this one is farther from the eye than far, but less deep, and only depth counts. Far is a plane across the direction of view, not a circle round the eye. Look from above at far, moved out.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle taga olev puu on silmast kaugemal kui kaugtasand, aga selle sügavus on kaugtasandi omast väiksem, ja loeb ainult sügavus. Kaugtasand on vaate suunaga risti olev tasand, mitte ring ümber silma. Vaadake ülalt kaugemale viidud kaugtasandit.</translation>
     </message>
     <message>
         <source>The far plane moves along the direction of view and stays across it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand liigub piki vaate suunda ja jääb sellega risti.</translation>
     </message>
     <message>
         <source>By how many trees is {0} longer than 6?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu puud 6 vahega mahub pikkusele {0}?</translation>
     </message>
     <message>
         <source>This tree is {0} deep, the next one {1}; far is then {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle puu sügavus on {0}, järgmisel {1}; kaugtasand on siis {2}.</translation>
     </message>
     <message>
         <source>Practise: so many trees</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: nii palju puid</translation>
     </message>
     <message>
         <source>The first two trees are {0} ahead of the camera, and each following pair 6 farther. Set far so that exactly {1} trees are drawn; a tree that far cuts counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimesed kaks puud on kaamerast {0} eespool ja iga järgmine paar 6 kaugemal. Seadke kaugtasand nii, et joonistatakse täpselt {1} puud; puu, mida kaugtasand lõikab, läheb arvesse.</translation>
     </message>
     <message>
         <source>How deep is pair number {0}? Far must lie just behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui sügaval on paar number {0}? Kaugtasand peab olema kohe selle taga.</translation>
     </message>
     <message>
         <source>Its depth is {0}. How far it is to the side does not count.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle sügavus on {0}. Kui kaugel kõrval see on, ei loe.</translation>
     </message>
     <message>
         <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paari number {0} sügavus on {1}, järgmisel {2}. Kaugtasand peab olema nende vahel.</translation>
     </message>
 </context>
 <context>
     <name>l24-focus</name>
     <message>
         <source>What is sharp?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on terav?</translation>
     </message>
     <message>
         <source>Behind the focus</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookuse taga</translation>
     </message>
     <message>
         <source>The lens of the synthetic camera is a point, and everything is sharp. A real lens draws a point as a disc. A disc of diameter {0} or less passes for a point. The lens here has a focal length of 50 mm and an aperture of {1}, and is focused at 2 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sünteetilise kaamera objektiiv on punkt ja kõik on terav. Tegelik objektiiv joonistab punkti kettana. Ketast, mille läbimõõt on {0} või vähem, peetakse punktiks. Siinse objektiivi fookuskaugus on 50 mm ja diafragma {1}, ning see on teravustatud 2 m peale.</translation>
     </message>
     <message>
         <source>The focus moves to 5 m. The sharp range begins at 4.287 m. At how many metres does it end?</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookus viiakse 5 m peale. Terav vahemik algab 4.287 m kauguselt. Mitme meetri kaugusel see lõpeb?</translation>
     </message>
     <message>
         <source>5.713, as far behind the focus as in front</source>
-        <translation type="unfinished"></translation>
+        <translation>5.713, fookuse taga sama kaugel kui ees</translation>
     </message>
     <message>
         <source>The disc grows more slowly behind the focus than in front of it. So the sharp range reaches farther behind. Look from above: from the focus it is 0.713 m to the near limit, and 0.998 m to the far one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookuse taga kasvab ketas aeglasemalt kui selle ees. Seepärast ulatub terav vahemik taga kaugemale. Vaadake ülalt: fookusest lähema piirini on 0.713 m ja kaugemani 0.998 m.</translation>
     </message>
     <message>
         <source>Only there are points drawn as points, but discs up to {0} pass for points. Look from above: the sharp range goes on behind the focus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult seal joonistatakse punktid punktidena, aga kettaid kuni {0} peetakse punktideks. Vaadake ülalt: terav vahemik jätkub fookuse taga.</translation>
     </message>
     <message>
         <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga ainult see, mis on 5 m kaugusel: 6 m kaugusel olev on kaugemast piirist 2 mm tagapool.</translation>
     </message>
     <message>
         <source>The two limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks piiri</translation>
     </message>
     <message>
         <source>For the focal length {0}, the aperture {1}, the circle of confusion {2} and the focus at {3},</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui fookuskaugus on {0}, diafragma {1}, hajumisring {2} ja fookus kaugusel {3}, siis</translation>
     </message>
     <message>
         <source>and the picture is sharp from {0} to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>ja pilt on terav kaugusest {0} kauguseni {1}.</translation>
     </message>
     <message>
         <source>Here {0} m, {1}, and so from {2} to {3} m. The World pane shows the three planes from above.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0} m, {1}, seega kaugusest {2} kauguseni {3} m. Paan Maailm näitab kolme tasandit ülalt.</translation>
     </message>
     <message>
         <source>Sharp without end</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõputult terav</translation>
     </message>
     <message>
         <source>Make everything far away sharp: move the far limit to infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke kõik kaugel olev teravaks: viige kaugem piir lõpmatusse.</translation>
     </message>
     <message>
         <source>When does {0} become 0?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millal saab {0} nulliks 0?</translation>
     </message>
     <message>
         <source>Focus at the hyperfocal distance H or farther away, or stop the lens down with a larger N until H is nearer than the focus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teravustage hüperfokaalsele kaugusele H või kaugemale või suurendage diafragmat N, kuni H on fookusest lähemal.</translation>
     </message>
     <message>
         <source>From {0} on, {1} is 1 or more. If you focus exactly at {2}, everything from {3} on is sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alates {0} on {1} 1 või rohkem. Kui teravustate täpselt kaugusele {2}, on kõik alates kaugusest {3} terav.</translation>
     </message>
     <message>
         <source>By the formula</source>
-        <translation type="unfinished">Valemi järgi</translation>
+        <translation>Valemi järgi</translation>
     </message>
     <message>
         <source>A 50-mm lens with {0} and {1} mm is focused at 4 m. Up to how many metres is it sharp?</source>
-        <translation type="unfinished"></translation>
+        <translation>50-mm objektiiv, mille {0} ja {1} mm, on teravustatud 4 m peale. Mitme meetrini on see terav?</translation>
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The disc grows more slowly behind the focus, so the far limit is farther away. Look from above: the far limit is farther from the focus than the near one.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on fookuse taga sama kaugel, kui lähem piir on selle ees. Fookuse taga kasvab ketas aeglasemalt, seega on kaugem piir kaugemal. Vaadake ülalt: kaugem piir on fookusest kaugemal kui lähem.</translation>
     </message>
     <message>
         <source>{0} m, {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} m, {1} ja {2}.</translation>
     </message>
     <message>
         <source>First {0}, in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne {0}, meetrites.</translation>
     </message>
     <message>
         <source>Posts at 3 m and at 6 m are exactly at the two limits. At how many metres is the focus?</source>
-        <translation type="unfinished"></translation>
+        <translation>Postid 3 m ja 6 m kaugusel on täpselt kahel piiril. Mitme meetri kaugusel on fookus?</translation>
     </message>
     <message>
         <source>This puts the focus half-way between the limits. The disc grows more slowly behind the focus, so the focus is closer to the near limit; what is half-way is one over the distance, between {0} and {1}. Look from above at the focus 4.5 with a near limit of 3: the far limit is 9, not 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse fookus piiride vahel poolele teele. Fookuse taga kasvab ketas aeglasemalt, seega on fookus lähemale piirile lähemal; poolel teel on kauguse pöördarv, {0} ja {1} vahel. Vaadake ülalt fookust 4.5, mille lähem piir on 3: kaugem piir on 9, mitte 6.</translation>
     </message>
     <message>
         <source>{0} is the middle of {1} and {2}: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on {1} ja {2} keskkoht: {3}.</translation>
     </message>
     <message>
         <source>Which number is as far from {0} as from {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline arv on suurusest {0} sama kaugel kui suurusest {1}?</translation>
     </message>
     <message>
         <source>Back to the limits</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi piiride juurde</translation>
     </message>
     <message>
         <source>Half in front and half behind was tempting, because the disc is 0 at the focus and grows on both sides. But it does not grow equally: it is proportional to {0}, and one over the distance changes more slowly the farther away you are. So the far limit is always farther from the focus than the near one, and from the hyperfocal distance on it is at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool ees ja pool taga oli ahvatlev, sest ketas on fookuses 0 ja kasvab mõlemal pool. Aga see ei kasva võrdselt: see on võrdeline suurusega {0}, ja kauguse pöördarv muutub seda aeglasemalt, mida kaugemal te olete. Seepärast on kaugem piir fookusest alati kaugemal kui lähem ja alates hüperfokaalsest kaugusest on see lõpmatuses.</translation>
     </message>
     <message>
         <source>Practise: the far limit</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaugem piir</translation>
     </message>
     <message>
         <source>With {0} and {1}, all in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin {0} ja {1}, kõik meetrites.</translation>
     </message>
     <message>
         <source>A lens with {0} mm and {1} is focused at {2} m, with {3} mm. Up to how many metres is the picture sharp?</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiiv, mille {0} mm ja {1}, on teravustatud kaugusele {2} m, kui {3} mm. Mitme meetrini on pilt terav?</translation>
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The limits are {0} and {1}; the far one is farther from the focus. Look from above: it is farther from the focus than the near one.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on fookuse taga sama kaugel, kui lähem piir on selle ees. Piirid on {0} ja {1}; kaugem neist on fookusest kaugemal. Vaadake ülalt: see on fookusest kaugemal kui lähem piir.</translation>
     </message>
     <message>
         <source>Both limits have a plus</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemal piiril on pluss</translation>
     </message>
     <message>
         <source>This is the near limit, {0}. Behind the focus it is {1}. Look from above: the far limit lies behind the focus.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on lähem piir, {0}. Fookuse taga on see {1}. Vaadake ülalt: kaugem piir on fookuse taga.</translation>
     </message>
     <message>
         <source>First {0}, in metres: {1} mm are {2} m, and 0.03 mm are 0.00003 m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne {0}, meetrites: {1} mm on {2} m ja 0.03 mm on 0.00003 m.</translation>
     </message>
     <message>
         <source>Then {0}, and the far limit {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis {0} ja kaugem piir {1}.</translation>
     </message>
     <message>
         <source>Here {0} is {1} m, and {2} is {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin võrdub {0} arvuga {1} m ja {2} arvuga {3}.</translation>
     </message>
     <message>
         <source>Practise: where does it end?</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kus see lõpeb?</translation>
     </message>
     <message>
         <source>You look down on the lens and the posts, which are 2, 3, 4, 5, 6, 8, 10, 12, 15 and 20 m away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatate ülalt objektiivi ja poste, mis on 2, 3, 4, 5, 6, 8, 10, 12, 15 ja 20 m kaugusel.</translation>
     </message>
     <message>
         <source>The lens has {0} mm and is focused at {1} m. It is stopped down to {2}, so that {3} m. Mark where on the axis, the middle line ahead of the eye, the sharp range now ends.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiivil on {0} mm ja see on teravustatud {1} m peale. Diafragmaks on seatud {2}, nii et {3} m. Märkige, kus teljel, mis on keskmine joon silma ees, terav vahemik nüüd lõpeb.</translation>
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The far limit, {0}, is farther away. Look from above at both limits.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on fookuse taga sama kaugel, kui lähem piir on selle ees. Kaugem piir, {0}, on kaugemal. Vaadake ülalt mõlemat piiri.</translation>
     </message>
     <message>
         <source>The far limit is {0}. Find its distance between the posts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugem piir on {0}. Leidke selle kaugus postide vahelt.</translation>
     </message>
     <message>
         <source>{0}, so the range ends at {1} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, seega lõpeb vahemik kaugusel {1} m.</translation>
     </message>
     <message>
         <source>Practise: sharp from here to there</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: terav siit sinna</translation>
     </message>
     <message>
         <source>With {0} the picture is sharp from {1} to {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, on pilt terav kaugusest {1} kauguseni {2}.</translation>
     </message>
     <message>
         <source>This lens has {0} mm and {1} mm. Set its focal distance {2} and its aperture {3} so that the picture is sharp from {4} m to {5} m.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sellel objektiivil on {0} mm ja {1} mm. Seadke selle teravustamiskaugus {2} ja diafragma {3} nii, et pilt on terav kaugusest {4} m kauguseni {5} m.</translation>
     </message>
     <message>
         <source>{0} is the middle of {1} and {2}, so {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on {1} ja {2} keskkoht, seega {3}.</translation>
     </message>
     <message>
         <source>The focus at {0} m gives {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fookus kaugusel {0} m annab {1}.</translation>
     </message>
     <message>
         <source>{0}, all in metres.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kõik meetrites.</translation>
     </message>
     <message>
         <source>{0} {1} {2} m, from {3} m to {4} m; and {5} {6}, with {7}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} {1} {2} m, kaugusest {3} m kauguseni {4} m; ja {5} {6}, kus {7}.</translation>
     </message>
     <message>
         <source>The far limit is farther from the focus than the near one. Look from above at the focus {0} with a near limit of {1}: the far limit is beyond {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugem piir on fookusest kaugemal kui lähem. Vaadake ülalt fookust {0}, mille lähem piir on {1}: kaugem piir on kaugemal kui {2}.</translation>
     </message>
 </context>
 <context>
     <name>l25-how-many-bits</name>
     <message>
         <source>How many bits does a picture need?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu bitti pilt vajab?</translation>
     </message>
     <message>
         <source>More places than pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohkem kohti kui piksleid</translation>
     </message>
     <message>
         <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene&apos;s longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>16-bitisel koordinaadil on 65 536 kohta. Siin on need jaotatud üle stseeni pikima külje, 8 ühiku, ja pildi laius on 320 pikslit. Iga nool paanis **Pilt** osutab sellest kohast, kuhu tipp kuulub, selle poole, kuhu see joonistatakse, suurendatud 10 000 korda. Külgriba ütleb, kui suur on pildi tipu viga kõige rohkem: 0.002 pikslit.</translation>
     </message>
     <message>
         <source>The camera comes up to a corner of the F, as near as 0.01 units. How far off is the corner now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera tuleb F-i ühe nurga juurde, kuni 0.01 ühiku kaugusele. Kui suur on nüüd selle nurga viga?</translation>
     </message>
     <message>
         <source>Nothing that can be seen: 65 536 places are more than 320 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Midagi ei ole näha: 65 536 kohta on rohkem kui 320 pikslit</translation>
     </message>
     <message>
         <source>The places are spread over the whole scene, and the picture now shows a small part of it. Look at the corner: from one place to the next are 3.3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohad on jaotatud üle kogu stseeni ja pilt näitab nüüd sellest väikest osa. Vaadake nurka: ühest kohast teiseni on 3.3 pikslit.</translation>
     </message>
     <message>
         <source>0.002 pixels, as before: the vertex is stored as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>0.002 pikslit, nagu enne: tipp on salvestatud nii, nagu see oli</translation>
     </message>
     <message>
         <source>The vertex is off by the same length, but here a unit fills 27 000 pixels. Look at the corner: it is off by more than a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipu viga on sama pikk, aga siin täidab ühik 27 000 pikslit. Vaadake nurka: selle viga on rohkem kui üks piksel.</translation>
     </message>
     <message>
         <source>By up to 1.6 pixels across, and as much down</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuni 1.6 pikslit kõrvale ja sama palju alla</translation>
     </message>
     <message>
         <source>The places are 0.00012 units apart wherever you look. At 0.01 units from the eye, a unit fills 27 000 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohtade vahe on 0.00012 ühikut, ükskõik kuhu te vaatate. 0.01 ühiku kaugusel silmast täidab ühik 27 000 pikslit.</translation>
     </message>
     <message>
         <source>From bits to pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Bittidest piksliteni</translation>
     </message>
     <message>
         <source>With {0} bits over a side {1} the places are {2} apart. A coordinate goes to the nearest place, so it is off by half of that at most. At the depth {3} a picture {4} pixels high shows {5} units, and so</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui küljel {1} on {0} bitti, on kohtade vahe {2}. Koordinaat läheb lähimasse kohta, nii et selle viga on ülimalt pool sellest. Sügavusel {3} näitab {4} piksli kõrgune pilt {5} ühikut, seega</translation>
     </message>
     <message>
         <source>With 8 bits: {0} units. At the target, {1}, a unit fills {2} pixels, so one coordinate is off by up to 0.37 pixels. Three coordinates together, nearer to the eye, make a little more. The *predicted* number in the dock is such a bound: no error is larger.</source>
-        <translation type="unfinished"></translation>
+        <translation>8 bitiga: {0} ühikut. Sihtpunkti kaugusel, {1}, täidab ühik {2} pikslit, nii et ühe koordinaadi viga on kuni 0.37 pikslit. Kolm koordinaati koos, silmale lähemal, annavad natuke rohkem. Külgribal *ennustatud* arv on selline tõke: ükski viga ei ole sellest suurem.</translation>
     </message>
     <message>
         <source>With 12 bits instead of 8, over the same side of 8 units: by how many units is a coordinate off at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>12 bitiga 8 asemel, üle sama 8 ühiku pikkuse külje: mitu ühikut on koordinaadi viga kõige rohkem?</translation>
     </message>
     <message>
         <source>The gap is the error</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahe on viga</translation>
     </message>
     <message>
         <source>This is the distance between two places. The coordinate goes to the nearer one, so it is off by half of it at most. Look at the picture with 12 bits, and at *predicted* in the panel.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kahe koha vahe. Koordinaat läheb lähemasse, nii et selle viga on ülimalt pool sellest. Vaadake 12-bitist pilti ja paneelil arvu *ennustatud*.</translation>
     </message>
     <message>
         <source>{0} units from place to place, and half of that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ühikut kohast kohani, ja pool sellest.</translation>
     </message>
     <message>
         <source>12 bits have {0} places, and one gap less.</source>
-        <translation type="unfinished"></translation>
+        <translation>12 bitil on {0} kohta ja vahesid ühe võrra vähem.</translation>
     </message>
     <message>
         <source>Where you stand</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus te seisate</translation>
     </message>
     <message>
         <source>Still 8 bits: nothing about the stored vertices changes in this step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Endiselt 8 bitti: salvestatud tippude juures ei muutu selles sammus midagi.</translation>
     </message>
     <message>
         <source>Make the largest measured error smaller than 0.3 pixels, and leave the 8 bits as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke suurim mõõdetud viga väiksemaks kui 0.3 pikslit ja jätke 8 bitti nii, nagu need on.</translation>
     </message>
     <message>
         <source>What stands in the denominator of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on suuruse {0} nimetajas?</translation>
     </message>
     <message>
         <source>Move Distance to the right. A wider Field of view helps, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihutage Kaugust paremale. Aitab ka laiem Frustumi nurk.</translation>
     </message>
     <message>
         <source>Fewer pixels for each unit, fewer pixels of error. A game may use 8 bits for a far mountain and 16 for the sword in your hand.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähem piksleid ühiku kohta, vähem piksleid viga. Mäng võib kasutada 8 bitti kauge mäe jaoks ja 16 mõõga jaoks teie käes.</translation>
     </message>
     <message>
         <source>A vertex at the depth 10 is 0.4 pixels off. The camera comes nearer, to the depth 5. How many pixels is it off now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipu viga sügavusel 10 on 0.4 pikslit. Kaamera tuleb lähemale, sügavusele 5. Mitu pikslit on viga nüüd?</translation>
     </message>
     <message>
         <source>The vertex is off by the same length, but at half the depth a unit has twice as many pixels. Look at the arrows from nearer by: they are longer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipu viga on sama pikk, aga poole väiksemal sügavusel on ühikus kaks korda rohkem piksleid. Vaadake nooli lähemalt: need on pikemad.</translation>
     </message>
     <message>
         <source>{0} has {1} in its denominator: at half the depth every length, and every error, is drawn twice as long.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suuruse {0} nimetajas on {1}: poole väiksemal sügavusel joonistatakse iga pikkus ja iga viga kaks korda pikemana.</translation>
     </message>
     <message>
         <source>Far from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunktist kaugel</translation>
     </message>
     <message>
         <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world&apos;s origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd on tipud ja aritmeetika float32, umbes 7 kümnendnumbrit. Maailma alguspunkt viiakse 1 000 000 ühiku kaugusele ja kõik muu jääb oma kohale: kaamera ja F on naabrid, kaugel väljas. Nende koordinaadid on nüüd umbes 1 000 000 ja maatriks lahutab need teineteisest.</translation>
     </message>
     <message>
         <source>A float32 has 24 significant bits. How far apart are its numbers near 1 000 000, which lies between {0} and {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>float32-l on 24 tüvebitti. Kui suur on selle arvude vahe arvu 1 000 000 lähedal, mis on {0} ja {1} vahel?</translation>
     </message>
     <message>
         <source>A float32 keeps 24 bits, so its numbers near 1 000 000 are apart by what the last bit counts. Look at the F: its corners are at such places only.</source>
-        <translation type="unfinished"></translation>
+        <translation>float32 hoiab alles 24 bitti, nii et arvu 1 000 000 lähedal on selle arvude vahe nii suur, kui on väärt viimane bitt. Vaadake F-i: selle nurgad on ainult sellistel kohtadel.</translation>
     </message>
     <message>
         <source>The first of 24 bits counts {0}, the last one {1}: one sixteenth of a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene bitt 24-st on väärt {0}, viimane {1}: kuueteistkümnendik ühikust.</translation>
     </message>
     <message>
         <source>The first bit counts {0}, the second {1}. What does bit 24 count?</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene bitt on väärt {0}, teine {1}. Kui palju on väärt bitt 24?</translation>
     </message>
     <message>
         <source>A vertex is 10 units from the eye, measured along x, and is stored as the nearest float32. By how many per cent of these 10 units can it be off?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp on silmast piki x-telge mõõdetuna 10 ühiku kaugusel ja salvestatakse lähima float32-na. Mitu protsenti nendest 10 ühikust võib selle viga olla?</translation>
     </message>
     <message>
         <source>The seven digits belong to the coordinate, near 1 000 000. The subtraction takes the leading ones away, and the rounding stays. Look at the F: its corners are off by parts of a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Need seitse numbrit kuuluvad koordinaadile, mis on 1 000 000 lähedal. Lahutamine võtab esimesed ära ja ümardusviga jääb. Vaadake F-i: selle nurkade viga on osa ühikust.</translation>
     </message>
     <message>
         <source>Half a gap, 0.031 units, of 10. The subtraction leaves the error as it is and takes away the digits before it: from 7 digits 2 or 3 are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool vahet, 0.031 ühikut, 10-st. Lahutamine jätab vea samaks ja võtab ära numbrid selle eest: 7 numbrist jääb järele 2 või 3.</translation>
     </message>
     <message>
         <source>Buy what you need</source>
-        <translation type="unfinished"></translation>
+        <translation>Ostke, mida vajate</translation>
     </message>
     <message>
         <source>A console of 1996 had no time for more: vertices were drawn at whole pixels, and textures were stretched over the screen without a divide. Turn the camera slowly and watch the corners of the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>1996. aasta mängukonsoolil rohkemaks aega ei olnud: tipud joonistati täispiksliteks ja tekstuurid venitati ekraanile ilma jagamata. Pöörake kaamerat aeglaselt ja jälgige F-i nurki.</translation>
     </message>
     <message>
         <source>Choose a hardware that stores a vertex in fewer than 5 bytes, with a largest measured error below 0.1 pixels in this picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige riistvara, mis salvestab tipu vähem kui 5 baidiga ja mille suurim mõõdetud viga on sellel pildil alla 0.1 piksli.</translation>
     </message>
     <message>
         <source>8 bits take 3 bytes a vertex. Which others take fewer than 5?</source>
-        <translation type="unfinished"></translation>
+        <translation>8 bitti võtab 3 baiti tipu kohta. Millised teised võtavad vähem kui 5?</translation>
     </message>
     <message>
         <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
-        <translation type="unfinished"></translation>
+        <translation>12 bitti: 4.5 baiti, kui float32-l on 12, ja keegi ei näe vahet pildil, mis on 320 korda 240.</translation>
     </message>
     <message>
         <source>Back to the corner</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi nurga juurde</translation>
     </message>
     <message>
         <source>65 536 places were tempting because no screen has so many columns. But the places belong to the scene, and the pixels to the picture: the number that matters is pixels per place, and you change it with every step. The two pictures draw the corner with 16 bits and with float64. So ask for the error in pixels from where you will stand, and buy the bits for that.</source>
-        <translation type="unfinished"></translation>
+        <translation>65 536 kohta olid ahvatlevad, sest nii palju veerge ei ole ühelgi ekraanil. Aga kohad kuuluvad stseenile ja pikslid pildile: loeb see, mitu pikslit on koha kohta, ja seda muudate te iga sammuga. Need kaks pilti joonistavad nurga 16 bitiga ja float64-ga. Küsige seepärast viga pikslites sealt, kus te seisma hakkate, ja ostke bitid selle jaoks.</translation>
     </message>
     <message>
         <source>16 bits</source>
-        <translation type="unfinished"></translation>
+        <translation>16 bitti</translation>
     </message>
     <message>
         <source>float64</source>
-        <translation type="unfinished"></translation>
+        <translation>float64</translation>
     </message>
     <message>
         <source>Practise: bits and pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: bitid ja pikslid</translation>
     </message>
     <message>
         <source>With {0} bits over a side {1} a coordinate is off by half of {2} at most. Here {3} units, the picture is 240 pixels high, and the field of view is 48°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui küljel {1} on {0} bitti, on koordinaadi viga ülimalt pool suurusest {2}. Siin on {3} ühikut, pildi kõrgus on 240 pikslit ja frustumi nurk 48°.</translation>
     </message>
     <message>
         <source>A vertex is at the depth {0}, and its coordinates have {1} bits. By how many pixels is one of them off in the picture at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Tipp on sügavusel {0} ja selle koordinaatidel on {1} bitti. Mitu pikslit on neist ühe viga pildil kõige rohkem?</translation>
     </message>
     <message>
         <source>This is the distance between two places. The coordinate goes to the nearer one, so it is off by half of it at most. Look at the arrows: each corner goes to the nearer place.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kahe koha vahe. Koordinaat läheb lähemasse, nii et selle viga on ülimalt pool sellest. Vaadake nooli: iga nurk läheb lähemasse kohta.</translation>
     </message>
     <message>
         <source>This takes the tangent of the whole field of view. Half the picture belongs to half of the angle. Look at the picture at 90°: it is {0} high; {1} would be infinite.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kogu frustumi nurga tangens. Pool pilti kuulub poole nurga juurde. Vaadake pilti 90° juures: selle kõrgus on {0}; {1} oleks lõpmatu.</translation>
     </message>
     <message>
         <source>How many units is a coordinate off at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu ühikut on koordinaadi viga kõige rohkem?</translation>
     </message>
     <message>
         <source>At the depth {0} the picture shows {1} units, from bottom to top, in 240 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusel {0} näitab pilt alt üles {1} ühikut 240 pikslis.</translation>
     </message>
     <message>
         <source>The coordinate is off by up to {0} units, and a unit at this depth has {1} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaadi viga on kuni {0} ühikut ja ühikus on sellel sügavusel {1} pikslit.</translation>
     </message>
     <message>
         <source>Practise: far from the origin</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: alguspunktist kaugel</translation>
     </message>
     <message>
         <source>A float32 has 24 significant bits. The world&apos;s origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>float32-l on 24 tüvebitti. Maailma alguspunkt on piki x-telge kaugele viidud, nii et F-i koordinaadid on umbes sama suured kui alguspunkti kaugus.</translation>
     </message>
     <message>
         <source>The origin is {0} units away. This number lies between {1} and {2}, which are powers of 2. By how many units is a float32 near it off at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunkt on {0} ühiku kaugusel. See arv on {1} ja {2} vahel, mis on 2 astmed. Mitu ühikut on selle lähedal float32 viga kõige rohkem?</translation>
     </message>
     <message>
         <source>This is the distance between two numbers. A coordinate becomes the nearer one, so it is off by half of it at most. Look at the arrows: each corner goes to the nearer number.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kahe arvu vahe. Koordinaadist saab lähem neist, nii et selle viga on ülimalt pool sellest. Vaadake nooli: iga nurk läheb lähema arvu juurde.</translation>
     </message>
     <message>
         <source>A float32 has 24 bits, and its numbers lie as far apart as the last bit counts: a power of 2, not of 10. Look at the arrows: each corner goes to the nearer number.</source>
-        <translation type="unfinished"></translation>
+        <translation>float32-l on 24 bitti ja selle arvude vahe on nii suur, kui on väärt viimane bitt: see on 2 aste, mitte 10 aste. Vaadake nooli: iga nurk läheb lähema arvu juurde.</translation>
     </message>
     <message>
         <source>24 bits are 24 halvings</source>
-        <translation type="unfinished"></translation>
+        <translation>24 bitti on 24 poolitamist</translation>
     </message>
     <message>
         <source>This counts 25 bits. The first of 24 bits counts {0}, so the last one counts {1}{2}: from the first to the last it is halved 23 times. Look at the arrows: each corner goes to the nearer number.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse 25 bitti. Esimene bitt 24-st on väärt {0}, seega on viimane väärt {1}{2}: esimesest viimaseni poolitatakse seda 23 korda. Vaadake nooli: iga nurk läheb lähema arvu juurde.</translation>
     </message>
     <message>
         <source>The first bit counts {0}, the second half of that. What does bit 24 count?</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene bitt on väärt {0}, teine poole sellest. Kui palju on väärt bitt 24?</translation>
     </message>
     <message>
         <source>The numbers are as far apart as bit 24 counts.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvude vahe on nii suur, kui on väärt bitt 24.</translation>
     </message>
     <message>
         <source>Bit 24 counts {0}{1}, and half of that is the largest error.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bitt 24 on väärt {0}{1} ja pool sellest on suurim viga.</translation>
     </message>
     <message>
         <source>Practise: stand where it is good enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: seiske seal, kus sellest piisab</translation>
     </message>
     <message>
         <source>With 8 bits over 8 units a coordinate is off by half of {0} at most. The field of view is 53.13°: at the depth {1} the picture is exactly {2} units high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui 8 ühikul on 8 bitti, on koordinaadi viga ülimalt pool suurusest {0}. Frustumi nurk on 53.13°: sügavusel {1} on pildi kõrgus täpselt {2} ühikut.</translation>
     </message>
     <message>
         <source>Keep the 8 bits and the {0} pixels of height, and move the camera until a coordinate of a vertex at the target is off by up to {1} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jätke 8 bitti ja pildi kõrguseks {0} pikslit ning liigutage kaamerat, kuni sihtpunkti juures oleva tipu koordinaadi viga on kuni {1} pikslit.</translation>
     </message>
     <message>
         <source>This takes the distance between two places for the error. The coordinate goes to the nearer place, so it is off by half of that at most. Look at the F from where you stand: it is smaller than it has to be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse veaks kahe koha vahe. Koordinaat läheb lähemasse kohta, nii et selle viga on ülimalt pool sellest. Vaadake F-i sealt, kus te seisate: see on väiksem, kui vaja.</translation>
     </message>
     <message>
         <source>How many units is a coordinate off at most? And how many pixels has a unit at the target?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu ühikut on koordinaadi viga kõige rohkem? Ja mitu pikslit on sihtpunkti kaugusel ühikus?</translation>
     </message>
     <message>
         <source>{0} must be {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} peab olema {1}.</translation>
     </message>
 </context>
 <context>
     <name>l26-small-errors</name>
     <message>
         <source>Small errors that grow</source>
-        <translation type="unfinished"></translation>
+        <translation>Väikesed vead, mis kasvavad</translation>
     </message>
     <message>
         <source>Round and round</source>
-        <translation type="unfinished"></translation>
+        <translation>Ringi ja ringi</translation>
     </message>
     <message>
         <source>A camera turns by 1° a frame: each frame multiplies its axes by the same matrix, in float32, and every product is rounded. After 360 frames it should be home. It is off by 0.003 pixels. In **Image** this is drawn 20 000 times as large, beside the pale true picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera pöördub iga kaadriga 1°: iga kaader korrutab selle teljed sama maatriksiga, float32-s, ja iga korrutis ümardatakse. Pärast 360 kaadrit peaks see olema lähtekohas tagasi. Selle viga on 0.003 pikslit. Paanis **Pilt** on see joonistatud 20 000 korda suuremana, kahvatu õige pildi kõrvale.</translation>
     </message>
     <message>
         <source>Now the axes are made orthonormal every tenth frame, with a fast inverse square root that is off by up to 0.18 %. The numbers are still float32. How far off is the picture after one round?</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd tehakse teljed iga kümnenda kaadriga ortonormeerituks kiire pöördruutjuurega, mille viga on kuni 0.18 %. Arvud on endiselt float32. Kui suur on pildi viga pärast üht ringi?</translation>
     </message>
     <message>
         <source>0.003 pixels, as before: float32 has 7 digits, so a round of 360 steps keeps 5</source>
-        <translation type="unfinished"></translation>
+        <translation>0.003 pikslit, nagu enne: float32-l on 7 numbrit, nii et 360 sammuga ring jätab alles 5</translation>
     </message>
     <message>
         <source>The format has its 7 digits, but each step uses a root that has 3. Look at the two letters: they are 6 pixels apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vormingul on oma 7 numbrit, aga iga samm kasutab juurt, millel on neid 3. Vaadake kaht tähte: nende vahe on 6 pikslit.</translation>
     </message>
     <message>
         <source>Less than before: renormalising puts the axes right</source>
-        <translation type="unfinished"></translation>
+        <translation>Väiksem kui enne: uuesti normeerimine seab teljed õigeks</translation>
     </message>
     <message>
         <source>It puts their lengths right, not where they point to. Look at the two letters: they are farther apart than without it.</source>
-        <translation type="unfinished"></translation>
+        <translation>See seab õigeks nende pikkused, mitte selle, kuhu need näitavad. Vaadake kaht tähte: nende vahe on suurem kui ilma selleta.</translation>
     </message>
     <message>
         <source>About 6 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Umbes 6 pikslit</translation>
     </message>
     <message>
         <source>One axis comes out shorter than the others by 0.17 %. Each turn mixes the three, so each turn is a little too large or too small, always in the same direction.</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks telg tuleb teistest 0.17 % lühem. Iga pööre segab kõiki kolme, nii et iga pööre on natuke liiga suur või liiga väike, alati samas suunas.</translation>
     </message>
     <message>
         <source>The same error again and again</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama viga ikka ja jälle</translation>
     </message>
     <message>
         <source>Such an error is no chance. Each round adds about as much as the one before, and the errors of {0} rounds are {1} times as large. After one round the dock says that an axis leans by {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Selline viga ei ole juhus. Iga ring lisab umbes sama palju kui eelmine ja pärast {0} ringi on viga {1} korda suurem. Pärast üht ringi ütleb külgriba, et telg on {2} viltu.</translation>
     </message>
     <message>
         <source>Turn the camera until the picture is off by more than 50 pixels, with nothing else changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörake kaamerat, kuni pildi viga on rohkem kui 50 pikslit, midagi muud muutmata.</translation>
     </message>
     <message>
         <source>How many rounds is that, at 6 pixels a round?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu ringi see on, kui ring lisab 6 pikslit?</translation>
     </message>
     <message>
         <source>Move Rounds to the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihutage Ringe paremale.</translation>
     </message>
     <message>
         <source>9 or 10 rounds are enough: a minute at 60 frames a second.</source>
-        <translation type="unfinished"></translation>
+        <translation>9 või 10 ringist piisab: minut, kui sekundis on 60 kaadrit.</translation>
     </message>
     <message>
         <source>An axis leans by 0.5° and the field of view is 40° in a picture of 720 lines. By how many pixels does that move what is in the middle of the picture, at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Telg on 0.5° viltu ja frustumi nurk on 40° pildil, millel on 720 rida. Mitu pikslit nihutab see kõige rohkem seda, mis on pildi keskel?</translation>
     </message>
     <message>
         <source>This gives every degree as many pixels. In the middle a degree has fewer of them than at the border. Look at the picture at 140°: there the difference is large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii antakse igale kraadile sama palju piksleid. Keskel on kraadis neid vähem kui servas. Vaadake pilti 140° juures: seal on vahe suur.</translation>
     </message>
     <message>
         <source>The middle is at the distance 1 on a plane that is {0} high and has 720 pixels, and it moves by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Keskkoht on kaugusel 1 tasandil, mille kõrgus on {0} ja millel on 720 pikslit, ning see nihkub {1} võrra.</translation>
     </message>
     <message>
         <source>How high is a plane at the distance 1, and by how much does the middle move on it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui kõrge on tasand kaugusel 1 ja kui palju keskkoht sellel nihkub?</translation>
     </message>
     <message>
         <source>Lengths come back, directions do not</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikkused tulevad tagasi, suunad mitte</translation>
     </message>
     <message>
         <source>With exact roots, renormalising is worth something: it keeps the lengths to all digits. But nobody remembers where the axes should point to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Täpsete juurtega on uuesti normeerimisest kasu: see hoiab pikkused kõigi numbrikohtadeni õiged. Aga kuhu teljed näitama peaksid, ei mäleta keegi.</translation>
     </message>
     <message>
         <source>100 rounds of products alone make an axis too long or too short by 0.043 %. Make that less than 0.000001 %, and leave the rounds and the format as they are.</source>
-        <translation type="unfinished"></translation>
+        <translation>100 ringi ainult korrutistega teevad telje 0.043 % liiga pikaks või liiga lühikeseks. Tehke see väiksemaks kui 0.000001 % ning jätke ringid ja vorming nii, nagu need on.</translation>
     </message>
     <message>
         <source>That is another way: it makes the axes afresh from the angle of each frame, and multiplies nothing. Look at *Turned by*: one of the others keeps the products and mends the lengths.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on teistsugune viis: see teeb teljed iga kaadri nurgast uuesti ega korruta midagi. Vaadake sätet *Pöördenurk*: üks teistest jätab korrutised alles ja parandab pikkused.</translation>
     </message>
     <message>
         <source>Which way divides each axis by its length, and exactly?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline viis jagab iga telje tema pikkusega, ja täpselt?</translation>
     </message>
     <message>
         <source>The lengths are right to ten digits. But an axis still leans by 0.0008°: less than before, and not nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikkused on kümne numbrini õiged. Aga telg on endiselt 0.0008° viltu: vähem kui enne, kuid mitte null.</translation>
     </message>
     <message>
         <source>A step that is too small</source>
-        <translation type="unfinished"></translation>
+        <translation>Liiga väike samm</translation>
     </message>
     <message>
         <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye&apos;s x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm liigub paremale, iga kaadriga 1 mm. Ühik on 1 m ja koordinaatide alguspunkt on 50 km kaugusel: silma x on 30 000. Paanis **Pilt** on igal kaadril ülalt alla oma joon: kui palju on P kõrvale liikunud, sujuva tee kõrval.</translation>
     </message>
     <message>
         <source>x lies between {0} and {1}. How many millimetres are two neighbouring float32 apart there?</source>
-        <translation type="unfinished"></translation>
+        <translation>x on {0} ja {1} vahel. Mitu millimeetrit on seal kahe naabruses oleva float32 vahe?</translation>
     </message>
     <message>
         <source>A float32 has 24 bits, and its numbers lie as far apart as the last of them counts: a power of 2. Look at the frames: P stands still in half of them, not in two of three.</source>
-        <translation type="unfinished"></translation>
+        <translation>float32-l on 24 bitti ja selle arvude vahe on nii suur, kui on väärt viimane neist: see on 2 aste. Vaadake kaadreid: P seisab paigal pooltes neist, mitte kahes kolmest.</translation>
     </message>
     <message>
         <source>The first of 24 bits counts {0} m, the last one {1} m: 1.95 mm. The eye moves by 1 mm, so it stands still in about every second frame.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene bitt 24-st on väärt {0} m, viimane {1} m: 1.95 mm. Silm liigub 1 mm, nii et see seisab paigal umbes igas teises kaadris.</translation>
     </message>
     <message>
         <source>The first bit counts {0}. What does bit 24 count?</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimene bitt on väärt {0}. Kui palju on väärt bitt 24?</translation>
     </message>
     <message>
         <source>From the middle of the Earth</source>
-        <translation type="unfinished"></translation>
+        <translation>Maakera keskpunktist</translation>
     </message>
     <message>
         <source>Maps of the whole Earth measure from its middle, 6 371 km away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kogu Maa kaardid mõõdavad selle keskpunktist, mis on 6 371 km kaugusel.</translation>
     </message>
     <message>
         <source>The origin moves there. How far does P jump from one frame to the next, at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunkt viiakse sinna. Kui kaugele hüppab P ühest kaadrist teise kõige rohkem?</translation>
     </message>
     <message>
         <source>0.4 pixels, as from 50 km: the eye moves by a millimetre, and both numbers keep 7 digits</source>
-        <translation type="unfinished"></translation>
+        <translation>0.4 pikslit, nagu 50 km kauguselt: silm liigub millimeetri ja mõlemad arvud hoiavad 7 numbrit</translation>
     </message>
     <message>
         <source>The seven digits of 3 822 600 are all before the point. Look at the path: it stands still, and then jumps once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Arvu 3 822 600 kõik seitse numbrit on enne koma. Vaadake teed: see seisab paigal ja hüppab siis ühe korra.</translation>
     </message>
     <message>
         <source>40 pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>40 pikslit</translation>
     </message>
     <message>
         <source>Not at all: the eye moves by less than the numbers can say</source>
-        <translation type="unfinished"></translation>
+        <translation>Üldse mitte: silm liigub vähem, kui arvud suudavad öelda</translation>
     </message>
     <message>
         <source>Too small a step never counts</source>
-        <translation type="unfinished"></translation>
+        <translation>Liiga väike samm ei loe kunagi</translation>
     </message>
     <message>
         <source>The eye is not where it was stored: it goes on, and at some frame another float32 is nearer. Look at the path: there it jumps by all that was missed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm ei ole seal, kuhu see salvestati: see läheb edasi ja mõnes kaadris on teine float32 lähemal. Vaadake teed: seal hüppab see kõige vahele jäänu võrra.</translation>
     </message>
     <message>
         <source>Neighbouring float32 are 0.25 m apart there, and 0.25 m at P fill 40 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naabruses olevate float32 vahe on seal 0.25 m ja 0.25 m punkti P juures täidab 40 pikslit.</translation>
     </message>
     <message>
         <source>Subtract first</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne lahutage</translation>
     </message>
     <message>
         <source>What is large is not needed: only the difference of vertex and eye is drawn. If both are measured from the object, or in two floats each, small differences stay small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seda, mis on suur, ei ole vaja: joonistatakse ainult tipu ja silma vahe. Kui mõlemat mõõta objektist või kumbagi kahe ujukomaarvuga, jäävad väikesed vahed väikeseks.</translation>
     </message>
     <message>
         <source>Make P move smoothly, by less than 0.2 pixels in every frame, with the origin still in the middle of the Earth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et P liigub sujuvalt, igas kaadris vähem kui 0.2 pikslit, alguspunkt ikka Maa keskpunktis.</translation>
     </message>
     <message>
         <source>Which coordinates are large without need?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millised koordinaadid on asjata suured?</translation>
     </message>
     <message>
         <source>From the object it costs nothing: the same 12 bytes a vertex, and the same one subtraction. Two floats cost twice the bytes and three times the work, and need no object.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektist mõõtmine ei maksa midagi: samad 12 baiti tipu kohta ja sama üks lahutamine. Kaks ujukomaarvu maksavad kaks korda rohkem baite ja kolm korda rohkem tööd ning ei vaja objekti.</translation>
     </message>
     <message>
         <source>Practise: from a lean to pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kaldest piksliteni</translation>
     </message>
     <message>
         <source>A camera that leans by {0} moves the middle of a picture of {1} pixels by {2} at most.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera, mis on {0} viltu, nihutab {1} piksli kõrguse pildi keskkohta ülimalt {2}.</translation>
     </message>
     <message>
         <source>Each round adds {0}° to the lean, and the camera goes {1} rounds. The field of view is {2}°, and the picture is 720 pixels high. By how many pixels has its middle moved at most?</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga ring lisab kaldele {0}° ja kaamera teeb {1} ringi. Frustumi nurk on {2}° ja pildi kõrgus 720 pikslit. Mitu pikslit on selle keskkoht kõige rohkem nihkunud?</translation>
     </message>
     <message>
         <source>A round is a round</source>
-        <translation type="unfinished"></translation>
+        <translation>Ring on ring</translation>
     </message>
     <message>
         <source>This is the drift of one round. The next round begins where this one ended, and adds its own. Look at the picture after {0} rounds: the letters are farther apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on ühe ringi triiv. Järgmine ring algab seal, kus see lõppes, ja lisab oma. Vaadake pilti pärast {0} ringi: tähtede vahe on suurem.</translation>
     </message>
     <message>
         <source>This takes the tangent of the whole field of view. Half the picture belongs to half of the angle. Look at the picture at 90°: it is {0} high at the distance 1; {1} would be infinite.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse kogu frustumi nurga tangens. Pool pilti kuulub poole nurga juurde. Vaadake pilti 90° juures: kaugusel 1 on selle kõrgus {0}; {1} oleks lõpmatu.</translation>
     </message>
     <message>
         <source>By how many degrees does it lean after {0} rounds?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu kraadi on see pärast {0} ringi viltu?</translation>
     </message>
     <message>
         <source>At the distance 1 the picture is {0} high, and the middle moves by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugusel 1 on pildi kõrgus {0} ja keskkoht nihkub {1} võrra.</translation>
     </message>
     <message>
         <source>It leans by {0}°, and {1} pixels lie between.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on {0}° viltu ja vahele jääb {1} pikslit.</translation>
     </message>
     <message>
         <source>Practise: from a gap to pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: vahest piksliteni</translation>
     </message>
     <message>
         <source>A float32 has 24 bits. Between {0} and {1} its numbers are {2} apart, and an eye that creeps along jumps by that much at a time.</source>
-        <translation type="unfinished"></translation>
+        <translation>float32-l on 24 bitti. {0} ja {1} vahel on selle arvude vahe {2} ja vaikselt edasi nihkuv silm hüppab nii palju korraga.</translation>
     </message>
     <message>
         <source>The eye&apos;s x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma x on {0} m ja {1} m vahel, mis on 2 astmed, ja silm liigub piki x-telge. Mitu pikslit hüppab tipp sügavusel {2} m korraga? Pildi kõrgus on 1080 pikslit ja frustumi nurk 40°.</translation>
     </message>
     <message>
         <source>An eye is off by half a gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Silma viga on pool vahet</translation>
     </message>
     <message>
         <source>Half a gap is how far off the eye is at most, before and after. It goes from one float32 to the next one, by a whole gap. Look at the path: each jump goes from one side of the smooth path to the other.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool vahet on silma viga kõige rohkem, enne ja pärast. See läheb ühest float32-st järgmisse, terve vahe võrra. Vaadake teed: iga hüpe läheb sujuva tee ühelt poolt teisele.</translation>
     </message>
     <message>
         <source>24 bits are 23 halvings</source>
-        <translation type="unfinished"></translation>
+        <translation>24 bitti on 23 poolitamist</translation>
     </message>
     <message>
         <source>This counts 23 bits. The first bit counts {0}, and from the first to the last it is halved 23 times. Look at the path: its jumps are half as wide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse 23 bitti. Esimene bitt on väärt {0} ja esimesest viimaseni poolitatakse seda 23 korda. Vaadake teed: selle hüpped on poole väiksemad.</translation>
     </message>
     <message>
         <source>What does the last of 24 bits count, if the first one counts {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui palju on väärt viimane bitt 24-st, kui esimene on väärt {0}?</translation>
     </message>
     <message>
         <source>At the depth {0} a metre has {1} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusel {0} on meetris {1} pikslit.</translation>
     </message>
     <message>
         <source>The gap is {0}{1} m, and a metre has {2} pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahe on {0}{1} m ja meetris on {2} pikslit.</translation>
     </message>
 </context>
 <context>
     <name>l27-where-precision-goes</name>
     <message>
         <source>Where does precision go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu kaob täpsus?</translation>
     </message>
     <message>
         <source>The floor behind the wall</source>
-        <translation type="unfinished"></translation>
+        <translation>Põrand seina taga</translation>
     </message>
     <message>
         <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritmilisel sügavusel jätkub numbrikohti igale kaugusele. Siin arvutatakse see igas tipus, sest seal on see odav, ja põrand on lähedalt kaugele ühes tükis. Paanis **Pilt** näete seina alusmüüri, mis on põrandast allpool: põrand joonistatakse selle taha. Külgriba ütleb, kui suur on viga: kuni 3.53 korda liiga kaugele.</translation>
     </message>
     <message>
         <source>Far moves from 30 to 1000, and the floor with it, still one piece. Up to how many times too far is it drawn?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand viiakse 30-st 1000-ni ja põrand koos sellega, endiselt ühes tükis. Mitu korda liiga kaugele see kõige rohkem joonistatakse?</translation>
     </message>
     <message>
         <source>Still 3.5 times: that is what a logarithm is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Endiselt 3.5 korda: selleks logaritm ongi</translation>
     </message>
     <message>
         <source>A logarithm would be right at each pixel, whatever far is. Between two vertices it is interpolated, and the error grows with the ratio of their distances. Look at the diagram: the curve stands far above the line in between.</source>
-        <translation type="unfinished"></translation>
+        <translation>Igas pikslis oleks logaritm õige, olgu kaugtasand milline tahes. Kahe tipu vahel see interpoleeritakse ja viga kasvab koos nende kauguste suhtega. Vaadake diagrammi: vahepeal on kõver joonest palju kõrgemal.</translation>
     </message>
     <message>
         <source>53.6 times</source>
-        <translation type="unfinished"></translation>
+        <translation>53.6 korda</translation>
     </message>
     <message>
         <source>1.15 times: the digits are spread over a longer range, as evenly as before</source>
-        <translation type="unfinished"></translation>
+        <translation>1.15 korda: numbrikohad on jaotatud pikemale vahemikule, sama ühtlaselt kui enne</translation>
     </message>
     <message>
         <source>The digits are not the trouble. Between its two ends the floor gets the depth that a straight line has, and the logarithm bends away from it. Look at the diagram: the curve stands far above the line in between.</source>
-        <translation type="unfinished"></translation>
+        <translation>Häda ei ole numbrikohtades. Kahe otsa vahel saab põrand sügavuse, mis on sirgel, ja logaritm kõverdub sellest eemale. Vaadake diagrammi: vahepeal on kõver joonest palju kõrgemal.</translation>
     </message>
     <message>
         <source>Only the two ends of the floor have the right depth. The nearest and the farthest vertex are now 1000 times as far apart as near is from the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Õige sügavus on ainult põranda kahel otsal. Lähim ja kaugeim tipp on nüüd teineteisest 1000 korda nii kaugel, kui on lähitasand silmast.</translation>
     </message>
     <message>
         <source>One over w, and log w</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördarv w-st ja log w</translation>
     </message>
     <message>
         <source>On the screen {0} is linear along a face. A piece runs from the distance {1} to {2}. At the share {3} of it on the screen,</source>
-        <translation type="unfinished"></translation>
+        <translation>Ekraanil on {0} piki tahku lineaarne. Tükk ulatub kauguselt {1} kauguseni {2}. Kui sellest on ekraanil läbitud osa {3}, siis</translation>
     </message>
     <message>
         <source>Interpolated linearly, the logarithms of {0} and {1} give {2} instead. That is too far by the factor</source>
-        <translation type="unfinished"></translation>
+        <translation>Lineaarselt interpoleerides annavad suuruste {0} ja {1} logaritmid hoopis {2}. See on liiga kaugel, kordajaga</translation>
     </message>
     <message>
         <source>Half-way, that is {0}: with {1}, 2.83.</source>
-        <translation type="unfinished"></translation>
+        <translation>Poolel teel on see {0}: kui {1}, siis 2.83.</translation>
     </message>
     <message>
         <source>Near is 1 and far is 100. How many times too far is the floor drawn, half-way along it on the screen?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on 1 ja kaugtasand 100. Mitu korda liiga kaugele joonistatakse põrand, kui ekraanil on sellest läbitud pool?</translation>
     </message>
     <message>
         <source>Half-way is half the distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Poolel teel on pool kaugust</translation>
     </message>
     <message>
         <source>This takes half the distance, 50.5, for the true place. Half-way on the screen is much nearer: there {0} is half-way, and {1}. Look at the diagram: drawn is never nearer than true.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse õigeks kohaks pool kaugust, 50.5. Ekraanil poolel teel on palju lähemal: seal on poolel teel {0}, ja {1}. Vaadake diagrammi: joonistatu ei ole kunagi õigest lähemal.</translation>
     </message>
     <message>
         <source>This would be right if {0} were linear on the screen. Only {1} is. Look at the foundation: the floor is drawn behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>See oleks õige, kui ekraanil oleks lineaarne {0}. Lineaarne on ainult {1}. Vaadake alusmüüri: põrand joonistatakse selle taha.</translation>
     </message>
     <message>
         <source>It is drawn at {0}, and lies at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See joonistatakse kohale {0}, aga asub kohal {1}.</translation>
     </message>
     <message>
         <source>Where is it drawn, and where does it lie?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu see joonistatakse ja kus see asub?</translation>
     </message>
     <message>
         <source>Shorter pieces</source>
-        <translation type="unfinished"></translation>
+        <translation>Lühemad tükid</translation>
     </message>
     <message>
         <source>The factor depends on the ratio {0} of a piece alone. In {1} pieces of equal length from 1 to 30 the nearest one has {2}, and it is the worst.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kordaja sõltub ainult tüki suhtest {0}. Kui võrdse pikkusega tükke on 1-st 30-ni {1}, on lähimal {2}, ja see on kõige halvem.</translation>
     </message>
     <message>
         <source>Draw the floor nowhere more than 1.2 times too far, and still compute the logarithm at the vertices only.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistage põrand nii, et see ei ole kusagil rohkem kui 1.2 korda liiga kaugel, ja arvutage logaritm endiselt ainult tippudes.</translation>
     </message>
     <message>
         <source>What makes the ratio of the nearest piece small?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis teeb lähima tüki suhte väikeseks?</translation>
     </message>
     <message>
         <source>Move Pieces of the floor to the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihutage liugurit Põranda tükid paremale.</translation>
     </message>
     <message>
         <source>13 pieces are enough here. From 1 to 1000 it takes 419: the near pieces need to be short, and the far ones are shorter than they have to be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin piisab 13 tükist. 1-st 1000-ni läheb neid vaja 419: lähedased tükid peavad olema lühikesed ja kauged on lühemad, kui vaja.</translation>
     </message>
     <message>
         <source>Light through the seam</source>
-        <translation type="unfinished"></translation>
+        <translation>Valgus läbi õmbluse</translation>
     </message>
     <message>
         <source>Two meshes share a seam, vertex by vertex. Each stores its coordinates in 8 bits over its own box: the left one is 10 units wide, the right one 3. A vertex of the seam is rounded twice, to two places, and the light behind comes through.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahel võrgul on ühine õmblus, tipp tipu kaupa. Kumbki salvestab oma koordinaadid 8 bitiga üle omaenda risttahuka: vasaku laius on 10 ühikut, parema 3. Õmbluse tipp ümardatakse kaks korda, kahte kohta, ja tagant paistab valgus läbi.</translation>
     </message>
     <message>
         <source>Now 12 bits instead of 8. To how much of it does the largest possible gap shrink?</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd 12 bitti 8 asemel. Kui suureks osaks kahaneb suurim võimalik pilu?</translation>
     </message>
     <message>
         <source>To 66.7 %</source>
-        <translation type="unfinished"></translation>
+        <translation>66.7 %-ni</translation>
     </message>
     <message>
         <source>This counts the bits. Each of them halves both steps, so 4 bits make the gap {0} times as narrow. Look at the seam with 12 bits: it is closed for your eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse bitte. Igaüks neist poolitab mõlemad astmed, nii et 4 bitti teevad pilu {0} korda kitsamaks. Vaadake õmblust 12 bitiga: teie silma jaoks on see suletud.</translation>
     </message>
     <message>
         <source>To 6.23 %</source>
-        <translation type="unfinished"></translation>
+        <translation>6.23 %-ni</translation>
     </message>
     <message>
         <source>To nothing: with 12 bits no error can be seen, so the seam is closed</source>
-        <translation type="unfinished"></translation>
+        <translation>Olematuks: 12 bitiga ei ole ühtki viga näha, seega on õmblus suletud</translation>
     </message>
     <message>
         <source>It is hardly seen from here, but it is there: 1.3 px at most. From ten times as near it would be 13 px. Look at the seam from nearer by.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siit seda peaaegu ei näe, aga see on olemas: ülimalt 1.3 px. Kümme korda lähemalt oleks see 13 px. Vaadake õmblust lähemalt.</translation>
     </message>
     <message>
         <source>A step is the box over {0}: with 4 bits more it is 16 times as short.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aste on risttahukas jagatud arvuga {0}: 4 bitiga rohkem on see 16 korda lühem.</translation>
     </message>
     <message>
         <source>Half a step, and half a step</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool astet ja veel pool astet</translation>
     </message>
     <message>
         <source>On a grid of step {0} a coordinate moves by at most {1}, on another of step {2} by {3}. If they move apart, the copies of the vertex are {4} apart along an axis, and {5} across both. With 8 bits {6} and {7}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ruudustikul, mille aste on {0}, nihkub koordinaat ülimalt {1}, teisel, mille aste on {2}, ülimalt {3}. Kui need nihkuvad lahku, on tipu koopiate vahe piki üht telge {4} ja mõlema telje peale kokku {5}. 8 bitiga on {6} ja {7}.</translation>
     </message>
     <message>
         <source>By how many units are the two copies of a vertex apart at most, along one axis, with 8 bits?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu ühikut on 8 bitiga tipu kahe koopia vahe piki üht telge kõige rohkem?</translation>
     </message>
     <message>
         <source>Only the coarse one errs</source>
-        <translation type="unfinished"></translation>
+        <translation>Eksib ainult jämedam</translation>
     </message>
     <message>
         <source>This lets only the larger mesh round. The smaller one rounds, too, and may go the other way. Look at the diagram: some gaps are wider than yours.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii ümardab ainult suurem võrk. Väiksem ümardab ka ja võib minna teisele poole. Vaadake diagrammi: mõned pilud on teie omast laiemad.</translation>
     </message>
     <message>
         <source>The gap is the error</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahe on viga</translation>
     </message>
     <message>
         <source>A coordinate goes to the nearer place, so each mesh is off by half a step at most. Look at the diagram: no gap reaches the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaat läheb lähemasse kohta, nii et kummagi võrgu viga on ülimalt pool astet. Vaadake diagrammi: ükski pilu ei ulatu jooneni.</translation>
     </message>
     <message>
         <source>{0}. From 1.6 units away, a picture of 1080 lines has 585 px a unit: 14.9 px along an axis, and 21.1 px across both.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. 1.6 ühiku kauguselt on 1080-realisel pildil 585 px ühiku kohta: piki telge 14.9 px ja mõlema telje peale 21.1 px.</translation>
     </message>
     <message>
         <source>Each copy is off by half of its own step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kummagi koopia viga on pool tema enda astmest.</translation>
     </message>
     <message>
         <source>More bits make the gap narrower and never close it. What would?</source>
-        <translation type="unfinished"></translation>
+        <translation>Rohkem bitte teeb pilu kitsamaks, aga ei sulge seda kunagi. Mis sulgeks?</translation>
     </message>
     <message>
         <source>Close the seam, and keep the 3 bytes a vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sulgege õmblus ja jätke tipu kohta 3 baiti.</translation>
     </message>
     <message>
         <source>Why does the same vertex come to lie at two places?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks satub sama tipp kahte kohta?</translation>
     </message>
     <message>
         <source>Let both meshes round to the same places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laske mõlemal võrgul ümardada samadesse kohtadesse.</translation>
     </message>
     <message>
         <source>A common grid: the same vertex, the same grid, the same place. The smaller mesh pays: the vertices of its seam move more than four times as far as on a grid of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühine ruudustik: sama tipp, sama ruudustik, sama koht. Maksab väiksem võrk: selle õmbluse tipud nihkuvad rohkem kui neli korda nii kaugele kui omaenda ruudustikul.</translation>
     </message>
     <message>
         <source>Back from the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildilt tagasi</translation>
     </message>
     <message>
         <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world&apos;s origin is 1 unit from the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel ja selle sügavus viivad tagasi punktini P: korrutage {0} pöördmaatriksiga. Kõik on float32 ja maailma alguspunkt on silmast 1 ühiku kaugusel.</translation>
     </message>
     <message>
         <source>The origin moves to 100 000 units from the eye. How far from P is the point that the inverse leads back to?</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunkt viiakse silmast 100 000 ühiku kaugusele. Kui kaugel on punktist P see punkt, milleni pöördmaatriks tagasi viib?</translation>
     </message>
     <message>
         <source>Nowhere: an inverse undoes what the matrix did</source>
-        <translation type="unfinished"></translation>
+        <translation>Samas kohas: pöördmaatriks võtab tagasi, mida maatriks tegi</translation>
     </message>
     <message>
         <source>On paper it does. Here each product is rounded, and the eye&apos;s coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paberil võtab. Siin ümardatakse iga korrutis ja silma koordinaadid on 100 000: need peidavad need paar ühikut, mida te otsite. Vaadake punkti P ja tagasi tulnud punkti.</translation>
     </message>
     <message>
         <source>By a ten-millionth of its distance: a float32 keeps seven digits</source>
-        <translation type="unfinished"></translation>
+        <translation>Kümnemiljondiku oma kaugusest: float32 hoiab seitset numbrit</translation>
     </message>
     <message>
         <source>The seven digits belong to the coordinates, near 100 000. What is left of P&apos;s distance, 8.3 units, has two. Look at P and at the point that came back.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seitse numbrit kuuluvad koordinaatidele, mis on 100 000 lähedal. P kaugusele, 8.3 ühikut, jääb neid kaks. Vaadake punkti P ja tagasi tulnud punkti.</translation>
     </message>
     <message>
         <source>By several per cent of its distance</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitu protsenti oma kaugusest</translation>
     </message>
     <message>
         <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördmaatriks korrutab silma koordinaate suurusega {0}, mis on ümardatud arvude väike vahe.</translation>
     </message>
     <message>
         <source>Bring the point to within 1 % of its distance, in float32 and with the origin where it is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke nii, et punkt tuleb tagasi veaga alla 1 % oma kaugusest, float32-s ja alguspunkt seal, kus see on.</translation>
     </message>
     <message>
         <source>Which way back does not multiply the eye with anything?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline tagasitee ei korruta silma millegagi?</translation>
     </message>
     <message>
         <source>Choose *Ray times depth*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige *Kiir korda sügavus*.</translation>
     </message>
     <message>
         <source>The ray is multiplied with the depth, and the eye is added at the end: it is rounded once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kiir korrutatakse sügavusega ja silm liidetakse lõpus: see ümardatakse üks kord.</translation>
     </message>
     <message>
         <source>Back to the floor</source>
-        <translation type="unfinished"></translation>
+        <translation>Tagasi põranda juurde</translation>
     </message>
     <message>
         <source>“Logarithmic depth is always better” is tempting: its digits are spread as distances need them. But digits are half of the story. A number is stored at some places, and used at others: depths between the vertices, positions in the grid of another mesh. Precision goes where two ways of rounding meet. Choose *each pixel* and watch the foundation disappear.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Logaritmiline sügavus on alati parem“ on ahvatlev: selle numbrikohad on jaotatud nii, nagu kaugused neid vajavad. Aga numbrikohad on pool lugu. Arv salvestatakse ühtedes kohtades ja seda kasutatakse teistes: sügavused tippude vahel, asukohad teise võrgu ruudustikul. Täpsus kaob seal, kus kohtuvad kaks ümardamise viisi. Valige *iga piksel* ja vaadake, kuidas alusmüür kaob.</translation>
     </message>
     <message>
         <source>Practise: half-way</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: poolel teel</translation>
     </message>
     <message>
         <source>A floor is one piece from near to far. Its logarithmic depth is computed at the vertices, and between them the rasteriser interpolates it linearly on the screen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Põrand on lähedalt kaugele ühes tükis. Selle logaritmiline sügavus arvutatakse tippudes ja nende vahel interpoleerib rasterdaja seda ekraanil lineaarselt.</translation>
     </message>
     <message>
         <source>Near is {0}, far is {1}. Half-way along the floor on the screen: how many times too far is it drawn?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on {0}, kaugtasand {1}. Ekraanil on põrandast läbitud pool: mitu korda liiga kaugele see joonistatakse?</translation>
     </message>
     <message>
         <source>This takes half the distance for the true place. Half-way on the screen {0} is half-way, and {1} is much nearer. Look at the foundation: the floor is drawn behind it, not before it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse õigeks kohaks pool kaugust. Ekraanil poolel teel on poolel teel {0}, ja {1} on palju lähemal. Vaadake alusmüüri: põrand joonistatakse selle taha, mitte ette.</translation>
     </message>
     <message>
         <source>It lies at near</source>
-        <translation type="unfinished"></translation>
+        <translation>See asub lähitasandil</translation>
     </message>
     <message>
         <source>This is where it is drawn, over near. But it lies farther away than near: {0} is half-way between {1} and {2}. Look at the diagram: half-way on the screen is a little to the right of near.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on joonistatud koht jagatud lähitasandi kaugusega. Aga põrand asub lähitasandist kaugemal: {0} on poolel teel {1} ja {2} vahel. Vaadake diagrammi: ekraanil poolel teel on lähitasandist natuke paremal.</translation>
     </message>
     <message>
         <source>It is drawn at {0}, half-way between the logarithms.</source>
-        <translation type="unfinished"></translation>
+        <translation>See joonistatakse kohale {0}, logaritmide vahel poolele teele.</translation>
     </message>
     <message>
         <source>It lies at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See asub kohal {0}.</translation>
     </message>
     <message>
         <source>Drawn at {0}, it lies at {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistatud kohale {0}, asub see kohal {1}.</translation>
     </message>
     <message>
         <source>Practise: the widest gap</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kõige laiem pilu</translation>
     </message>
     <message>
         <source>The field of view is 53.13°: at the distance {0} the picture is exactly {1} units high, so 1080 lines have {2} px a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk on 53.13°: kaugusel {0} on pildi kõrgus täpselt {1} ühikut, nii et 1080 reas on {2} px ühiku kohta.</translation>
     </message>
     <message>
         <source>Two meshes are {0} and {1} units wide and stored in 8 bits, each over its own box. You see the seam from {2} units away. By how many pixels are both copies of a vertex apart at most, across both axes?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahe võrgu laiused on {0} ja {1} ühikut ning need on salvestatud 8 bitiga, kumbki üle omaenda risttahuka. Näete õmblust {2} ühiku kauguselt. Mitu pikslit on tipu kahe koopia vahe mõlema telje peale kokku kõige rohkem?</translation>
     </message>
     <message>
         <source>This lets only the larger mesh round. The smaller one rounds, too, and may go the other way. Look at the seam: both edges are in steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii ümardab ainult suurem võrk. Väiksem ümardab ka ja võib minna teisele poole. Vaadake õmblust: mõlemad servad on astmelised.</translation>
     </message>
     <message>
         <source>A coordinate goes to the nearer place, so each mesh is off by half a step at most. Look at the seam: the gaps are narrower.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaat läheb lähemasse kohta, nii et kummagi võrgu viga on ülimalt pool astet. Vaadake õmblust: pilud on kitsamad.</translation>
     </message>
     <message>
         <source>One axis is all</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks telg on kõik</translation>
     </message>
     <message>
         <source>This is the gap along one axis. The vertex is rounded along both, so the widest gap is the diagonal of a square. Look at the seam: copies lie apart across and along it.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on pilu piki üht telge. Tipp ümardatakse piki mõlemat, nii et kõige laiem pilu on ruudu diagonaal. Vaadake õmblust: koopiad on lahus nii risti kui ka piki õmblust.</translation>
     </message>
     <message>
         <source>Half a step of each grid, together, along each axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pool kummagi ruudustiku astmest, kokku, piki iga telge.</translation>
     </message>
     <message>
         <source>Two equal errors at right angles make {0} of one.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks võrdset viga täisnurga all annavad {0} ühest.</translation>
     </message>
     <message>
         <source>{0} units with steps of a 255th, {1} of it across both axes, and {2} px a unit.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ühikut, kui astmeid on 255, {1} sellest mõlema telje peale ja {2} px ühiku kohta.</translation>
     </message>
 </context>
 <context>
     <name>talk-000</name>
     <message>
         <source>Normalised coordinates and the perspective projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Normaliseeritud koordinaadid ja perspektiivne projektsioon</translation>
     </message>
     <message>
         <source>From similar triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarnastest kolmnurkadest</translation>
     </message>
     <message>
         <source>A point {0} in front of the camera comes to the plane at the distance {1} from the eye:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera ees olev punkt {0} satub silmast kaugusel {1} olevale tasandile:</translation>
     </message>
     <message>
         <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
-        <translation type="unfinished"></translation>
+        <translation>P sügavus on 5. Tasand nihkub kohast d = 1 kohta d = 2. Mitu korda kõrgemal on nüüd P&apos;?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kujutise pindala kasvab 4 korda. Kõrgus ja laius on võrdelised d-ga.</translation>
     </message>
     <message>
         <source>Both triangles have a corner at the eye, and P is 5 deep, measured from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemal kolmnurgal on nurk silma juures ja sealt mõõdetuna on P sügavus 5.</translation>
     </message>
     <message>
         <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm küljelt: nimetage enne kaks kolmnurka, silmast P-ni ja silmast P&apos;-ni. Lugege pildilt -z = 5, y = 2 ja {0}. Laske klassil hääletada, siis laske mudelil liikuda. Pärast lohistage Tasandi kaugust d kuni alla 0: camera obscura film, ja pilt pöördub ümber. See tuletati kursusel juba varem; ärge siia pikemalt jääge.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama maatriksina</translation>
     </message>
     <message>
         <source>{0} goes to {1}, and divided by the last number to {2} (2):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} läheb punktiks {1} ja jagatuna viimase arvuga punktiks {2} (2):</translation>
     </message>
     <message>
         <source>The matrix is in the dock too, with numbers: -1/d = -0.5. Under it P = (2, 2, -5) becomes (2, 2, -5, 2.5). Divide aloud: 0.8, 0.8, -2. Stress that all projection is in the last row, and that -z/d is positive for what is in front. Drag d and watch the one cell that changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriks on ka külgribal, arvudega: -1/d = -0.5. Sellega saab punktist P = (2, 2, -5) punkt (2, 2, -5, 2.5). Jagage kuuldavalt: 0.8, 0.8, -2. Rõhutage, et kogu projektsioon on viimases reas ja et -z/d on ees oleva jaoks positiivne. Lohistage d-d ja jälgige seda ühte lahtrit, mis muutub.</translation>
     </message>
     <message>
         <source>A and λA are one transformation</source>
-        <translation type="unfinished"></translation>
+        <translation>A ja λA on üks teisendus</translation>
     </message>
     <message>
         <source>Multiply every cell by {0}: the last number becomes {1}, and the quotients stay the same (3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutage iga lahter suurusega {0}: viimaseks arvuks saab {1} ja jagatised jäävad samaks (3).</translation>
     </message>
     <message>
         <source>last row</source>
-        <translation type="unfinished"></translation>
+        <translation>viimane rida</translation>
     </message>
     <message>
         <source>of P = (2, 2, −5)</source>
-        <translation type="unfinished"></translation>
+        <translation>punktist P = (2, 2, −5)</translation>
     </message>
     <message>
         <source>divided</source>
-        <translation type="unfinished"></translation>
+        <translation>jagatud</translation>
     </message>
     <message>
         <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Küsige, millega veel võib korrutada: mis tahes λ-ga peale 0. Seega võib viimane rida sama hästi olla 0 0 -1 0, ükskõik mis d on, ja w&apos; = -z on sügavus ise. Aknas on -z = 5 külgribal ja pikkusena pildi all. Kõigil loengu hilisematel maatriksitel on see viimane rida.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
-        <translation type="unfinished"></translation>
+        <translation>WebGL: d on kaugus lähitasandini</translation>
     </message>
     <message>
         <source>The scene is projected onto the near plane {0}, so {1} (4). **World** shows the picture on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stseen projitseeritakse lähitasandile {0}, seega {1} (4). **Maailm** näitab sellel pilti.</translation>
     </message>
     <message>
         <source>Show the small F on the near plane in World: same projectors as before, and the plane is one of the walls of the frustum. Drag Near: the picture on the plane grows with it, and so does the plane; in Image nothing changes, until near cuts into the F. Near is a distance and positive; the plane is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Näidake paanis Maailm väikest F-i lähitasandil: samad projektsioonikiired mis enne ja tasand on üks frustumi seintest. Lohistage lähitasandit: pilt sellel kasvab ja kasvab ka tasand; paanis Pilt ei muutu midagi, kuni lähitasand F-i lõikab. Lähitasand on kaugus ja positiivne; tasand on kohal {0}.</translation>
     </message>
     <message>
         <source>A segment to [-1, 1]</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõik vahemikku [-1, 1]</translation>
     </message>
     <message>
         <source>The orthographic projection drops {0}; only {1} must become {2} (5). Here it is {3}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortograafiline projektsioon jätab {0} ära; ainult vahemikust {1} peab saama {2} (5). Siin on see {3}:</translation>
     </message>
     <message>
         <source>Try three values on the board: x = -3 gives -1, x = 5 gives 1, x = 1, the middle, gives 0. Point to the denominators of the two fractions: they differ in sign. In NDC the box has become the cube; the F lies left of the middle, because the axis came to -0.25. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Proovige tahvlil kolme väärtust: x = -3 annab -1, x = 5 annab 1, x = 1, keskkoht, annab 0. Näidake kahe murru nimetajaid: need erinevad märgi poolest. NDC-s on risttahukast saanud kuup; F on keskkohast vasakul, sest telg sattus kohale -0.25. Lohistage välju Vasak ja Parem.</translation>
     </message>
     <message>
         <source>The same for {0} and {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama suuruste {0} ja {1} jaoks</translation>
     </message>
     <message>
         <source>Put {0} into (5) and write everything over {1} (6); likewise for {2} (8):</source>
-        <translation type="unfinished"></translation>
+        <translation>Pange {0} valemisse (5) ja kirjutage kõik nimetajaga {1} (6); samamoodi {2} (8):</translation>
     </message>
     <message>
         <source>The window moves to [-1, 3]. Which {0} has probe 1, straight ahead?</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken nihkub kohta [-1, 3]. Milline {0} on sondil 1, otse ees?</translation>
     </message>
     <message>
         <source>Only in a window that reaches equally far to both sides is the axis in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult siis, kui aken ulatub mõlemale poole võrdselt kaugele, on telg keskel.</translation>
     </message>
     <message>
         <source>This moves the picture with its window. Look at the window that has moved to the left: only then is probe 1 at {0}.</source>
-        <translation type="unfinished">Nii liigutatakse pilti koos selle aknaga. Vaadake akent, mis on liikunud vasakule: ainult siis on sond 1 kohal {0}.</translation>
+        <translation>Nii liigutatakse pilti koos selle aknaga. Vaadake akent, mis on liikunud vasakule: ainult siis on sond 1 kohal {0}.</translation>
     </message>
     <message>
         <source>{0}, and {1}.</source>
-        <translation type="unfinished">{0} ja {1}.</translation>
+        <translation>{0} ja {1}.</translation>
     </message>
     <message>
         <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tuletage (6) tahvlil rida-realt. Nipp on korrutada teine murd avaldisega -z/-z, nii et kõigel on üks nimetaja: sellest saab w&apos;. Selle märk pöördub kaasa. Siis hääletus: paljud ütlevad +0.5, sest aken läheb paremale. Pärast seda lohistage välju Vasak ja Parem ning jälgige paanis Pilt sondi 1.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Afiinne z kõverdab sirgeid</translation>
     </message>
     <message>
         <source>With {0} the third homogeneous number would be {1} (9)-(11): no matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui {0}, oleks kolmas homogeenne arv {1} (9)-(11): maatriksit ei ole.</translation>
     </message>
     <message>
         <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
-        <translation type="unfinished"></translation>
+        <translation>P tuleb lähemale, kolmandikule Q sügavusest. Mille teeb {0} lõigust PQ?</translation>
     </message>
     <message>
         <source>A straight segment</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge lõigu</translation>
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse suurusega {0}, z&apos; mitte. Vaadake kaart P ja Q vahel: sirge on ainult {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
-        <translation type="unfinished">Kaare</translation>
+        <translation>Kaare</translation>
     </message>
     <message>
         <source>{0} and {1} are divided by {2}, {3} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1} jagatakse suurusega {2}, {3} mitte.</translation>
     </message>
     <message>
         <source>Go through (9), (10), (11): the same point three times, then all times -z. Nothing in the last line but -Az² - Bz is new. NDC shows both: A z + B is the bow, -A - B/z the straight line. After the vote drag P in World. Near and far change the bow too: try Near 0.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Käige läbi (9), (10), (11): sama punkt kolm korda, siis kõik korda -z. Viimases reas on uus ainult -Az² - Bz. NDC näitab mõlemat: A z + B on kaar, -A - B/z sirge. Pärast hääletust lohistage P-d paanis Maailm. Ka lähi- ja kaugtasand muudavad kaart: proovige lähitasandit 0.3.</translation>
     </message>
     <message>
         <source>What the depth buffer does with z</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida sügavuspuhver z-iga teeb</translation>
     </message>
     <message>
         <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolmnurga nurkade vahel interpoleeritakse {0} pikslite kaupa ühtlaselt ja väiksem väärtus võidab. Kui sirged on kõverad või koode on liiga vähe, joonistatakse vale pind.</translation>
     </message>
     <message>
         <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Öelge, mis läheb kõvera joonega valesti: pikslis interpoleeritud väärtus ei ole seal oleva sügavus. Siin on näha teist häda: 16-bitine puhver, lähitasand 0.01, pind 2 on pinnast 1 0.25 tagapool ja 64 % pikslitest on valed. Küsige, mis aitab. Kaugtasand 200-lt 60-le: 63 %. Lähitasand 0.01-lt 0.1-le: mitte ühtki. Enamik väärtusi on kohe lähitasandi taga.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Vähe bitte tipu jaoks</translation>
     </message>
     <message>
         <source>With {0} bits over a side {1} a coordinate is off by up to {2}: in pixels the more, the nearer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui küljel {1} on {0} bitti, on koordinaadi viga kuni {2}: pikslites seda rohkem, mida lähemal.</translation>
     </message>
     <message>
         <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavused ei ole ainsad väheste bittidega arvud. 8 bitti koordinaadi kohta: 3 baiti tipu kohta ja viga kuni 0.5 pikslit pildil, mis on 320 korda 240. Nooled on vigadest 50 korda pikemad. Valige 12 ja 16 bitti: iga bitt teeb vea poole väiksemaks. Siis tooge kaugus pooleks: iga viga on kaks korda pikem. Mitmest bitist piisab, sõltub sellest, kus te seisate; õppetund „Mitu bitti pilt vajab?“.</translation>
     </message>
     <message>
         <source>{0} instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Selle asemel {0}</translation>
     </message>
     <message>
         <source>Divided by {0} as well, {1} stays linear in homogeneous coordinates (12). Near must come to -1, far to 1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ka suurusega {0} jagatuna jääb {1} homogeensetes koordinaatides lineaarseks (12). Lähitasand peab sattuma kohale -1, kaugtasand kohale 1:</translation>
     </message>
     <message>
         <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lahendage tahvlil kaks võrrandit: {0} ja {1}. Siis NDC: postide vahe on paanis Maailm 6, aga kuubis tihenevad need kaugtasandi poole. Kui lähitasand on 9 ja kaugtasand 41, on kuubi keskkoht, z&apos; = 0, ainult sügavusel 14.8. Järjekord säilib ja sirged jäävad sirgeks; rohkemat sügavuspuhver ei vaja.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Kogu maatriks</translation>
     </message>
     <message>
         <source>{0}, and the six numbers of the frustum (13):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja frustumi kuus arvu (13):</translation>
     </message>
     <message>
         <source>Rows 1 and 2 are (6) and (8), row 3 is (12), row 4 is the division. In World left and right are written at the near plane. Ask for the cells with x from -1 to 3, near 2, far 19: 1 and 0.5 in row 1, -21/17 and -76/17 in row 3. Matrices in the drawer has them, and lights up what a control changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Read 1 ja 2 on (6) ja (8), rida 3 on (12), rida 4 on jagamine. Paanis Maailm on vasak ja parem kirjutatud lähitasandi juurde. Küsige lahtreid, kui x on -1-st 3-ni, lähitasand 2, kaugtasand 19: reas 1 on 1 ja 0.5, reas 3 -21/17 ja -76/17. Sahtli paneelis Maatriksid on need olemas ja see, mida juhtelement muudab, süttib.</translation>
     </message>
     <message>
         <source>Stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>Venitatud</translation>
     </message>
     <message>
         <source>The window is {0}, but the canvas {1} is square. (13) does not prevent this: the letter is twice as high as it should be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken on {0}, aga lõuend {1} on ruudukujuline. (13) seda ei takista: täht on kaks korda kõrgem, kui see olema peaks.</translation>
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC proportsioone ei tunne: kuup on kuup. Venitatakse seal, kus vahemikust [-1, 1] saavad pikslid, x ja y jaoks eri kordajatega. Ümarate ringide jaoks peavad aknal olema lõuendi proportsioonid: {0}.</translation>
     </message>
     <message>
         <source>Variant X: y is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant X: kohandatakse y-it</translation>
     </message>
     <message>
         <source>Image changes, the fields stay: Top still says 1, and the program calls the projection with {0} and {1}. Ask why there is a 2 under the fraction: k is put on at both ends. X is what is kept; students often read it as what is changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt muutub, väljad jäävad: Ülemine on endiselt 1, aga programm kutsub projektsiooni välja väärtustega {0} ja {1}. Küsige, miks on murru all 2: k liidetakse mõlemas otsas. X on see, mida säilitatakse; üliõpilased loevad seda sageli kui seda, mida muudetakse.</translation>
     </message>
     <message>
         <source>Variant Y: x is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Variant Y: kohandatakse x-i</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siin on k negatiivne: aken läheb kitsamaks, x -1-st 1-ni, ja F on suurem. Jaotusmaterjali viimasel real on {0} suuruse {1} jaoks; peab olema {2}. Küsige, kumma variandi peaks programm võtma, kui akent käsitsi kitsamaks tehakse: X-iga säilitab stseen laiuse, Y-iga kõrguse.</translation>
     </message>
 </context>
 <context>
     <name>talk-001</name>
     <message>
         <source>The synthetic camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Sünteetiline kaamera</translation>
     </message>
     <message>
         <source>Eye, monitor, phone</source>
-        <translation type="unfinished"></translation>
+        <translation>Silm, monitor, telefon</translation>
     </message>
     <message>
         <source>How much of the world is in a picture? The eye sees 120°, without the blurred rim. A monitor fills 25° to 30°, a phone 5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suur osa maailmast on pildil? Silm näeb 120°, ilma häguse ääreta. Monitor täidab 25° kuni 30°, telefon 5°.</translation>
     </message>
     <message>
         <source>eye 120°</source>
-        <translation type="unfinished"></translation>
+        <translation>silm 120°</translation>
     </message>
     <message>
         <source>monitor 30°</source>
-        <translation type="unfinished"></translation>
+        <translation>monitor 30°</translation>
     </message>
     <message>
         <source>phone 5°</source>
-        <translation type="unfinished"></translation>
+        <translation>telefon 5°</translation>
     </message>
     <message>
         <source>A camera takes a 3-D scene and puts it onto film or pixels; the synthetic camera imitates that. The three pictures hold the head at one size: the eye has to go very near, the phone far away. Read the angles under More numbers. Ask which picture looks natural, and from which distance one would have to look at it on the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera võtab 3-D stseeni ja paneb selle filmile või pikslitesse; sünteetiline kaamera jäljendab seda. Kõigil kolmel pildil on pea suurus sama: silm peab minema väga lähedale, telefon kaugele. Nurgad lugege jaotisest Veel arve. Küsige, milline pilt tundub loomulik ja kui kaugelt peaks seda seinal vaatama.</translation>
     </message>
     <message>
         <source>The view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav ruum</translation>
     </message>
     <message>
         <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistatakse ainult see, mis on teatud ruumis: silma koonuses, selle ümber olevas püramiidis või risttahukas, mis on vaade väga kaugelt.</translation>
     </message>
     <message>
         <source>Begin with the cone: what an eye sees. Then choose Pyramid under View volume: pictures are rectangles, so the cone is cut off by four planes. Then Box. The letters are test points; grey ones lie outside. Ask before each change which come in and which go. The volume is given by its shape and its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alustage koonusest: mida silm näeb. Siis valige sättes Nähtav ruum Püramiid: pildid on ristkülikud, seega lõikavad koonust neli tasandit. Siis Risttahukas. Tähed on katsepunktid; hallid on väljas. Küsige enne iga muutust, millised tulevad sisse ja millised lähevad välja. Nähtava ruumi määravad selle kuju ja koht.</translation>
     </message>
     <message>
         <source>In, out, crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Sees, väljas, piiril</translation>
     </message>
     <message>
         <source>What is wholly outside is dropped. What crosses a plane is cut, plane by plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on tervenisti väljas, jäetakse ära. Mis tasandit läbib, lõigatakse läbi, tasand tasandi järel.</translation>
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaardid, mis on tervenisti sees, väljas ja piiril. Viige tasandeid liuguriga edasi: lähitasand, kaugtasand, vasak, parem, alumine, ülemine; igaüks lisab nurki sinna, kus serv läbi läheb. Miks mitte piksel piksli haaval? Tervete kolmnurkade ärajätmine on odav, fragmentide ärajätmine kallis. Külgribal: nurki enne ja pärast ning mitu kaarti on tervenisti sees.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis tegelikul kaameral veel on</translation>
     </message>
     <message>
         <source>A real camera has a focal distance, and a depth of field in front of it and behind it. The synthetic camera has neither: everything is sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tegelikul kaameral on teravustamiskaugus ning selle ees ja taga teravussügavus. Sünteetilisel kaameral ei ole kumbagi: kõik on terav.</translation>
     </message>
     <message>
         <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel teravustamiskaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 5 m peale: terav 4.720 kuni 5.316 m, kontuuriga post. Lohistage teravustamiskaugus 10 m peale; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
     </message>
     <message>
         <source>Camera obscura</source>
-        <translation type="unfinished"></translation>
+        <translation>Camera obscura</translation>
     </message>
     <message>
         <source>A dark box with a hole: {0}, upside down. The synthetic camera has its plane in front of the hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pime kast avaga: {0}, tagurpidi. Sünteetilise kaamera tasand on ava ees.</translation>
     </message>
     <message>
         <source>The F is 5 high, the film 4 behind the hole. The F goes from 9 to 18. How high is its image?</source>
-        <translation type="unfinished"></translation>
+        <translation>F-i kõrgus on 5 ja film on avast 4 tagapool. F läheb kauguselt 9 kaugusele 18. Kui kõrge on selle kujutis?</translation>
     </message>
     <message>
         <source>This measures from the film, 18 + 4. Both triangles have their corner in the hole. Look at {0} and {1}: both begin there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii mõõdetakse filmist, 18 + 4. Mõlemal kolmnurgal on nurk avas. Vaadake suurusi {0} ja {1}: mõlemad algavad seal.</translation>
     </message>
     <message>
         <source>1.11, upright</source>
-        <translation type="unfinished"></translation>
+        <translation>1.11, püstine</translation>
     </message>
     <message>
         <source>This is the image in front of the hole. Look at the film behind it: the light has crossed in the hole, so the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on kujutis ava ees. Vaadake filmi selle taga: valgus on avas ristunud, nii et kujutis on tagurpidi.</translation>
     </message>
     <message>
         <source>Twice as far, half as high: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks korda kaugemal, poole madalam: {0}.</translation>
     </message>
     <message>
         <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valgus ristub avas, nii et pilt filmil on tagurpidi ja vasak on paremal; maalikunstnikud kasutasid seda. Võrrelge mõlemat filmi: võrdse suurusega, erineb ainult märk. Projektsiooni keskpunkt on ava; meil on see kaamera positsioon P ja tasand on selle ja objekti vahel. Hääletage, siis näidake; lohistage ka d-d.</translation>
     </message>
     <message>
         <source>Position, look, up</source>
-        <translation type="unfinished"></translation>
+        <translation>Positsioon, vaate suund, üles</translation>
     </message>
     <message>
         <source>{0} is the position of the camera, {1} its direction, and {2} says how it is turned about that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on kaamera positsioon, {1} selle suund ja {2} ütleb, kuidas see on selle suuna ümber pööratud.</translation>
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Teljed nagu ekraanil: x paremale, y üles, z meie poole. look võib olla mis tahes vektor, up mis tahes vektor, mis ei ole sellega samasihiline; risti see olema ei pea. Nihutage paneelil liugurit Üles, nurk vaatega: pilt jääb samaks, kuni ülesvektor jääb oma tasandisse. Viige see 0 lähedale ja nihutage 0.1° kõrvale: pilt kaldub järsult. Väärtusel 0 lükatakse kaamera tagasi.</translation>
     </message>
     <message>
         <source>The angles of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatenurgad</translation>
     </message>
     <message>
         <source>{0} and {1}, or one of them and the aspect. A narrow angle is almost a parallel view, a wide one exaggerates.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, või üks neist ja kuvasuhe. Kitsas nurk on peaaegu paralleelne vaade, lai liialdab.</translation>
     </message>
     <message>
         <source>The picture is 16:9 and {0} is 60°. How wide is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt on 16:9 ja {0} on 60°. Kui lai on {1}?</translation>
     </message>
     <message>
         <source>60°, one angle does for both</source>
-        <translation type="unfinished"></translation>
+        <translation>60°, ühest nurgast piisab mõlema jaoks</translation>
     </message>
     <message>
         <source>{0}. From above half of it is written at the eye: 45.75°.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Ülalt vaadates on silma juurde kirjutatud sellest pool: 45.75°.</translation>
     </message>
     <message>
         <source>From the side {0} is written at the eye. Vote first; then the world is seen from above, with {1} at the eye and the half width on the far plane, f tan of it. Make the image 720 x 720 under Image and depth range: both angles are 60. A photographer does this when choosing a lens. Keep window and picture at one aspect, or everything is stretched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Küljelt vaadates on silma juurde kirjutatud {0}. Enne hääletage; siis nähakse maailma ülalt, kus silma juures on {1} ja kaugtasandil pool laiust, f tan sellest. Tehke jaotises Pilt ja sügavusvahemik pildi suuruseks 720 x 720: mõlemad nurgad on 60. Fotograaf teeb seda objektiivi valides. Hoidke aken ja pilt ühe kuvasuhtega, muidu venib kõik välja.</translation>
     </message>
     <message>
         <source>29 mm and 105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm ja 105 mm</translation>
     </message>
     <message>
         <source>With 29 mm from 30 cm and with 105 mm from 108.6 cm the head is equally large. With 105 mm from 360 cm it is 0.30 times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm-ga 30 cm kauguselt ja 105 mm-ga 108.6 cm kauguselt on pea suurus sama. 105 mm-ga 360 cm kauguselt on see 0.30 korda nii suur.</translation>
     </message>
     <message>
         <source>From 30 cm to 108.6 cm, the head kept at its size: what of the background?</source>
-        <translation type="unfinished"></translation>
+        <translation>30 cm-lt 108.6 cm-le, pea jääb sama suureks: mis saab taustast?</translation>
     </message>
     <message>
         <source>it stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>see jääb samaks</translation>
     </message>
     <message>
         <source>it grows, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>see kasvab, peaga võrreldes</translation>
     </message>
     <message>
         <source>it shrinks, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>see kahaneb, peaga võrreldes</translation>
     </message>
     <message>
         <source>From 30 cm it was smaller than it is now: the nearer, the larger the difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>30 cm kauguselt oli see praegusest väiksem: mida lähemal, seda suurem on erinevus.</translation>
     </message>
     <message>
         <source>29 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm</translation>
     </message>
     <message>
         <source>105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>105 mm</translation>
     </message>
     <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis on peast 20 cm tagapool, paistab 30 cm kauguselt 0.6 ja 108.6 cm kauguselt 0.84 korda nii suur kui pea.</translation>
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loengu kass. Suuruse määrab F jagatud D-ga: 105/29 korda 30 cm on 108.6 cm. Hääletage, siis on mõlemad pildid olemas. C toob esile sätte „Kaugus, valmisväärtuse suhtes“: lohistage seda, et saada dolly zoom, kus nina ja kõrvad liiguvad pea suhtes. Jälle 1 × juures valige sättes Vaataja 105 mm 360 cm kauguselt ja võtke linnuke sättelt Suurenda ära: 0.30 korda nii suur, 166 px. Perspektiiv tuleb ainult kaugusest.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
-        <translation type="unfinished"></translation>
+        <translation>Miks lähi- ja kaugtasand?</translation>
     </message>
     <message>
         <source>Four rays run to infinity. Two planes across the axis cut them off, at the distances {0} and {1} from {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neli kiirt lähevad lõpmatusse. Need lõikavad läbi kaks teljega risti olevat tasandit, kaugustel {0} ja {1} punktist {2}.</translation>
     </message>
     <message>
         <source>Near: what is too close hides all the rest, a speck of dust at the eye; what is behind the camera would come out upside down; and the depth buffer needs it. Far: what is far away costs time, and many parts fall into one pixel. Drag both through the F and see in the image what goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand: liiga lähedane peidab kõik ülejäänu, nagu tolmukübe silma ees; mis on kaamera taga, tuleks välja tagurpidi; ja sügavuspuhver vajab seda. Kaugtasand: kauge maksab aega ja palju osi langeb ühte pikslisse. Lohistage mõlemad läbi F-i ja vaadake pildilt, mis kaob.</translation>
     </message>
     <message>
         <source>Depth has finitely many steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavusel on lõplik arv astmeid</translation>
     </message>
     <message>
         <source>The nearer the near plane, the more of the depth values are used up just behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida lähemal on lähitasand, seda suurem osa sügavuse väärtustest kulub kohe selle taha.</translation>
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumb neist kahest ravib triibud välja?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>lähitasand 0.1-lt 1-le</translation>
     </message>
     <message>
         <source>far from 100 to 50</source>
-        <translation type="unfinished"></translation>
+        <translation>kaugtasand 100-lt 50-le</translation>
     </message>
     <message>
         <source>{0} is small already, so half of far hardly changes {1}. Look at the stripes: they stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on niigi väike, nii et kaugtasandi poolitamine peaaegu ei muuda suurust {1}. Vaadake triipe: need jäävad.</translation>
     </message>
     <message>
         <source>neither of them</source>
-        <translation type="unfinished"></translation>
+        <translation>kumbki mitte</translation>
     </message>
     <message>
         <source>One of them has a large effect on the gap, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks neist mõjutab vahet {0} palju.</translation>
     </message>
     <message>
         <source>The gap is proportional to {0}, and {1} is small already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahe on võrdeline suurusega {0}, ja {1} on niigi väike.</translation>
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks pinda vahega 0.05, 16 bitti. Kus mõlemad saavad sama koodi, paistab varjatud pind läbi. Hääletage, siis näidake; pärast viige lähitasand tagasi 0.1 peale ja proovige kaugtasandit 50: midagi ei võideta. Sama hästi aitab 24 bitti. Reegel: lähitasand nii kaugele, kui stseen lubab. Ärge pange lähitasandit kindluse mõttes 0 peale.</translation>
     </message>
     <message>
         <source>Popping</source>
-        <translation type="unfinished"></translation>
+        <translation>Hüppeline ilmumine</translation>
     </message>
     <message>
         <source>As you drive, things appear at the far plane out of nothing. Fog used to hide this; now distant things have fewer vertices, so far can be farther.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sõites ilmuvad asjad kaugtasandil eikuskilt. Varem peitis seda udu; nüüd on kaugetel asjadel vähem tippe, nii et kaugtasand võib olla kaugemal.</translation>
     </message>
     <message>
         <source>Play Position and let them look at the end of the avenue: four trees a second. Choose linear fog, end it at 66: 12 per cent of the contrast are left where they pop. Then switch Level of detail on, and move far out: vertices drawn, with and without. Far is a plane, so trees at the side come at the same depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vajutage sätte Asukoht juures Esita ja laske neil vaadata allee lõppu: neli puud sekundis. Valige lineaarne udu lõpuga 66: ilmumise kohas on kontrastist alles 12 protsenti. Siis lülitage Detailsus sisse ja viige kaugtasand kaugemale: joonistatud tipud, koos ja ilma. Kaugtasand on tasand, nii et kõrval olevad puud tulevad samal sügavusel.</translation>
     </message>
     <message>
         <source>The parallel volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelne nähtav ruum</translation>
     </message>
     <message>
         <source>Width and height take the place of the angles. Things are drawn equally large at every distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurkade asemele tulevad laius ja kõrgus. Asjad joonistatakse igal kaugusel sama suurena.</translation>
     </message>
     <message>
         <source>Posts of one height, one behind the other. Change the lens to perspective and back. The box is simpler to clip against and to test, and no divide is needed: forget z. That is why the perspective volume is brought into this shape in the end. A box need not be upright: oblique is a parallelepiped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühekõrgused postid üksteise taga. Vahetage objektiiv perspektiivseks ja tagasi. Risttahukat on lihtsam kärpida ja kontrollida ning jagada ei ole vaja: unustage z. Seepärast viiakse perspektiivne ruum lõpuks selle kujule. Risttahukas ei pea olema püstine: kaldnurgaline on rööptahukas.</translation>
     </message>
     <message>
         <source>A camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera kohal (4, 2, 0)</translation>
     </message>
     <message>
         <source>It looks along {0}. To put it at the origin, looking along {1}, move the world by {2}, then rotate it about {3} by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See vaatab suunas {0}. Et viia see alguspunkti, vaatega suunas {1}, nihutage maailma {2} võrra, siis pöörake seda ümber telje {3} nurga {4} võrra.</translation>
     </message>
     <message>
         <source>Which is this camera&apos;s {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline on selle kaamera {0}?</translation>
     </message>
     <message>
         <source>That would be the {0} of a camera that looks along {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See oleks kaamera {0}, mis vaatab suunas {1}.</translation>
     </message>
     <message>
         <source>{0} is opposite to the view direction: the third row begins with −1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on vaate suunale vastupidine: kolmas rida algab arvuga −1.</translation>
     </message>
     <message>
         <source>The camera stays, the world is moved the opposite way: inverse transformations. The F has been put in front of the camera. In Matrices, view from world, press its factors open: rotation times translation, the translation at the right, so it acts first. On View of the strip the eye is the origin. Vote on w before you show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera jääb paigale, maailma liigutatakse vastupidises suunas: pöördteisendused. F on pandud kaamera ette. Paneelis Maatriksid, vaade ← maailm, avage selle tegurid: pööre korda nihe, nihe paremal, nii et see mõjub esimesena. Riba peatuses Vaade on silm alguspunktis. Hääletage w üle, enne kui te seda näitate.</translation>
     </message>
     <message>
         <source>u, v, w</source>
-        <translation type="unfinished"></translation>
+        <translation>u, v, w</translation>
     </message>
     <message>
         <source>{0}, {1} is {2} without its component along {3}, normalised, and {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} on {2} ilma oma komponendita telje {3} sihis, normeeritud, ja {4}.</translation>
     </message>
     <message>
         <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreim ehitab selle samm-sammult: w, u, v. Programm võtab enne u vektorkorrutisest üles × w ja siis v vektorkorrutisest w × u; see on sama v mis loengus: ülesvektor miinus selle projektsioon w-le, normeeritud. R-i veerud on u, v, w; kaamerat liigutab pöördteisendus, ja see on transponeeritud maatriks: u, v, w ridadena.</translation>
     </message>
     <message>
         <source>A, B, C and the canonical pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>A, B, C ja kanooniline püramiid</translation>
     </message>
     <message>
         <source>{0}, {1}, {2} go to {3}, {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}, {2} lähevad punktideks {3}, {4}, {5}.</translation>
     </message>
     <message>
         <source>{0}, {1}: where is near in the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}: kus on püramiidis lähitasand?</translation>
     </message>
     <message>
         <source>z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −1</translation>
     </message>
     <message>
         <source>z = −0.1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −0.1</translation>
     </message>
     <message>
         <source>z = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>z = 0</translation>
     </message>
     <message>
         <source>Then it would be in the eye. It comes to 0 in the next step, in the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis oleks see silmas. Kohale 0 satub see järgmises sammus, risttahukas.</translation>
     </message>
     <message>
         <source>All is divided by {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik jagatakse suurusega {0}.</translation>
     </message>
     <message>
         <source>An affine transformation is fixed by four points: P, A, B, C. Here f = 10, {0} is 0.8 and {1} is 0.45, so B is 8 to the side and C 4.5 up. {2} = scale, rotation, translation: move P to the origin, turn u, v, w onto x, y, z, divide by f tan, f tan, f. The slide has the scale alone, for the view matrix has turned and moved before. Vote on the near plane, then the pyramid comes: distances along every ray from P are divided by f, too. Show the formulas in Matrices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afiinse teisenduse määravad neli punkti: P, A, B, C. Siin f = 10, {0} on 0.8 ja {1} on 0.45, seega on B 8 kõrval ja C 4.5 kõrgemal. {2} = skaleerimine, pööre, nihe: viige P alguspunkti, pöörake u, v, w telgedele x, y, z, jagage suurustega f tan, f tan, f. Slaidil on ainult skaleerimine, sest vaatemaatriks on juba pööranud ja nihutanud. Hääletage lähitasandi üle, siis tuleb püramiid: ka kaugused piki iga kiirt punktist P jagatakse f-iga. Näidake valemeid paneelis Maatriksid.</translation>
     </message>
     <message>
         <source>From pyramid to box to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Püramiidist risttahukaks ja kuubiks</translation>
     </message>
     <message>
         <source>{0} opens the pyramid between {1} and {2}, {3} brings {4} to {5}: {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} avab püramiidi {1} ja {2} vahel, {3} viib vahemiku {4} vahemikku {5}: {6}.</translation>
     </message>
     <message>
         <source>Drag the strip slowly from Pyramid to Box: the rays to the origin turn into parallels to z, the order of depths is kept, straight lines stay straight. Check a corner: (-c, -c, c) goes to (1, 1, 0). Then NDC: {0} for OpenGL. Here w is 1 at far. Matrices multiplies by f, so that w is the distance and the product is the usual projection matrix; the picture is the same. Now clipping is against x, y, z = 1 and -1, for every camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage riba aeglaselt Püramiidist Risttahukani: alguspunkti minevatest kiirtest saavad z-iga paralleelsed, sügavuste järjekord säilib, sirged jäävad sirgeks. Kontrollige üht nurka: (-c, -c, c) läheb punktiks (1, 1, 0). Siis NDC: {0} OpenGL-i jaoks. Siin on w kaugtasandil 1. Paneel Maatriksid korrutab f-iga, nii et w on kaugus ja korrutis on tavaline projektsiooni maatriks; pilt on sama. Nüüd kärbitakse tasanditega x, y, z = 1 ja -1, iga kaamera jaoks.</translation>
     </message>
 </context>
 <context>
     <name>talk-002</name>
     <message>
         <source>Projections, from the box to the shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonid, risttahukast varjuni</translation>
     </message>
     <message>
         <source>Planar projections</source>
-        <translation type="unfinished"></translation>
+        <translation>Planaarsed projektsioonid</translation>
     </message>
     <message>
         <source>A planar geometric projection takes points of space to a plane along straight lines. The lines are parallel, or they meet in one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Planaarne geomeetriline projektsioon viib ruumi punkte tasandile sirgjoonte abil. Sirged on paralleelsed või kohtuvad ühes punktis.</translation>
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioon võib olla mis tahes: lineaaralgebras mittepööratav teisendus, geograafias kaardi tegemine. Siin on see tasand ja sirged. Käige puu vasakult paremale läbi ja klõpsake igal liigil: cavalier, isomeetriline, 2-punkti. F joonistatakse kohe selles projektsioonis. Lause puu all annab selle liigi tingimuse. Küsige, millised liigid jätavad võrdsed pikkused võrdseks: paralleelsed.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortograafiline: jätke z ära</translation>
     </message>
     <message>
         <source>{0}. The screen is not infinite, so a clipping box bounds what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Ekraan ei ole lõpmatu, nii et joonistatavat piirab pügamisristtahukas.</translation>
     </message>
     <message>
         <source>Of two equally high posts one is twice as far away as the other. How high does a box draw the far one, relative to the near one?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kahest ühekõrgusest postist on üks kaks korda kaugemal kui teine. Kui kõrgena joonistab risttahukas kaugema, lähemaga võrreldes?</translation>
     </message>
     <message>
         <source>1, equally high</source>
-        <translation type="unfinished"></translation>
+        <translation>1, ühekõrgused</translation>
     </message>
     <message>
         <source>0.5, half as high</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5, poole madalam</translation>
     </message>
     <message>
         <source>The projectors are parallel: x and y do not depend on z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioonikiired on paralleelsed: x ja y ei sõltu z-ist.</translation>
     </message>
     <message>
         <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alustage risttahukast ja nimetage selle kuus tasandit: left, right, top, bottom, near, far. Minge üks kord stseeni sättega Nähtav ruum püramiidi juurde tagasi ja laske klassil öelda, millised katsepunktid tulevad ja lähevad: B mahub risttahukasse, C mitte. Siis küsimus, käetõstmisega. Postid joonistatakse ühekõrgustena; nende numbrid ütlevad, kumb on kumb. Muutke lähi- ja kaugtasandit: muutub see, mida lõigatakse, mitte ükski suurus.</translation>
     </message>
     <message>
         <source>Normalised: the matrix of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Normaliseeritult: risttahuka maatriks</translation>
     </message>
     <message>
         <source>The clipping box becomes {0}. z is kept, because it decides what hides what.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pügamisristtahukast saab {0}. z jäetakse alles, sest see otsustab, mis mida varjab.</translation>
     </message>
     <message>
         <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kirjutage tahvlile {0}: nihutage keskkoht kohta 0, siis skaleerige. Valige paneelis Maatriksid lahtritesse Valemid: korrutises on mõlemad liikmed. {1} ja {2} on selles loengus negatiivsed ja z&apos; on lähitasandil 1. Kus on risttahuka keskkoht? Kohal {3}, nii et F on keskkohast vasakul. Punktid satuvad ekraanile teisendusega {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaldu projektsioonikiired: H</translation>
     </message>
     <message>
         <source>{0}. From the side it is the same with {1} and {2}: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Küljelt vaadatuna on sama suurustega {1} ja {2}: {3}.</translation>
     </message>
     <message>
         <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ülalt: kaamera on vasakul, lähitasand on joon kohal 5 ja peenikesed jooned on projektsioonikiired. Nurk kohal x joonistatakse kohale x&apos;. Need on paralleelsed, aga lõikavad lähitasandit nurga {0} all: ühik selle taga satub ühiku võrra edasi piki u-telge. Seda teeb kaldnihe H; lähitasandi punktid jäävad paigale. Pöörake α-t: 90° juures on projektsioonikiired lähitasandiga risti. Kui mõlemad nurgad on 90°, on H 1 ja joonis ortograafiline.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Rööptahukas muutub risttahukaks</translation>
     </message>
     <message>
         <source>{0} makes the clipping box straight and shears the object; its image stays. The rest is known: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb pügamisrööptahukast risttahuka ja annab objektile kaldnihke; selle kujutis jääb samaks. Ülejäänu on teada: {1}.</translation>
     </message>
     <message>
         <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
-        <translation type="unfinished"></translation>
+        <translation>Cavalier-joonise projektsioonikiired lõikavad pilti 45° all. Millise nurga all lõikavad seda cabinet-joonise omad, mille mastaap on 1/2?</translation>
     </message>
     <message>
         <source>The cotangent of the angle is the scale: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nurga kootangens on mastaap: {0}.</translation>
     </message>
     <message>
         <source>World from above has the slanted box with a cube in it. After H and {0} the box is the NDC cube, and the object is sheared. Which faces keep their shape? Those parallel to the picture. Then vote, and show. Open Matrices: H, {1} and their product stand side by side. Read from right to left: H first, which knows the slant alone, then {2}, which knows the box alone. In OpenGL it is glOrtho and one more matrix, multiplied from the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm ülalt näitab rööptahukat, milles on kuup. Pärast H-d ja {0} on rööptahukast saanud NDC kuup ja objekt on kaldu nihutatud. Millised tahud säilitavad oma kuju? Need, mis on pildiga paralleelsed. Siis hääletage ja näidake. Avage Maatriksid: H, {1} ja nende korrutis on kõrvuti. Lugege paremalt vasakule: enne H, mis teab ainult kallet, siis {2}, mis teab ainult risttahukat. OpenGL-is on see glOrtho ja veel üks maatriks, paremalt korrutatud.</translation>
     </message>
     <message>
         <source>Homogeneous coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Homogeensed koordinaadid</translation>
     </message>
     <message>
         <source>{0} is the point {1}. With {2} it is not a point of space but a point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on punkt {1}. Kui {2}, ei ole see ruumi punkt, vaid lõpmatuspunkt.</translation>
     </message>
     <message>
         <source>Until now w was 1 all the time. One point of space has infinitely many rows {0}: a line through the origin. Drag t towards 1: P runs along its edge, w goes to 0, and its image comes to rest in {1}. At 1 there is no longer a point of space, but there is still an image. Go on beyond 1: P comes from the other side. This is what makes perspective a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Seni oli w kogu aeg 1. Ühele ruumi punktile vastab lõpmata palju ridu {0}: sirge läbi alguspunkti. Lohistage t 1 poole: P jookseb mööda oma serva, w läheneb nullile 0 ja selle kujutis jääb seisma punktis {1}. Väärtusel 1 ei ole enam ruumi punkti, aga kujutis on endiselt olemas. Minge 1-st kaugemale: P tuleb teiselt poolt. See teebki perspektiivist maatriksi.</translation>
     </message>
     <message>
         <source>Camera obscura, and ours</source>
-        <translation type="unfinished"></translation>
+        <translation>Camera obscura ja meie oma</translation>
     </message>
     <message>
         <source>The film is behind a hole, so the image is upside down. We put the plane in front of the centre of projection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Film on ava taga, seega on kujutis tagurpidi. Meie paneme tasandi projektsiooni keskpunkti ette.</translation>
     </message>
     <message>
         <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jälgige sirget F-i ülemisest otsast läbi ava: filmile satub see alla. Tegelikul kaameral on seal objektiiv ja sama geomeetria. Meie oma tasand on keskpunkti ees: sama suur, püstine. Nihutage filmi: kõrgus muutub kaasa. Lugege mõlemad kõrgused stseeni juhtelementide alt: võrdsed, kui märk välja arvata.</translation>
     </message>
     <message>
         <source>Onto the plane {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasandile {0}</translation>
     </message>
     <message>
         <source>{0} with {1}: two triangles share the corner at the eye. As a row: {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, kus {1}: kahel kolmnurgal on ühine nurk silma juures. Reana: {2}.</translation>
     </message>
     <message>
         <source>The two triangles of the side view: eye to the plane, eye to P. Both heights over both lengths. The lecture writes {0} for {1}, from above; from the side it is {2}. The plane is drawn with its distance d; here {3}, so {4} is positive in front. A 3 by 3 matrix cannot divide by z. Four coordinates can: the last row writes {5} into w, and the dividing comes afterwards. Move d behind the eye: camera obscura again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Külgvaate kaks kolmnurka: silmast tasandini, silmast P-ni. Mõlemad kõrgused jagatud mõlema pikkusega. Loeng kirjutab {1} asemel {0}, ülalt vaadatuna; küljelt on see {2}. Tasand on joonistatud oma kaugusega d; siin {3}, nii et {4} on ees positiivne. 3 korda 3 maatriks ei saa z-iga jagada. Nelja koordinaadiga saab: viimane rida kirjutab w-sse {5} ja jagatakse hiljem. Viige d silma taha: jälle camera obscura.</translation>
     </message>
     <message>
         <source>Frustum to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumist kuubiks</translation>
     </message>
     <message>
         <source>The visible part of space is now a frustum. It must become the same cube as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav ruumi ala on nüüd frustum. Sellest peab saama sama kuup mis enne.</translation>
     </message>
     <message>
         <source>The trick of the box once more: make it the cube, then leave z out. Let the strip run, slowly, from View over Pyramid and Box to NDC, and back. Ask what has become of straight lines: they are straight at every place of the strip. What has become of the F? The part nearer to the eye has grown. For x and y that is easily said: after dividing, the window is scaled to −1 to 1. z is the problem.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veel kord sama nipp mis risttahuka puhul: tehke sellest kuup ja jätke siis z ära. Laske ribal aeglaselt joosta Vaatest läbi Püramiidi ja Risttahuka NDC-ni ja tagasi. Küsige, mis sai sirgetest: riba igas kohas on need sirged. Mis sai F-ist? Silmale lähem osa on kasvanud. x ja y jaoks on see kergesti öeldud: pärast jagamist skaleeritakse aken vahemikku −1 kuni 1. Häda on z-iga.</translation>
     </message>
     <message>
         <source>What becomes of z?</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis saab z-ist?</translation>
     </message>
     <message>
         <source>x and y are divided by z. May we simply keep z, only scaled and shifted?</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse z-iga. Kas z-i võib lihtsalt alles jätta, ainult skaleeritult ja nihutatult?</translation>
     </message>
     <message>
         <source>x and y are divided, {0}. What is PQ in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse, {0}. Mis on kuubis PQ?</translation>
     </message>
     <message>
         <source>Straight: every step keeps lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirge: iga samm säilitab sirgeid</translation>
     </message>
     <message>
         <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation type="unfinished"></translation>
+        <translation>x ja y jagatakse z-iga, z&apos; mitte: see samm ei säilita sirgeid. Vaadake kaart P ja Q vahel.</translation>
     </message>
     <message>
         <source>Bent</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõver</translation>
     </message>
     <message>
         <source>Only with {0} do all three change with 1/z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ainult siis, kui {0}, muutuvad kõik kolm koos suurusega 1/z.</translation>
     </message>
     <message>
         <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Laske neil hääletada, enne kui kuupi näha on. Siis näidake: kaar, selle kõõl ja kõrvalekalle protsentides pikkusest. Sirge joon selle kõrval on A + B/z. Lohistage P-d silma poole ja kaar kasvab. Miks see loeb? Mis on otste vahel, interpoleeritakse, ja sirgeid kärbitakse nagu sirgeid. Kui B &lt; 0, säilib selle loengu märkidega sügavuste järjekord. Lähitasand on 1, kaugtasand −1: kaks võrrandit A ja B jaoks.</translation>
     </message>
     <message>
         <source>The matrix of perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Perspektiivi maatriks</translation>
     </message>
     <message>
         <source>{0}, and the last row is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja viimane rida on {1}.</translation>
     </message>
     <message>
         <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} on lineaarne: maatriks. Seega säilitab see sirgeid. Vaadake paneelis Maatriksid maatriksit kärperuum ← vaade Valemitena: nendes tähtedes on w z, silma ees negatiivne. OpenGL-i maatriks on see siin korda −1 ja ümber pööratud z&apos;-ga, sest seal on tasandid positiivsed kaugused. Arvud: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Teljeväline aken</translation>
     </message>
     <message>
         <source>The window is not in the middle: {0} makes the slanted frustum straight first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Aken ei ole keskel: {0} teeb kaldus frustumi enne sirgeks.</translation>
     </message>
     <message>
         <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ekraanidest sein või silm oma ekraani keskkoha kõrval. Lohistage sätet „Silm keskkohast paremal“: pilt aknal jääb selle silma jaoks õigeks. Jälle H, kootangensid akna keskkoha järgi. Loengu näpuviga: kui w = z, on kolmandas veerus miinus, {0}. Kontrollige seda akna keskkoha punktiga, mis peab sattuma kohale x&apos; = 0. glFrustum võtab kuus arvu, gluPerspective neli.</translation>
     </message>
     <message>
         <source>Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk</translation>
     </message>
     <message>
         <source>30° is a common angle. A wide angle draws near things much larger than far ones; a narrow angle is close to an orthographic picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>30° on tavaline nurk. Lai nurk joonistab lähedased asjad palju suuremana kui kauged; kitsas nurk on lähedal ortograafilisele pildile.</translation>
     </message>
     <message>
         <source>Three cameras, each as far away as it must be for the same size of the F: 95°, 30°, 7.5°. The first is what the lecture calls fish-eye, the last is nearly orthographic: look at the upright edges and at the top. Sizes are proportional to the tangent of half the angle. The angle alone only enlarges; the distance changes the perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm kaamerat, igaüks nii kaugel, kui peab, et F oleks sama suur: 95°, 30°, 7.5°. Esimest nimetab loeng fish-eye efektiks, viimane on peaaegu ortograafiline: vaadake püstservi ja ülemist otsa. Suurused on võrdelised poole nurga tangensiga. Nurk üksi ainult suurendab; perspektiivi muudab kaugus.</translation>
     </message>
     <message>
         <source>Divide, then pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagamine, siis pikslid</translation>
     </message>
     <message>
         <source>{0}, then {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, siis {1}</translation>
     </message>
     <message>
         <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Üks punkt läbi kõigi etappide, rida-realt: maailm, vaade, kärperuum, jagamine, NDC, pikslid. Laius ja kõrgus on ekraani omad, pikslites; loeng kirjutab w ja h, aga siin on w neljas koordinaat. Ekraani alguspunkt on ülemine vasak nurk, sellest 1 - y. Lohistage punkt 1 pildil ülemisse vasakusse nurka ja lugege selle rida NDC: −1 ja 1. See oli tippude teisendus; kärpimine ja rasterdamine tulevad pärast seda.</translation>
     </message>
     <message>
         <source>Halfway in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Pildil poolel teel</translation>
     </message>
     <message>
         <source>Linear on the screen is not linear in the world: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Ekraanil lineaarne ei ole maailmas lineaarne: {0}</translation>
     </message>
     <message>
         <source>The same board twice: once texture coordinates are interpolated as they are, once a/z and 1/z are, and then divided. Where is the middle of an edge whose ends are 2 and 8 away? A fifth of the way, seen from the near end. Colours forgive it, textures do not. Divide the board into more parts: the error goes down with their size, which is how old games hid it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama laud kaks korda: ühel korral interpoleeritakse tekstuuri koordinaate nii, nagu need on, teisel korral a/z ja 1/z ning jagatakse siis. Kus on keskkoht serval, mille otsad on 2 ja 8 kaugusel? Viiendiku peal, lähemast otsast vaadates. Värvid andestavad selle, tekstuurid mitte. Jagage laud rohkemateks osadeks: viga väheneb koos nende suurusega, nii peitsid seda vanad mängud.</translation>
     </message>
     <message>
         <source>What a console of 1996 saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida 1996. aasta mängukonsool säästis</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tippudele täispikslid, tekstuurile ei mingit jagamist: kiire ja kohe näha.</translation>
     </message>
     <message>
         <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt nimega odav: tipud täispikslitel, 1/w väikesest tabelist, a/z asemel a. Nooled osutavad sealt, kuhu tipp kuulub, sinna, kuhu see joonistatakse, 20 korda pikemana. Pöörake kaamerat aeglaselt sättega Asimuut: tipud hüppavad ja ruudud murduvad iga ruudu diagonaalil. Teine pilt on täpne. Ühegi tipu viga ei ole suurem kui pool pikslit kõrvale ja pool pikslit alla; näha on see, et naabrid hüppavad eri hetkedel.</translation>
     </message>
     <message>
         <source>Shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Varjud</translation>
     </message>
     <message>
         <source>A shadow is a projection from the lamp onto the ground: a matrix {0}, and {1}. Draw the object once more under it, in black.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vari on projektsioon lambist maapinnale: maatriks {0} ja {1}. Joonistage objekt sellega veel kord, mustalt.</translation>
     </message>
     <message>
         <source>The lamp is the centre of projection, the ground is the plane. No depth has to be kept, so the simplest matrix will do: More numbers has S. Draw the ground, draw the object, then in black the object under S. Drag the lamp lower, then choose Sun: the projection becomes a parallel one, w = 1. Close: orthographic, oblique and perspective are all matrices in homogeneous coordinates. Next time: clipping and hidden faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lamp on projektsiooni keskpunkt, maa on tasand. Sügavust ei ole vaja säilitada, nii et piisab kõige lihtsamast maatriksist: S on jaotises Veel arve. Joonistage maa, joonistage objekt, siis mustalt objekt maatriksiga S. Lohistage lampi allapoole, siis valige Päike: projektsioonist saab paralleelne, w = 1. Lõpetuseks: ortograafiline, kaldnurgaline ja perspektiivne on kõik homogeensetes koordinaatides maatriksid. Järgmine kord: kärpimine ja peidetud tahud.</translation>
     </message>
 </context>
 <context>
     <name>talk-003</name>
     <message>
         <source>Coordinate systems and transformations</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinaatsüsteemid ja teisendused</translation>
     </message>
     <message>
         <source>Three spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm ruumi</translation>
     </message>
     <message>
         <source>Object space is where a thing is made, world space where it is placed, camera space where it is seen from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekti ruumis asi tehakse, maailmas see paigutatakse ja kaamerafreimist seda vaadatakse.</translation>
     </message>
     <message>
         <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm: ruudustiku keskkoht on maailma alguspunkt; väikesed teljed F-i juures on selle omad, nihutatud 3 piki x-telge ja -1 piki z-telge ning pööratud ümber y-telje; u, v, n silma juures on kaamera omad. Igal kolmest küsimusest, tegemine, paigutamine, vaatamine, on oma ruum, et igaühele saaks vastata ilma teisteta. Kõik kolm on paremakäelised. Haarake F selle enda alguspunktist ja liigutage seda.</translation>
     </message>
     <message>
         <source>Columns are axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerud on teljed</translation>
     </message>
     <message>
         <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
-        <translation type="unfinished"></translation>
+        <translation>Maatriksi {0} veerud 1 kuni 3 on objekti teljed nii, nagu maailm neid näeb; veerg 4 on selle alguspunkt:</translation>
     </message>
     <message>
         <source>The object is turned by 90° about z, then moved by 3 along x. How high in y is its point (1, 0, 0) then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekti pööratakse 90° ümber z-telje ja nihutatakse siis 3 võrra piki x-telge. Kui kõrgel, y-sihis, on siis selle punkt (1, 0, 0)?</translation>
     </message>
     <message>
         <source>The move does not raise it, but the rotation takes x to y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe seda ei tõsta, aga pööre viib x-i y-iks.</translation>
     </message>
     <message>
         <source>Column 1 is (0, 1, 0), column 4 is (3, 0, 0), and together they are (3, 1, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on (0, 1, 0), veerg 4 on (3, 0, 0) ja kokku on need (3, 1, 0).</translation>
     </message>
     <message>
         <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutise rida x on tahvlil olev summa: kui kaugele iga objekti telg maailma x-sihis ulatub, korda koordinaat. Veergude kaupa lugedes ütleb see rohkem: veerg 1 on see, kuhu objekti x-telg näitab. Pärast hääletust avage Maatriksid ja käige läbi maatriksi maailm ← objekt veerud; telg süttib paanis Maailm. Siis pöörake objekti käsitsi, selle rõngast.</translation>
     </message>
     <message>
         <source>From the object to the camera</source>
+        <translation>Objektist kaamerani</translation>
+    </message>
+    <message>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Kärperuum, jagamine, NDC</translation>
     </message>
     <message>
         <source>First multiply by {0}, then divide by {1}. Probe 1 is at {2} in camera space, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne korrutage maatriksiga {0}, siis jagage suurusega {1}. Sond 1 on kaamerafreimis {2} ja {3}.</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>kärperuum</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks sammu: maatriks ja jagamine, mida ükski maatriks teha ei saa. w on 5, punkti sügavus. Tabel on paneelist Sond; NDC näitab punkti kuubis. Jaotusmaterjal nimetab kärperuumiks kuupi; siin on kärperuum see, mis on enne jagamist. Kuubi z on suunatud lugejast eemale: NDC on vasakukäeline, kaamerafreim paremakäeline. Lohistage paanis Pilt sondi 1.</translation>
     </message>
     <message>
         <source>The view frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Nähtav ruum: frustum</translation>
     </message>
     <message>
         <source>Six numbers: near and far, and left, right, bottom and top of the window on the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuus arvu: lähi- ja kaugtasand ning lähitasandil oleva akna vasak, parem, alumine ja ülemine serv.</translation>
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm: püramiid ilma tiputa. Mis on selle sees, joonistatakse, ja see kõik läheb kuupi. Lohistage lähitasandit, kaugtasandit ja üht nurka nende pidemetest. Siin on aken sümmeetriline ja selle neli arvu tulevad ühest nurgast ja pildi proportsioonidest: see on järgmine samm.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurgad ja e</translation>
     </message>
     <message>
         <source>At {0} the picture reaches {1} in x and {2} in y, {3}; at near {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohal {0} ulatub pilt x-sihis {1} ja y-sihis {2}, {3}; lähitasandil {4}, {5}.</translation>
     </message>
     <message>
         <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation type="unfinished"></translation>
+        <translation>β on nüüd 60° ja pilt 16:9. Kui suur on α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>
-        <translation type="unfinished"></translation>
+        <translation>tan(α/2) = 16/9 · tan 30° = 1.026</translation>
     </message>
     <message>
         <source>Draw the triangle eye, axis, edge: half the angle is in it. World is seen from above, with half of α at the eye. After the vote: 91.5°, not 106.7°. The tangents of the half angles are in the ratio 16 to 9, not the angles. The wider, the worse: type 120°, multiplied it would be 213°. More of the lens has Focal length e and the focal length of a 35-mm camera. β is not α, unless the picture is square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Joonistage kolmnurk silm, telg, serv: selles on pool nurka. Maailma nähakse ülalt, silma juures on pool α-st. Pärast hääletust: 91.5°, mitte 106.7°. Suhtes 16 ja 9 on poolte nurkade tangensid, mitte nurgad. Mida laiem, seda hullem: sisestage 120°, korrutatuna oleks see 213°. Jaotises Veel objektiivist on Fookuskaugus e ja 35-mm kaamera fookuskaugus. β ei ole α, kui pilt ei ole ruudukujuline.</translation>
     </message>
     <message>
         <source>Onto the near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasandile</translation>
     </message>
     <message>
         <source>By similar triangles, with the plane at {0}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Sarnaste kolmnurkade järgi, kui tasand on kohal {0}:</translation>
     </message>
     <message>
         <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P&apos; kõrgus on 0.8. Mõlemad koordinaadid on võrdelised suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
-        <translation type="unfinished"></translation>
+        <translation>[l, r] ja [b, t]</translation>
     </message>
     <message>
         <source>{0}, and likewise for y with b and t.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, samamoodi y-i jaoks b ja t-ga.</translation>
     </message>
     <message>
         <source>Check the ends: {0} gives {1}, {2} gives 1. In the proportion of the handout read {3} and (t - b). Probe 1 is straight ahead, x = 0; only the second fraction is left, and with l = -1, r = 3 it puts it at -0.5. The plus is right: it is multiplied by z, which is negative. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kontrollige otsi: {0} annab {1}, {2} annab 1. Jaotusmaterjali võrdes lugege {3} ja (t - b). Sond 1 on otse ees, x = 0; alles on ainult teine murd ja kui l = -1, r = 3, viib see selle kohta -0.5. Pluss on õige: see korrutatakse z-iga, mis on negatiivne. Lohistage välju Vasak ja Parem.</translation>
     </message>
     <message>
         <source>A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>A ja B</translation>
     </message>
     <message>
         <source>z does not depend on x and y: {0}, {1} at near and {2} at far:</source>
-        <translation type="unfinished"></translation>
+        <translation>z ei sõltu x-ist ja y-ist: {0}, {1} lähitasandil ja {2} kaugtasandil:</translation>
     </message>
     <message>
         <source>Near is 1, far is 9. A point is 5 deep, halfway between them. Where is it in the cube, as {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand on 1, kaugtasand 9. Punkti sügavus on 5, nende vahel poolel teel. Kus on see kuubis, suurusena {0}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. Look at the F in the cube: most of the depth lies close to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jaotatakse sügavus lähi- ja kaugtasandi vahel ühtlaselt. Vaadake kuubis F-i: suurem osa sügavusest on kaugtasandi lähedal.</translation>
     </message>
     <message>
         <source>This is {0}, before the division by {1}. Look at the point: it lies inside the cube, so {2} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on {0}, enne jagamist suurusega {1}. Vaadake punkti: see on kuubi sees, seega on {2} ülimalt 1.</translation>
     </message>
     <message>
         <source>{0}, {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} ja {2}.</translation>
     </message>
     <message>
         <source>Solve for A and B with the two conditions. Why not just scale? Because then lines would be bent; the reason that the lecture gives is the next part: 1/z is what is linear on the screen. The vote: most say 0, the middle. Show the crowding: half of the cube is used up at 2nf/(n + f) = 1.8.</source>
-        <translation type="unfinished"></translation>
+        <translation>Avaldage kahest tingimusest A ja B. Miks mitte lihtsalt skaleerida? Sest siis oleksid sirged kõverad; põhjus, mille annab loeng, on järgmine osa: ekraanil on lineaarne 1/z. Hääletus: enamik ütleb 0, keskkoht. Näidake tihenemist: pool kuubist on ära kasutatud kohal 2nf/(n + f) = 1.8.</translation>
     </message>
     <message>
         <source>The matrix of glFrustum</source>
-        <translation type="unfinished"></translation>
+        <translation>glFrustumi maatriks</translation>
     </message>
     <message>
         <source>Rows 1 and 2 come from the window, row 3 from {0} and {1}; row 4 divides. Framed is what {2} changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Read 1 ja 2 tulevad aknast, rida 3 suurustest {0} ja {1}; rida 4 jagab. Raamis on see, mida {2} muudab.</translation>
     </message>
     <message>
         <source>All of it has been derived: rows 1 and 2 from the window, row 3 from A and B, row 4 from the division. With the numbers here row 1 is 1, 0, 0.5, 0. For a symmetric window the two shears are 0, and 2n/(r - l) is e.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik see on tuletatud: read 1 ja 2 aknast, rida 3 A-st ja B-st, rida 4 jagamisest. Siinsete arvudega on rida 1 1, 0, 0.5, 0. Sümmeetrilise akna puhul on kaks kaldnihet 0 ja 2n/(r - l) on e.</translation>
     </message>
     <message>
         <source>1/z is linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>1/z on ekraanil lineaarne</translation>
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Serv läheb sügavuselt {0} sügavusele {1}. Kui ekraanil on läbitud osa {2}, siin {3}, on selle punkti sügavus {4}:</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimene on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirge {0} ja kiir läbi punkti {1} kohtuvad, kus {2}. p ja 1/z on lineaarses võrrandis, ja see ongi kõik.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
-        <translation type="unfinished"></translation>
+        <translation>Atribuudid: a/z</translation>
     </message>
     <message>
         <source>Colours and texture coordinates are linear along the edge in space, so {0} is linear on the screen too:</source>
-        <translation type="unfinished"></translation>
+        <translation>Värvid ja tekstuuri koordinaadid on ruumis piki serva lineaarsed, seega on ekraanil lineaarne ka {0}:</translation>
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afiinne: tekstuur murdub diagonaalil, kus kaks kolmnurka kohtuvad. Korrektne: interpoleeritakse a/z ja 1/z ning jagatakse igas pikslis. Kui sügavused on 2 ja 8 ning a on 0-st 1-ni, on keskel a = 0.2, mitte 0.5. Pöörake asimuuti: otse vaadates on mõlemad ühesugused. Osi küljel teeb vea väiksemaks, mitte nulliks.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortograafiline risttahukas</translation>
     </message>
     <message>
         <source>A box becomes a cube without a division: scale by {0} and {1}, and move the middle to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukast saab kuup ilma jagamata: skaleerige arvudega {0} ja {1} ning nihutage keskkoht kohta 0.</translation>
     </message>
     <message>
         <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas on igal sügavusel ühelaiune: w on 1. Jaotusmaterjali esimeses lahtris on 2n/(r - l), mis on näpuviga: siin ei viida midagi lähitasandile, seega ei ole n-i. Nihked on nüüd veerus 4, mitte veerus 3, sest neid ei korrutata z-iga. Võrrelge frustumi maatriksiga sammus 10.</translation>
     </message>
     <message>
         <source>To pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslitesse</translation>
     </message>
     <message>
         <source>{0} and, as rows count down, {1}. Probe 1: {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja, sest ridu loetakse ülalt alla, {1}. Sond 1: {2} läheb kohta {3}.</translation>
     </message>
     <message>
         <source>The same probe as before, now to the end: 1280 by 720, origin at the upper left. Ask for the corners of the cube: (-1, 1) is (0, 0), (1, -1) is (1280, 720). y turns over here and nowhere else. Sum up the chain: object, world, camera, clip, NDC, pixels; Probe in the drawer has all of it for one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sama sond mis enne, nüüd lõpuni: 1280 korda 720, alguspunkt üleval vasakul. Küsige kuubi nurki: (-1, 1) on (0, 0), (1, -1) on (1280, 720). y pöördub ümber siin ja mitte kusagil mujal. Võtke ahel kokku: objekt, maailm, kaamera, kärperuum, NDC, pikslid; sahtli paneelis Sond on see kõik ühe punkti jaoks.</translation>
     </message>
 </context>
 <context>
     <name>talk-004</name>
     <message>
         <source>A camera for the letter F</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera F-tähe jaoks</translation>
     </message>
     <message>
         <source>The camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera teljed</translation>
     </message>
     <message>
         <source>{0}, {1} is the origin, {2}. What is {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} on alguspunkt, {2}. Kui suur on {3}?</translation>
     </message>
     <message>
         <source>1: {0} is up, so {1} is up</source>
-        <translation type="unfinished"></translation>
+        <translation>1: {0} on üles, seega on {1} üles</translation>
     </message>
     <message>
         <source>{0} and {1}, so {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja {1}, seega {2}.</translation>
     </message>
     <message>
         <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ehitage see paneelis Kaamerafreim samm-sammult: silm ja sihtpunkt, siis N, n, U, u, v. N näitab tahapoole, sihtpunktist silma: kaamera vaatab suunas {0}. Kolm ühikvektorit, igaüks teistega risti, paremakäeliselt. Peatuge enne v-d ja laske neil hääletada: n on (0, 9, 3) jagatud oma pikkusega, 9.49. Siis näidake v-d: see kaldub V-st kaugele. Mis siis, kui V on N-iga paralleelne? Pöörake „Üles, nurk vaatega“ liuguri otsa poole: |V × n| läheneb nullile 0 ja U koos sellega.</translation>
     </message>
     <message>
         <source>The camera in the world</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera maailmas</translation>
     </message>
     <message>
         <source>The camera is at {0}, and has {1}. It is to stand in the origin, with them along {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera on kohal {0} ja sellel on {1}. See peab seisma alguspunktis nii, et need on piki telgi {2}.</translation>
     </message>
     <message>
         <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y ja z kuuluvad maailmale ja seisavad järgmises kahes sammus paigal; u, v ja n on kaamera omad. Küsige kaht liigutust, mis viivad need kokku, ja mis järjekorras.</translation>
     </message>
     <message>
         <source>First P</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne P</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and the whole scene with it. Nothing turns: {1} keep their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib silma alguspunkti ja kogu stseeni koos sellega. Miski ei pöördu: {1} säilitavad oma suunad.</translation>
     </message>
     <message>
         <source>Go on, and watch the camera come to the axes; back on the strip and once more. Nothing changes its shape, and nothing its place against the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge edasi ja vaadake, kuidas kaamera telgede juurde tuleb; ribal tagasi ja veel kord. Millegi kuju ei muutu ega ka koht ülejäänu suhtes.</translation>
     </message>
     <message>
         <source>Then R</source>
-        <translation type="unfinished"></translation>
+        <translation>Siis R</translation>
     </message>
     <message>
         <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pöörab ümber alguspunkti, kuni {1} on piki telgi {2}, mis loengus on {3}.</translation>
     </message>
     <message>
         <source>The camera looks along {0} now. R is hard to write down; its inverse is easy: the columns of {1} are u, v, n. R is orthogonal, so its inverse is its transpose, and its rows are u, v, n. Unfold the factors of view ← world: rotation and translation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera vaatab nüüd suunas {0}. R-i on raske kirja panna; selle pöördmaatriksit on kerge: maatriksi {1} veerud on u, v, n. R on ortogonaalne, nii et selle pöördmaatriks on transponeeritud maatriks ja selle read on u, v, n. Voldige lahti maatriksi vaade ← maailm tegurid: pööre ja nihe.</translation>
     </message>
     <message>
         <source>R times P</source>
-        <translation type="unfinished"></translation>
+        <translation>R korda P</translation>
     </message>
     <message>
         <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, maailma süsteemist (GKS) kaamera omasse (KSK); {1} mõjub esimesena.</translation>
     </message>
     <message>
         <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}. Milline arv on maatriksi {2} viimase veeru reas 3?</translation>
     </message>
     <message>
         <source>−8: the eye&apos;s z with a minus</source>
-        <translation type="unfinished"></translation>
+        <translation>−8: silma z miinusega</translation>
     </message>
     <message>
         <source>8: the eye&apos;s z</source>
-        <translation type="unfinished"></translation>
+        <translation>8: silma z</translation>
     </message>
     <message>
         <source>{0}. {1} acts first, so {2} rotates the translation, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. {1} mõjub esimesena, nii et {2} pöörab ka nihet.</translation>
     </message>
     <message>
         <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutage see tahvlil läbi: viimane veerg on miinus silm piki telgi u, v ja n. Teises järjekorras oleks viimane veerg miinus silm. Kõiki objekte liigutatakse, kaamera seisab pärast paigal; objektide paiknemine üksteise suhtes ei muutu. GKS on maailma süsteem, KSK kaamera oma.</translation>
     </message>
     <message>
         <source>Why transform at all?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milleks üldse teisendada?</translation>
     </message>
     <message>
         <source>A point behind the camera has {0}. A nearer point has a larger (less negative) z. Here point 1 has −7.5, point 2 has −12, point 3 has 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera taga oleval punktil on {0}. Lähemal punktil on suurem (vähem negatiivne) z. Siin on punktil 1 −7.5, punktil 2 −12 ja punktil 3 2.</translation>
     </message>
     <message>
         <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kolm punkti ja nende z kaamera süsteemis (need on paneelis Sond). Milline on kaamera taga? Milline varjab millist? Kumbki küsimus on üks võrdlus. Maailma koordinaatides vajavad samad küsimused iga kord kaamerat. Projektsiooni tasand on nüüd z-teljega risti ja ortograafiline projektsioon on: jätke z ära. Perspektiiv on üks jagamine lisaks.</translation>
     </message>
     <message>
         <source>The letter F on its grid</source>
-        <translation type="unfinished"></translation>
+        <translation>F-täht oma ruudustikul</translation>
     </message>
     <message>
         <source>Eight cubes on the xz plane, drawn by orthogonal projection: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaheksa kuupi xz-tasandil, joonistatud ortograafilise projektsiooniga: {0}</translation>
     </message>
     <message>
         <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on ülesande klass Ortho: iga ruudustiku joon ja iga kuubi serv läheb läbi R P ja z unustatakse. Paralleelsed servad jäävad paralleelseks: näidake kolme neist. Pöörake asimuuti: täht pöördub, miski ei kasva ega kahane kaugusega. Ülesanne tahab ainult jooni; siin on tahud täidetud, et oleks näha, mis on ees.</translation>
     </message>
     <message>
         <source>Round the F</source>
-        <translation type="unfinished"></translation>
+        <translation>Ümber F-i</translation>
     </message>
     <message>
         <source>The camera circles the F. Its height changes smoothly, or in steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera tiirleb ümber F-i. Selle kõrgus muutub sujuvalt või astmeti.</translation>
     </message>
     <message>
         <source>Press Play in the tool bar. Open Animation in the dock: let the height of the eye swing, then go in steps, and set the lowest and highest y. In every picture R and P are computed anew from the three vectors; the F itself does not move. Ask what changes in the World pane: only the camera and its frustum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vajutage tööriistaribal Esita. Avage külgribal Animatsioon: laske silma kõrgusel kõikuda, siis minna astmeti, ning seadke madalaim ja kõrgeim y. Igal pildil arvutatakse R ja P kolmest vektorist uuesti; F ise ei liigu. Küsige, mis muutub paanis Maailm: ainult kaamera ja selle frustum.</translation>
     </message>
     <message>
         <source>Looking level</source>
-        <translation type="unfinished"></translation>
+        <translation>Horisontaalne vaade</translation>
     </message>
     <message>
         <source>{0}: the camera looks level, and uprights stay parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: kaamera vaatab horisontaalselt ja püstservad jäävad pildil paralleelseks.</translation>
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished">horisontaalselt</translation>
+        <translation>horisontaalselt</translation>
     </message>
     <message>
         <source>looking down</source>
-        <translation type="unfinished">alla vaadates</translation>
+        <translation>alla vaadates</translation>
     </message>
     <message>
         <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige jaotises Animatsioon Vaade: horisontaalselt ja esitage: silma ja sihtpunkti kõrgus käivad koos. Püstservad on nüüd püsti, igal kõrgusel; Maailm näitab mõlemat kaamerat. Valige jälle sihtpunkti: need koonduvad. Siis avage Veel kaamerast ja tehke ülesvektoriks 1, 1, 0: pilt pöördub, F mitte. Loeb ainult V suund ja sellestki ainult see osa, mis on n-iga risti.</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Perspektiiv</translation>
     </message>
     <message>
         <source>{0}, by the matrix with {1} in its last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, maatriksiga, mille viimases reas on {1}.</translation>
     </message>
     <message>
         <source>Two similar triangles with the camera as their corner. z is negative in front, so {0} is positive. The matrix: 1, 1, 1 and −1/d; it makes {1}, and dividing by the last number gives {2}, {3} and {4}. Any multiple of the matrix does the same. Move the plane distance d: the picture on the plane grows with d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks sarnast kolmnurka, mille nurk on kaameras. Ees on z negatiivne, seega on {0} positiivne. Maatriks: 1, 1, 1 ja −1/d; see annab {1}, ja jagamine viimase arvuga annab {2}, {3} ja {4}. Sama teeb maatriksi iga kordne. Muutke tasandi kaugust d: pilt tasandil kasvab koos d-ga.</translation>
     </message>
     <message>
         <source>To the pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslitesse</translation>
     </message>
     <message>
         <source>Natural coordinates to pixel coordinates: scale, then shift. {0} and {1} are the middle of the picture, 640 and 360; {2} is negative, since rows count downwards. With d = 1 and this lens {3}, and {4}. Check with point 1: view x = 1.5, z = −7.5, so {5}, and {6}. The Probe panel has it in the row image px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Loomulikest koordinaatidest piksli koordinaatidesse: skaleerimine, siis nihe. {0} ja {1} on pildi keskkoht, 640 ja 360; {2} on negatiivne, sest ridu loetakse ülalt alla. Kui d = 1, on selle objektiiviga {3} ja {4}. Kontrollige punktiga 1: vaates x = 1.5, z = −7.5, seega {5} ja {6}. Paneelis Sond on see reas pilt px.</translation>
     </message>
     <message>
         <source>The F in perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>F perspektiivis</translation>
     </message>
     <message>
         <source>These are the same lines, divided by their depth. A larger {0} only enlarges the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Need on samad jooned, jagatud oma sügavusega. Suurem {0} ainult suurendab pilti.</translation>
     </message>
     <message>
         <source>d</source>
-        <translation type="unfinished"></translation>
+        <translation>d</translation>
     </message>
     <message>
         <source>2d</source>
-        <translation type="unfinished"></translation>
+        <translation>2d</translation>
     </message>
     <message>
         <source>Two pictures from the same eye: in the second one d is twice as large, and all is twice as large. In the program it is the field of view that does it: {0} from 1.73 to 3.46. Nothing moves against anything else. Then end the comparison and change Distance: now near parts grow faster than far ones. As long as the camera is on a wide enough circle, all is well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks pilti samast silmast: teisel on d kaks korda suurem ja kõik on kaks korda suurem. Programmis teeb seda frustumi nurk: {0} 1.73-lt 3.46-le. Miski ei liigu millegi suhtes. Siis lõpetage võrdlus ja muutke Kaugust: nüüd kasvavad lähedased osad kiiremini kui kauged. Kuni kaamera on piisavalt laial ringil, on kõik hästi.</translation>
     </message>
     <message>
         <source>Too close</source>
-        <translation type="unfinished"></translation>
+        <translation>Liiga lähedal</translation>
     </message>
     <message>
         <source>The camera comes nearer to the F, and lines appear that nobody drew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera tuleb F-ile lähemale ja ilmuvad jooned, mida keegi ei joonistanud.</translation>
     </message>
     <message>
         <source>Change Distance to 8 first: a good picture. Then come nearer, slowly. As soon as an edge of the F reaches behind the camera, lines go astray. It is not the distance of the plane that does it: with d as small as you like the picture is right, as long as all is in front. The World pane shows the plane through the eye, marked z = 0. Which edges cross it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Muutke enne Kauguseks 8: hea pilt. Siis tulge aeglaselt lähemale. Niipea kui mõni F-i serv ulatub kaamera taha, lähevad jooned valesti. Süüdi ei ole tasandi kaugus: kui tahes väikese d-ga on pilt õige, kuni kõik on ees. Paan Maailm näitab tasandit läbi silma, märgiga z = 0. Millised servad seda läbivad?</translation>
     </message>
     <message>
         <source>A line broken at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kohal {0} katkev sirge</translation>
     </message>
     <message>
         <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projektsioon viib kohal {0} oleva punkti lõpmatusse ja sirge lõpmatuspunkti lõplikku punkti: kujutis on kahes tükis sirge.</translation>
     </message>
     <message>
         <source>In the KSK {0}, {1}, and {2}. Which {3} does the image of AB cover?</source>
-        <translation type="unfinished"></translation>
+        <translation>KSK-s on {0}, {1} ja {2}. Milliseid {3} väärtusi katab AB kujutis?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, from one image to the other</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5-st −0.5-ni, ühest kujutisest teiseni</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
-        <translation type="unfinished">0.5-st lõpmatuseni</translation>
+        <translation>0.5-st lõpmatuseni</translation>
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} kasvab z = 0 lähenedes tõkestamatult.</translation>
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>AB on sirge ja läbib tasandi z = 0; pool sellest on kaamera taga. Hääletage, siis näidake: roosa on kujutis, oranž see, mida joonistab naiivne programm; katkendlik on kujutiseta tükk. Projektiivgeomeetrias on sirge ring, mille sulgeb selle lõpmatuspunkt: avage selleks Selgitus ja diagrammid. A&apos; ja B&apos; ühendamine võtab vale kaare. Ja ühte punkti läbiv sirgete kimp? F-il on palju paralleelseid servi; nende valed osad läbivad kõik servade koondumispunkti. Ühes loengu lauses on „projektsiooni tasand“ seal, kus mõeldud on z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Neli juhtumit</translation>
     </message>
     <message>
         <source>If both ends are in front, draw. If both are behind, do not draw. Otherwise cut first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui mõlemad otsad on ees, joonistage. Kui mõlemad on taga, ärge joonistage. Muidu lõigake enne.</translation>
     </message>
     <message>
         <source>1 in front</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ees</translation>
     </message>
     <message>
         <source>2 behind</source>
-        <translation type="unfinished"></translation>
+        <translation>2 taga</translation>
     </message>
     <message>
         <source>3 A behind</source>
-        <translation type="unfinished"></translation>
+        <translation>3 A taga</translation>
     </message>
     <message>
         <source>4 B behind</source>
-        <translation type="unfinished"></translation>
+        <translation>4 B taga</translation>
     </message>
     <message>
         <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguses on see juhtum 1, mõlemad otsad ees. Lohistage B tasandi z = 0 taha: juhtum 4. Lohistage ka A taha: juhtum 2, midagi ei joonistata. B jälle ette: juhtum 3. Arv stseeni juhtelementide all nimetab iga kord juhtumi. Ülesande programm peab viimast punkti kaamera koordinaatides, {0}, meeles hoidma ka seal, kus midagi ei joonistatud.</translation>
     </message>
     <message>
         <source>Cut at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Lõige kohal {0}</translation>
     </message>
     <message>
         <source>{0}, and the point of the line at {1} takes the place of the end behind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ja taga oleva otsa asemele tuleb sirge punkt kohal {1}.</translation>
     </message>
     <message>
         <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mitte kohal 0, kus jagada ei saa, vaid natuke selle ees. Kolm pilti: jagatud ilma lõiketa, lõigatud kohal z = −0.01, kärbitud. Katkendlik on AB kujutiseta tükk. Lõige jätab alles kogu AB, mis on tasandi ees, ja selle kujutis jookseb raamist välja. Kärpimine jätab alles selle, mis on püramiidis, ja kujutis lõpeb raamil. Pildil need peaaegu ei erine: erinevus on pildi kõrval või ülimalt mõni piksel; jaotises „Veel arve“ on see kui osa, mille lõige ära jätab. Kärpimine homogeensetes koordinaatides sellist arvu ei vaja: see jätab enne jagamist alles {0} kuni {1}. Sellega on ülesanne lahendatud: kõndige F-i sisse.</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Two minutes with a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaks minutit kaameraga</translation>
     </message>
     <message>
         <source>The near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Lähitasand</translation>
     </message>
     <message>
         <source>In the World pane a camera looks at the letter F. The ochre frame is its near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paanis Maailm vaatab kaamera F-tähte. Ookrivärvi raam on selle lähitasand.</translation>
     </message>
     <message>
         <source>Bring the near plane closer to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tooge lähitasand kaamerale lähemale.</translation>
     </message>
     <message>
         <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage paanis Maailm ookrivärvi rombi piki telge või nihutage külgribal liugurit *Lähitasand* vasakule.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pilt jääb samaks; NDC kuubis on kõik liikunud kaugtasandi poole.</translation>
     </message>
     <message>
         <source>From another side</source>
-        <translation type="unfinished"></translation>
+        <translation>Teiselt poolt</translation>
     </message>
     <message>
         <source>You look at camera, frustum and picture from outside. Nothing changes when you walk round them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatate kaamerat, frustumit ja pilti väljastpoolt. Miski ei muutu, kui te nende ümber käite.</translation>
     </message>
     <message>
         <source>Turn the world: drag beside the frustum, or anywhere with the middle button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörake maailma: lohistage frustumi kõrval või keskmise nupuga ükskõik kus.</translation>
     </message>
     <message>
         <source>On the planes a drag moves near or far. With the keyboard: Tab to the World pane, then arrows. The house in its title brings back the first view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tasanditel nihutab lohistamine lähi- või kaugtasandit. Klaviatuuriga: Tab paanile Maailm, siis nooled. Maja selle pealkirjas toob esimese vaate tagasi.</translation>
     </message>
     <message>
         <source>Only your own view has turned. The image is the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördunud on ainult teie enda vaade. Pilt on kaamera oma.</translation>
     </message>
     <message>
         <source>The cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuup</translation>
     </message>
     <message>
         <source>Everything between near and far is squeezed into one cube, whatever the lens. That is the NDC cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kõik, mis on lähi- ja kaugtasandi vahel, surutakse ühte kuupi, olgu objektiiv milline tahes. See on NDC kuup.</translation>
     </message>
     <message>
         <source>Make the cube the large pane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke kuubist suur paan.</translation>
     </message>
     <message>
         <source>Double-click its title, *NDC cube*, or press Ctrl+2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tehke topeltklõps selle pealkirjal *NDC kuup* või vajutage Ctrl+2.</translation>
     </message>
     <message>
         <source>The small end of the frustum has become the front face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi väiksemast otsast on saanud esitahk.</translation>
     </message>
     <message>
         <source>On the way there</source>
-        <translation type="unfinished"></translation>
+        <translation>Teel sinna</translation>
     </message>
     <message>
         <source>Each matrix on the way is a stop of the strip below the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga maatriks sellel teel on peatus kuubi all oleval ribal.</translation>
     </message>
     <message>
         <source>Go back to an earlier stop of the strip, and forwards again if you like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Minge ribal tagasi mõne varasema peatuse juurde ja, kui soovite, jälle edasi.</translation>
     </message>
     <message>
         <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage riba liugurit vasakule või vajutage *Vaade*, *Püramiid* või *Risttahukas*; kui fookus on sellel, liigutavad seda nooleklahvid.</translation>
     </message>
     <message>
         <source>Lines stay straight all the way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sirged jäävad kogu tee sirgeks.</translation>
     </message>
     <message>
         <source>The field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustumi nurk</translation>
     </message>
     <message>
         <source>How much of the world does the picture show?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kui suurt osa maailmast pilt näitab?</translation>
     </message>
     <message>
         <source>Change the field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Muutke frustumi nurka.</translation>
     </message>
     <message>
         <source>Move the slider *Field of view* in the dock, or type a number and press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihutage külgribal liugurit *Frustumi nurk* või sisestage arv ja vajutage Enter.</translation>
     </message>
     <message>
         <source>The wider the angle, the more of the world you see, and the smaller everything is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mida laiem nurk, seda rohkem maailma te näete ja seda väiksem on kõik.</translation>
     </message>
     <message>
         <source>Another lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Teine objektiiv</translation>
     </message>
     <message>
         <source>The rays of a parallel lens do not meet in an eye: what is far away is drawn as large as what is near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralleelse objektiivi kiired ei kohtu silmas: kauge joonistatakse sama suurena kui lähedane.</translation>
     </message>
     <message>
         <source>Choose the orthographic lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Valige ortograafiline objektiiv.</translation>
     </message>
     <message>
         <source>*Lens*, in the dock, is a list: choose *orthographic* in it. From the keyboard press Tab until it has the focus, then Down until it is *orthographic*.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Objektiiv* külgribal on loend: valige sellest *ortograafiline*. Klaviatuuril vajutage Tab, kuni fookus on sellel, siis allanoolt, kuni see on *ortograafiline*.</translation>
     </message>
     <message>
         <source>The frustum is a box. The list at the top left has a scene for each topic of the lectures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Frustum on risttahukas. Üleval vasakul olevas loendis on stseen loengute iga teema jaoks.</translation>
     </message>
 </context>
 </TS>

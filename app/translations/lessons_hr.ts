@@ -5,386 +5,570 @@
     <name>ideas</name>
     <message>
         <source>Wrong ideas, and what refutes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogrešne predodžbe i što ih opovrgava</translation>
     </message>
     <message>
         <source>n is where I look</source>
-        <translation type="unfinished"></translation>
+        <translation>n je kamo gledam</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. The camera looks along {1}: {2} runs from the target back to the eye, so that with {3} to the right and {4} up the three axes are right-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima smjer gledanja kao {0}. Kamera gleda duž {1}: {2} ide od cilja natrag prema kameri, tako da su s {3} udesno i {4} gore tri osi desni sustav.</translation>
     </message>
     <message>
         <source>My up vector is v</source>
-        <translation type="unfinished"></translation>
+        <translation>Moj vektor prema gore je v</translation>
     </message>
     <message>
         <source>This takes the normalised up vector for {0}. Up only has to point roughly upwards; {1} is at a right angle to the view direction, so the more the camera looks down, the farther {2} tilts away from up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima normirani vektor prema gore kao {0}. On treba pokazivati samo otprilike gore; {1} je okomit na smjer gledanja, pa se {2} to više naginje od smjera prema gore što kamera više gleda dolje.</translation>
     </message>
     <message>
         <source>Unit times unit is a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedinični puta jedinični je jedinični</translation>
     </message>
     <message>
         <source>This does not normalise the cross product of up and {0}, because both are unit vectors. But its length is the sine of the angle between them, so {1} is the product divided by that length; otherwise everything measured along {2} is too short.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo ne normira vektorski umnožak smjera prema gore i {0}, jer su oba jedinični vektori. Ali njegova je duljina sinus kuta između njih, pa je {1} umnožak podijeljen tom duljinom; inače je sve mjereno duž {2} prekratko.</translation>
     </message>
     <message>
         <source>The view matrix puts the camera in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda stavlja kameru na mjesto</translation>
     </message>
     <message>
         <source>This writes down the inverse of the view matrix, which moves a camera from the origin to its place. The view matrix does the opposite: it moves the world until the eye is at the origin, so its last column is minus the eye along {0}, {1} and {2}, not the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zapisuje inverz matrice pogleda, koji kameru iz ishodišta pomiče na njezino mjesto. Matrica pogleda čini suprotno: pomiče svijet dok kamera ne bude u ishodištu, pa je njezin posljednji stupac minus položaj kamere duž {0}, {1} i {2}, a ne položaj kamere.</translation>
     </message>
     <message>
         <source>Rows and columns may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Retci i stupci smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This reads the matrix with rows and columns exchanged. Points are columns here, {0}, so a cell {1} says how much of coordinate {2} goes into coordinate {3}, and the axes are the columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo čita matricu sa zamijenjenim retcima i stupcima. Točke su ovdje stupci, {0}, pa ćelija {1} kaže koliko koordinate {2} ulazi u koordinatu {3}, a osi su stupci.</translation>
     </message>
     <message>
         <source>The order does not matter</source>
-        <translation type="unfinished"></translation>
+        <translation>Redoslijed nije važan</translation>
     </message>
     <message>
         <source>This multiplies the factors in the opposite order. The factor on the right acts first. First rotating and then moving differs from first moving and then rotating, because the later rotation rotates the move as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo množi faktore obrnutim redom. Prvi djeluje faktor zdesna. Najprije rotirati pa pomaknuti nije isto što i najprije pomaknuti pa rotirati, jer kasnija rotacija rotira i pomak.</translation>
     </message>
     <message>
         <source>The function takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Funkcija uzima moje stupnjeve</translation>
     </message>
     <message>
         <source>This passes degrees to a function that expects radians. 60 degrees are {0} radians; 60 radians are nine and a half turns, so the result can be anything, even of the opposite sign, and the picture upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo predaje stupnjeve funkciji koja očekuje radijane. 60 stupnjeva je {0} radijana; 60 radijana je devet i pol okreta, pa rezultat može biti bilo što, čak i suprotnog predznaka, a slika naopačke.</translation>
     </message>
     <message>
         <source>The lens takes the whole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiv uzima cijeli kut</translation>
     </message>
     <message>
         <source>This takes the tangent or cotangent of the whole field of view. The right-angled triangle lies between the axis and the edge of the picture and contains half of the angle: at 90° the lens has {0}, whereas {1} is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima tangens ili kotangens cijelog vidnog polja. Pravokutni trokut leži između osi i ruba slike i sadrži polovicu kuta: kod 90° objektiv ima {0}, dok je {1} jednak 0.</translation>
     </message>
     <message>
         <source>Twice the angle is twice the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvostruki kut je dvostruka širina</translation>
     </message>
     <message>
         <source>This assumes that widths are proportional to angles. They are proportional to the tangent of half the angle: with 120° high and 16:9 that tangent is 1.73 upwards and 3.08 sideways, so the picture is 144.0° wide: 72.0° on each side, not 213°, which no picture can be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo pretpostavlja da su širine proporcionalne kutovima. One su proporcionalne tangensu polovice kuta: uz 120° u visinu i 16:9 taj je tangens 1.73 u visinu i 3.08 u širinu, pa je slika široka 144.0°: 72.0° na svaku stranu, a ne 213°, što nijedna slika ne može biti.</translation>
     </message>
     <message>
         <source>An angle is an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Kut je kut</translation>
     </message>
     <message>
         <source>This uses the vertical angle in place of the horizontal one. A picture that is wider than high reaches farther sideways than upwards, as width to height, and so does the tangent of half the angle; only then do circles stay round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo koristi vertikalni kut umjesto horizontalnog. Slika koja je šira nego viša seže dalje u širinu nego u visinu, u omjeru širine i visine, a tako i tangens polovice kuta; samo tada kružnice ostaju okrugle.</translation>
     </message>
     <message>
         <source>I measure from the picture plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Mjerim od ravnine slike</translation>
     </message>
     <message>
         <source>This divides by the distance from the plane, {0}. The two similar triangles share the corner at the eye, so measure both depths from the eye: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli s udaljenošću od ravnine, {0}. Dva slična trokuta imaju zajednički vrh kod kamere, zato obje dubine mjerite od kamere: {1}.</translation>
     </message>
     <message>
         <source>Dividing by z is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovoljno je dijeliti sa z</translation>
     </message>
     <message>
         <source>This has the sign for the wrong side of the eye: in front of it {0} is negative, and {1} is the result for a film *behind* the hole. A plane in front of the eye has {2} and an upright image; only a film behind it, at {3}, has it upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo ima predznak za pogrešnu stranu kamere: ispred nje {0} je negativan, a {1} je rezultat za film *iza* rupice. Ravnina ispred kamere ima {2} i uspravnu sliku; naopačke je samo na filmu iza nje, na {3}.</translation>
     </message>
     <message>
         <source>Near enlarges</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina povećava</translation>
     </message>
     <message>
         <source>This multiplies the picture by {0}. The image on the near plane does grow with {1}, but so does the window round it. {2} does not contain {3}: near only decides what is cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo množi sliku s {0}. Slika na bliskoj ravnini doista raste s {1}, ali raste i prozor oko nje. {2} ne sadrži {3}: bliska ravnina samo odlučuje što se odsijeca.</translation>
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished">bliska 1</translation>
+        <translation>bliska 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished">bliska 2</translation>
+        <translation>bliska 2</translation>
     </message>
     <message>
         <source>Near is a z, so it is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina je z, pa je negativna</translation>
     </message>
     <message>
         <source>This uses a negative number where a length belongs. Near, far and the distance of a picture plane are lengths from the eye, and positive; the planes are at negative {0}, and the formulas already contain that minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo koristi negativan broj ondje gdje treba duljina. Udaljenosti bliske i daleke ravnine te ravnine slike duljine su od kamere, i pozitivne su; ravnine su na negativnom {0}, a formule već sadrže taj minus.</translation>
     </message>
     <message>
         <source>n and f may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>n i f smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}, which changes the sign of {2} and of everything divided by it. The near plane would then be at {3}, where the far plane belongs, and all depths would run backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zamjenjuje {0} i {1}, što mijenja predznak od {2} i od svega što se time dijeli. Bliska ravnina tada bi bila na {3}, gdje pripada daleka, a sve bi dubine išle unatrag.</translation>
     </message>
     <message>
         <source>A window to the right moves the picture right</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozor udesno pomiče sliku udesno</translation>
     </message>
     <message>
         <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo pomiče sliku na istu stranu kao prozor. Prozor uokviruje ono što vidite: ako mu je sredina desno od osi, os se pojavljuje lijevo od sredine slike, u {0}. Matrica ondje ima plus jer se ta ćelija množi s {1}, što je negativno.</translation>
     </message>
     <message>
         <source>Cameras turn as eyes do</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamere se okreću kao oči</translation>
     </message>
     <message>
         <source>This toes the two cameras in, because eyes turn to what they look at. But each turned camera divides by the depth along its own axis, so points at the sides are not equally high in both pictures, and no pair of eyes can look up with one eye and down with the other: both cameras look straight ahead, and their windows move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo okreće dvije kamere jednu prema drugoj, jer se oči okreću prema onome što gledaju. Ali svaka okrenuta kamera dijeli s dubinom duž vlastite osi, pa točke sa strana nisu jednako visoko na objema slikama, a nikoji par očiju ne može jednim okom gledati gore, a drugim dolje: obje kamere gledaju ravno naprijed, a pomiču se njihovi prozori.</translation>
     </message>
     <message>
         <source>Far is always small</source>
-        <translation type="unfinished"></translation>
+        <translation>Daleko je uvijek malo</translation>
     </message>
     <message>
         <source>This divides by the depth, although the projectors are parallel. A parallel lens divides every point by 1, so equal heights stay equal at every depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli s dubinom premda su zrake projiciranja paralelne. Paralelni objektiv svaku točku dijeli s 1, pa jednake visine ostaju jednake na svakoj dubini.</translation>
     </message>
     <message>
         <source>Clip is NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Odsijecanje je NDC</translation>
     </message>
     <message>
         <source>This stops at the clip coordinates. The division by {0} is still to come, {1} and {2}; it makes far things small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo staje kod koordinata odsijecanja. Dijeljenje s {0} tek dolazi, {1} i {2}; ono čini daleke stvari malima.</translation>
     </message>
     <message>
         <source>z needs no divide</source>
-        <translation type="unfinished"></translation>
+        <translation>z ne treba dijeliti</translation>
     </message>
     <message>
         <source>This stops before the division. The depth is divided by {0} like {1} and {2}: only then does far come to 1, and only then do straight lines stay straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo staje prije dijeljenja. Dubina se dijeli s {0} kao {1} i {2}: samo tada daleka ravnina dolazi u 1 i samo tada pravci ostaju pravci.</translation>
     </message>
     <message>
         <source>Depth is the distance to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubina je udaljenost do kamere</translation>
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo mjeri ravno od kamere do točke. Dubina se mjeri samo duž osi, jer su bliska i daleka ravnina ravnine, a ne sfere: točka sa strane udaljenija je nego što joj je dubina.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubina teče jednoliko</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. But {0} changes with one over the depth, so the cube is filled fast at first: its middle is less than twice as deep as near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dubinu raspoređuje jednoliko između bliske i daleke ravnine. Ali {0} se mijenja s jedan kroz dubinu, pa se kocka isprva brzo puni: njezina je sredina na manje od dvostruke dubine bliske ravnine.</translation>
     </message>
     <message>
         <source>Near stays where it is in the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina u piramidi ostaje gdje jest</translation>
     </message>
     <message>
         <source>This leaves the near plane at {0}. On the way into the canonical pyramid everything is divided by {1}, so far comes to {2} and near to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo ostavlja blisku ravninu na {0}. Na putu u kanonsku piramidu sve se dijeli s {1}, pa daleka ravnina dolazi u {2}, a bliska u {3}.</translation>
     </message>
     <message>
         <source>NDC starts at 0</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC počinje od 0</translation>
     </message>
     <message>
         <source>This takes an NDC coordinate for a share from 0 to 1. It runs from {0} to {1} with 0 in the middle, so first add 1 and then halve: {2} and depth {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima koordinatu NDC kao udio od 0 do 1. Ona ide od {0} do {1}, s 0 u sredini, zato najprije dodajte 1, a zatim prepolovite: {2} i dubina {3}.</translation>
     </message>
     <message>
         <source>Pixel rows count up</source>
-        <translation type="unfinished"></translation>
+        <translation>Retci piksela broje se prema gore</translation>
     </message>
     <message>
         <source>This counts the rows of pixels upwards, like {0}. The image begins at its upper left corner and its rows count downwards: the higher a point is, the smaller is its row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo broji retke piksela prema gore, kao {0}. Slika počinje u gornjem lijevom kutu i njezini se retci broje prema dolje: što je točka viša, to joj je redak manji.</translation>
     </message>
     <message>
         <source>Pixel 100 is at 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Piksel 100 je na 100</translation>
     </message>
     <message>
         <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima broj piksela kao položaj njegova središta. Piksel {0} seže od {1} do {2}, pa mu je središte na {3}, i {4}: vanjska središta četiriju piksela su u {5}, a ne u {6}.</translation>
     </message>
     <message>
         <source>k makes up the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>k nadoknađuje razliku</translation>
     </message>
     <message>
         <source>This adds the whole missing length at one end and again at the other. Both ends get the same share, so each gets half of what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dodaje cijelu duljinu koja nedostaje na jednom kraju i još jednom na drugom. Oba kraja dobivaju isti dio, dakle svaki polovicu onoga što nedostaje.</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished">rastegnuta</translation>
+        <translation>rastegnuto</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished">varijanta X</translation>
+        <translation>varijanta X</translation>
     </message>
     <message>
         <source>X adjusts x</source>
-        <translation type="unfinished"></translation>
+        <translation>X podešava x</translation>
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima slovo kao koordinatu koja se mijenja. Varijanta X *zadržava* {0} i {1} i podešava {2} dok prozor ne dobije proporcije slike; varijanta Y zadržava {3} i podešava {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished">varijanta Y</translation>
+        <translation>varijanta Y</translation>
     </message>
     <message>
         <source>The slant grows with alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Nagib raste s alfa</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. {1} is the angle between the projectors and the picture, so at 90° they meet it head-on and nothing is shifted. The formula is {2}; at 80° the shift is only 0.18 for each unit of depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima {0} kao nagib. {1} je kut između zraka projiciranja i slike, pa je pod 90° sijeku okomito i ništa se ne pomiče. Formula je {2}; kod 80° pomak je samo 0.18 za svaku jedinicu dubine.</translation>
     </message>
     <message>
         <source>Half the scale, half the slant</source>
-        <translation type="unfinished"></translation>
+        <translation>Pola mjerila, pola nagiba</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. The scale is the cotangent of the angle, {0}, so a cabinet drawing with {1} has {2}, not 67.5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo pretpostavlja da je kut proporcionalan mjerilu. Mjerilo je kotangens kuta, {0}, pa kabinetski crtež s {1} ima {2}, a ne 67.5°.</translation>
     </message>
     <message>
         <source>Infinity is very far</source>
-        <translation type="unfinished"></translation>
+        <translation>Beskonačno je vrlo daleko</translation>
     </message>
     <message>
         <source>This takes a point that is very far away for the point at infinity. A direction has {0} and no starting point, so its image depends on the direction alone, {1}; every point on the way there falls short of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima vrlo daleku točku kao beskonačno daleku. Smjer ima {0} i nema početnu točku, pa njegova slika ovisi samo o smjeru, {1}; nijedna točka na putu onamo ne doseže je.</translation>
     </message>
     <message>
         <source>A box has three</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadar ih ima tri</translation>
     </message>
     <message>
         <source>This counts the directions of the box. Only a direction that is not parallel to the picture has a vanishing point, {0}; edges that are parallel to the picture stay parallel in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo broji smjerove kvadra. Nedogled ima samo smjer koji nije paralelan sa slikom, {0}; bridovi paralelni sa slikom na njoj ostaju paralelni.</translation>
     </message>
     <message>
         <source>Join the two images</source>
-        <translation type="unfinished"></translation>
+        <translation>Spojite dvije slike</translation>
     </message>
     <message>
         <source>This divides both ends and joins the results. An end behind the eye has {0}, and its image is mirrored. The right image of the segment runs through infinity, not between the two, so cut the segment in front of the eye before dividing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli oba kraja i spaja rezultate. Kraj iza kamere ima {0}, i slika mu je zrcaljena. Prava slika dužine ide kroz beskonačnost, a ne između njih, zato dužinu odsijecite ispred kamere prije dijeljenja.</translation>
     </message>
     <message>
         <source>The middle of the picture is the middle of the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Sredina slike je sredina brida</translation>
     </message>
     <message>
         <source>This interpolates {0} itself on the screen. There {1} and {2} are linear, so {3}, and the middle of the picture shows a place that is closer to the nearer end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo na ekranu interpolira sam {0}. Ondje su linearni {1} i {2}, pa je {3}, i sredina slike pokazuje mjesto bliže bližem kraju.</translation>
     </message>
     <message>
         <source>A lamp is a sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Svjetiljka je sunce</translation>
     </message>
     <message>
         <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima položaj svjetiljke kao smjer koji dijele sve zrake. Iz svjetiljke svaka zraka ima vlastiti smjer, {0}, i siječe tlo u {1}; samo je sunce tako daleko da su sve zrake paralelne.</translation>
     </message>
     <message>
         <source>As sharp behind as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Oštro iza koliko i ispred</translation>
     </message>
     <message>
         <source>This puts the far limit as far behind the focus as the near limit is in front of it. The limits are {0} and {1}. Their reciprocals are equally far from {2}, so the sharp range reaches farther behind than in front, and it has no end from {3} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja dalju granicu jednako daleko iza ravnine izoštravanja kao što je bliža ispred nje. Granice su {0} i {1}. Njihove su recipročne vrijednosti jednako udaljene od {2}, pa oštro područje seže dalje iza nego ispred, a od {3} nadalje nema kraja.</translation>
     </message>
     <message>
         <source>Zooming is walking</source>
-        <translation type="unfinished"></translation>
+        <translation>Zumiranje je hodanje</translation>
     </message>
     <message>
         <source>This keeps the size ratio of the old place after a walk. A zoom enlarges the whole picture by one factor, but sizes are proportional to one over the distance. Walking therefore changes {0}, the size ratio of a thing and an equal one {1} behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zadržava omjer veličina sa starog mjesta nakon hodanja. Zum povećava cijelu sliku jednim faktorom, ali veličine su proporcionalne s jedan kroz udaljenost. Zato hodanje mijenja {0}, omjer veličine stvari i njoj jednake {1} iza nje.</translation>
     </message>
     <message>
         <source>More places than pixels are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovoljno je više mjesta nego piksela</translation>
     </message>
     <message>
         <source>This counts the places of a coordinate against the pixels of a picture. The places are spread over the whole scene, {0} apart, and a picture may show a small part of it: there the gap between two of 65 536 places can be wider than a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uspoređuje broj mjesta koordinate s brojem piksela slike. Mjesta su raspoređena po cijeloj sceni, razmaknuta {0}, a slika može pokazivati njezin mali dio: ondje razmak između dva od 65 536 mjesta može biti širi od piksela.</translation>
     </message>
     <message>
         <source>Seven digits, so seven are right</source>
-        <translation type="unfinished"></translation>
+        <translation>Sedam znamenaka, dakle sedam točnih</translation>
     </message>
     <message>
         <source>This takes the digits of a coordinate for those of the picture. A float32 keeps 24 bits of the whole number; when eye and vertex, both near 1 000 000, are subtracted, the leading digits go and the rounding stays, so two or three digits are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima znamenke koordinate kao znamenke slike. Broj float32 čuva 24 bita cijelog broja; kad se oduzmu kamera i vrh, oboje blizu 1 000 000, vodeće znamenke odlaze, a zaokruživanje ostaje, pa preostaju dvije ili tri znamenke.</translation>
     </message>
     <message>
         <source>An error is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogreška je svuda ista</translation>
     </message>
     <message>
         <source>This takes the error in the scene for the error in the picture. A vertex is stored wrong by a fixed length, but a length is drawn with {0} pixels a unit: twice as near, every error is twice as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima pogrešku u sceni kao pogrešku na slici. Vrh je spremljen pogrešno za stalnu duljinu, ali duljina se crta s {0} piksela po jedinici: na upola manjoj udaljenosti svaka je pogreška dvostruko veća.</translation>
     </message>
     <message>
         <source>Seven digits, so 360 steps keep five</source>
-        <translation type="unfinished"></translation>
+        <translation>Sedam znamenaka, pa 360 koraka čuva pet</translation>
     </message>
     <message>
         <source>This takes the digits of the format for those of the result. How much a step loses depends on what it does: with a fast inverse square root each renormalising is off by 0.17 %, and after one round two digits are left, in float32 and in float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima znamenke formata kao znamenke rezultata. Koliko korak gubi, ovisi o tome što čini: s brzim inverznim korijenom svako renormiranje griješi 0.17 %, i nakon jednog kruga ostaju dvije znamenke, u float32 i u float64.</translation>
     </message>
     <message>
         <source>Renormalising repairs the direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Renormiranje popravlja smjer</translation>
     </message>
     <message>
         <source>This expects of axes that are made orthonormal again that they point where they should. Renormalising knows the lengths, 1, and the angles between the axes, 90°. It does not know where the camera should look, so the drift of the direction stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo od osi koje se ponovno ortonormiraju očekuje da pokazuju kamo trebaju. Renormiranje zna duljine, 1, i kutove između osi, 90°. Ne zna kamo kamera treba gledati, pa odlutavanje smjera ostaje.</translation>
     </message>
     <message>
         <source>Logarithmic depth is always better</source>
-        <translation type="unfinished"></translation>
+        <translation>Logaritamska dubina uvijek je bolja</translation>
     </message>
     <message>
         <source>This takes a better spread of digits for a better depth. A logarithm at each pixel is right everywhere; at the vertices it is interpolated linearly on the screen, where only {0} is linear. A piece whose far end is {1} times as far as its near end is drawn up to {2} times too far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima bolji raspored znamenaka kao bolju dubinu. Logaritam u svakom pikselu svuda je točan; u vrhovima se interpolira linearno na ekranu, gdje je linearno samo {0}. Komad čiji je dalji kraj {1} puta dalje od bližega crta se do {2} puta dalje nego što treba.</translation>
     </message>
     <message>
         <source>Fine enough is equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovoljno fino je jednako</translation>
     </message>
     <message>
         <source>This takes a small error for none. Two grids put the same vertex at two places, however many bits they have: more bits make the gap narrower, and from near enough it is seen again. Only a common grid rounds both copies alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima malu pogrešku kao nikakvu. Dvije rešetke stavljaju isti vrh na dva mjesta, koliko god bitova imale: više bitova sužava procjep, a iz dovoljne blizine opet se vidi. Samo zajednička rešetka obje kopije zaokružuje jednako.</translation>
     </message>
     <message>
         <source>The inverse undoes exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverz poništava egzaktno</translation>
     </message>
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <translation>Ovo uzima inverz s papira kao onaj u računalu. Njegove su ćelije zaokružene, a tako i svaki umnožak. Daleko od ishodišta koordinate kamere su velike, i inverz ih množi malom razlikom zaokruženih brojeva: float32 promašuje točku za postotke njezine udaljenosti.</translation>
+    </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -392,545 +576,641 @@
     <name>l01-camera-frame</name>
     <message>
         <source>The camera&apos;s own axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Vlastite osi kamere</translation>
     </message>
     <message>
         <source>Which way does n point?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamo pokazuje n?</translation>
     </message>
     <message>
         <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera nosi tri jedinična vektora: {0} udesno, {1} gore i {2} duž smjera gledanja. Predavanje 001 stavlja kameru u {3}, s pogledom duž globalne osi {4}; slovo F stoji 8 jedinica ispred. **Svijet** pokazuje položaj kamere {5}, smjer gledanja do cilja {6} i smjer prema gore {7}. {8} još nije tu.</translation>
     </message>
     <message>
         <source>What is {0} of this camera?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koliko je {0} ove kamere?</translation>
     </message>
     <message>
         <source>(1, 0, 0), the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(1, 0, 0), smjer u kojem gleda</translation>
     </message>
     <message>
         <source>The camera looks along {0}: {1} runs from the target back to the eye. Look at its arrow: it points away from the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera gleda duž {0}: {1} ide od cilja natrag prema kameri. Pogledajte njegovu strelicu: pokazuje na suprotnu stranu od slova F.</translation>
     </message>
     <message>
         <source>(-1, 0, 0), opposite to the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(-1, 0, 0), suprotno od smjera u kojem gleda</translation>
     </message>
     <message>
         <source>(0, 0, -1), as for every camera</source>
-        <translation type="unfinished"></translation>
+        <translation>(0, 0, -1), kao kod svake kamere</translation>
     </message>
     <message>
         <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je smjer u kojem gleda u vlastitim koordinatama, nakon matrice pogleda. U svijetu gleda duž +x. Pogledajte {0}: leži duž globalne osi x, a ne duž z.</translation>
     </message>
     <message>
         <source>n runs from the target back to the eye. The camera looks along {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>n ide od cilja natrag prema kameri. Kamera gleda duž {0}.</translation>
     </message>
     <message>
         <source>Eye, target, up: then u, v, n</source>
-        <translation type="unfinished"></translation>
+        <translation>Položaj kamere, cilj, prema gore: zatim u, v, n</translation>
     </message>
     <message>
         <source>The eye {0} is at {1}, the target {2} at the origin, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera {0} je u {1}, cilj {2} u ishodištu, a {3}.</translation>
     </message>
     <message>
         <source>{0}; its length is 3, so {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; duljina mu je 3, pa je {1}.</translation>
     </message>
     <message>
         <source>{0}; its length is only 0.745, so it is divided too: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; duljina mu je samo 0.745, pa se i on dijeli: {1}.</translation>
     </message>
     <message>
         <source>{0}; {1} and {2} are unit vectors at a right angle, so {3} needs no division.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; {1} i {2} su međusobno okomiti jedinični vektori, pa {3} ne treba dijeliti.</translation>
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>U ploči *Koordinatni sustav kamere* grade ih jedan po jedan **Natrag** i **Dalje**.</translation>
     </message>
     <message>
         <source>V is not v</source>
-        <translation type="unfinished"></translation>
+        <translation>V nije v</translation>
     </message>
     <message>
         <source>The up vector {0} only says roughly which way is up. Here it is {1}, and the camera looks slightly down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Smjer prema gore {0} kaže samo otprilike gdje je gore. Ovdje je {1}, a kamera gleda malo dolje.</translation>
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okrećite {0} od {1} dok kut između njih ne bude 30° ili više.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
-        <translation type="unfinished"></translation>
+        <translation>v je uvijek okomit na smjer gledanja. Što naginje smjer gledanja?</translation>
     </message>
     <message>
         <source>Raise the eye: Elevation in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Podignite kameru: Elevacija na bočnoj ploči.</translation>
     </message>
     <message>
         <source>Right: v has the direction of the part of V at a right angle to the line of sight. Only for a camera that looks level are the two the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točno: v ima smjer onog dijela od V koji je okomit na smjer gledanja. Samo kod kamere koja gleda horizontalno to dvoje je isto.</translation>
     </message>
     <message>
         <source>The length of a cross product</source>
-        <translation type="unfinished"></translation>
+        <translation>Duljina vektorskog umnoška</translation>
     </message>
     <message>
         <source>A cross product of two unit vectors has length 1 only if they are at a right angle to each other. {0} and {1} are seldom at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vektorski umnožak dvaju jediničnih vektora ima duljinu 1 samo ako su međusobno okomiti. {0} i {1} su rijetko okomiti.</translation>
     </message>
     <message>
         <source>Eye (2, 3, 6), target at the origin, {0}. How large is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera (2, 3, 6), cilj u ishodištu, {0}. Koliko je {1}?</translation>
     </message>
     <message>
         <source>This takes {0} itself for {1}. Look at the two arrows: {2} is at a right angle to {3}, and {4} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima sam {0} umjesto {1}. Pogledajte dvije strelice: {2} je okomit na {3}, a {4} nije.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1, because {1} and {2} are not at a right angle. Look at them, and divide by the length before the second product.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je kraći od 1, jer {1} i {2} nisu okomiti. Pogledajte ih i podijelite duljinom prije drugog umnoška.</translation>
     </message>
     <message>
         <source>N = (2, 3, 6) is 7 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>N = (2, 3, 6) ima duljinu 7.</translation>
     </message>
     <message>
         <source>{0}. Its length is not 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Duljina mu nije 1.</translation>
     </message>
     <message>
         <source>{0} is 0.904 long, so {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ima duljinu 0.904, pa je {1} i {2}.</translation>
     </message>
     <message>
         <source>The last column of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Posljednji stupac matrice pogleda</translation>
     </message>
     <message>
         <source>The view matrix first moves the eye to the origin, then rotates: {0}, where the rows of {1} are {2}, {3}, {4}. Its last column is therefore {5} times minus the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda najprije pomiče kameru u ishodište, a zatim rotira: {0}, gdje su retci od {1} {2}, {3}, {4}. Njezin je posljednji stupac zato {5} puta minus položaj kamere.</translation>
     </message>
     <message>
         <source>The same camera: eye (2, 3, 6), target at the origin. Which number stands in row 3, column 4 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ista kamera: položaj (2, 3, 6), cilj u ishodištu. Koji broj stoji u retku 3, stupcu 4 matrice pogleda?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije rotira, a zatim pomiče. Pomak djeluje prvi, pa redak {0} množi sva tri njegova broja. Pogledajte koordinatni sustav kamere: cilj, ishodište svijeta, leži na osi.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is at the origin, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja kameru na njezino mjesto. Matrica pogleda pomiče svijet dok kamera ne bude u ishodištu. Pogledajte koordinatni sustav kamere: kamera je u ishodištu, a cilj ispred nje.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima smjer gledanja kao {0}. Pogledajte koordinatni sustav kamere: {1} pokazuje unatrag, pa cilj, ishodište svijeta, ima negativan z.</translation>
     </message>
     <message>
         <source>Row 3 is n. What does it make of the moved origin, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak 3 je n. Što čini od pomaknutog ishodišta, {0}?</translation>
     </message>
     <message>
         <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Ishodište svijeta je 7 jedinica ispred kamere, pa je njegov z ondje {1}.</translation>
     </message>
     <message>
         <source>A camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera za zadani n</translation>
     </message>
     <message>
         <source>Now the other way round: find the camera for a given axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sada obrnuto: nađite kameru za zadanu os.</translation>
     </message>
     <message>
         <source>Give the camera {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavite kameru tako da bude {0}.</translation>
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
-        <translation type="unfinished"></translation>
+        <translation>n nema visinu: kamera gleda horizontalno.</translation>
     </message>
     <message>
         <source>From the target, go along n to the eye: 6 along x for every 8 along z. Then Elevation is 0 and Azimuth 36.87.</source>
-        <translation type="unfinished"></translation>
+        <translation>Od cilja idite duž n do kamere: 6 po x na svakih 8 po z. Tada je Elevacija 0, a Azimut 36.87.</translation>
     </message>
     <message>
         <source>Right: any eye on the ray from the target along n will do. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točno: odgovara svaki položaj kamere na zraci od cilja duž n. Udaljenost nije važna.</translation>
     </message>
     <message>
         <source>Back to the camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Natrag na kameru u (4, 2, 0)</translation>
     </message>
     <message>
         <source>It is tempting to take {0} as the direction in which the camera looks, {1}. But {2} to the right, {3} up and the third axis must make a right-handed system, so the third one comes out of the picture, towards the reader: {4}. Lecture 001 calls it {5} and writes {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primamljivo je za {0} uzeti smjer u kojem kamera gleda, {1}. Ali {2} udesno, {3} gore i treća os moraju činiti desni sustav, pa treća izlazi iz slike, prema čitatelju: {4}. Predavanje 001 zove je {5} i piše {6}.</translation>
     </message>
     <message>
         <source>That is why what is in front of a camera has a *negative* z in its coordinates: the F, 8 units ahead, is at {0}. In *Camera frame*, row 3 of the matrix begins with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zato ono što je ispred kamere u njezinim koordinatama ima *negativan* z: F, 8 jedinica ispred, je na {0}. U ploči *Koordinatni sustav kamere* redak 3 matrice počinje s {1}.</translation>
     </message>
     <message>
         <source>Practise: how upright is v?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: koliko je v uspravan?</translation>
     </message>
     <message>
         <source>Eye {0} and target {1} are new each time; {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Položaj kamere {0} i cilj {1} svaki su put novi; {2}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. How large is {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je u {0}, cilj u {1}. Koliko je {2}?</translation>
     </message>
     <message>
         <source>{0}, divided by its length, is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, podijeljen svojom duljinom, je {1}.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1. Divide it by its length before you form {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je kraći od 1. Podijelite ga njegovom duljinom prije nego što načinite {1}.</translation>
     </message>
     <message>
         <source>{0} is {1} long, {2} only {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ima duljinu {1}, a {2} samo {3}.</translation>
     </message>
     <message>
         <source>Practise: a row of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: redak matrice pogleda</translation>
     </message>
     <message>
         <source>The view matrix is {0}: {1} moves the eye {2} to the origin, and the rows of {3} are {4}, {5}, {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda je {0}: {1} pomiče kameru {2} u ishodište, a retci od {3} su {4}, {5}, {6}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. Which four numbers are in row 3 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je u {0}, cilj u {1}. Koja su četiri broja u retku 3 matrice pogleda?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so {0} multiplies all three numbers of {1}. Look at view space: the eye is at the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije rotira, a zatim pomiče. Pomak djeluje prvi, pa {0} množi sva tri broja od {1}. Pogledajte koordinatni sustav kamere: kamera je u ishodištu.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is there, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja kameru na njezino mjesto. Matrica pogleda pomiče svijet dok kamera ne bude u ishodištu. Pogledajte koordinatni sustav kamere: kamera je ondje, a cilj ispred nje.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, away from the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima smjer gledanja kao {0}. Pogledajte koordinatni sustav kamere: {1} pokazuje unatrag, od cilja.</translation>
     </message>
     <message>
         <source>{0} is {1} long.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ima duljinu {1}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} is {1}. What does it make of the moved origin, {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak 3 od {0} je {1}. Što čini od pomaknutog ishodišta, {2}?</translation>
     </message>
     <message>
         <source>{0} is {1} long. Row 3 begins with {2} and ends with {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ima duljinu {1}. Redak 3 počinje s {2}, a završava s {3}.</translation>
     </message>
     <message>
         <source>Practise: a camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: kamera za zadani n</translation>
     </message>
     <message>
         <source>Use *Azimuth* and *Elevation* in the dock, drag the eye in **World**, or type its coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Upotrijebite kontrole *Azimut* i *Elevacija* na bočnoj ploči, povucite kameru u oknu **Svijet** ili upišite njezine koordinate.</translation>
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavite kameru tako da {0} ima smjer {1}.</translation>
     </message>
     <message>
         <source>{0} runs from the target to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ide od cilja prema kameri.</translation>
     </message>
     <message>
         <source>The tangent of the azimuth is {0}. The tangent of the elevation is {1}, divided by the length of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tangens azimuta je {0}. Tangens elevacije je {1}, podijeljeno duljinom od {2}.</translation>
     </message>
     <message>
         <source>The eye is on the ray from the target along {0}: {1}. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je na zraci od cilja duž {0}: {1}. Udaljenost nije važna.</translation>
     </message>
     <message>
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
+        <translation>Vaša kamera gleda u smjeru {0}. Pogledajte njezin {1}: pokazuje na drugu stranu, od cilja prema kameri.</translation>
+    </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>l02-columns</name>
     <message>
-        <source>The columns are the axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>First rotate, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije rotacija, zatim pomak</translation>
     </message>
     <message>
         <source>An object has coordinates of its own; {0} takes them to the world. Here {1}: the object is turned by 90° about z, then moved by 3 along x. With column vectors the matrix on the right acts first. In **World** the letter F still stands where it was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt ima vlastite koordinate; {0} ih prebacuje u svijet. Ovdje je {1}: objekt se okreće za 90° oko z, zatim pomiče za 3 duž x. Kod vektora stupaca prva djeluje matrica zdesna. U oknu **Svijet** slovo F još stoji ondje gdje je napravljeno.</translation>
     </message>
     <message>
         <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka objekta (1, 0, 0): koliko visoko iznad tla, po y, završava u svijetu?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije pomiče, a zatim okreće, čime okreće i pomak. Pogledajte točku 1: onamo bi došla točka objekta, na visinu 4.</translation>
     </message>
     <message>
         <source>The move alone keeps it on the ground, but the turn by 90° takes x to y. Look at point 1: it is where the move alone takes the point, on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sam pomak ostavlja je na tlu, ali okret za 90° prebacuje x u y. Pogledajte točku 1: ondje je kamo točku dovodi sam pomak, na tlu.</translation>
     </message>
     <message>
         <source>The turn takes (1, 0, 0) to (0, 1, 0), and then the move takes that to (3, 1, 0): probe 1 in World.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okret prebacuje (1, 0, 0) u (0, 1, 0), a zatim pomak to prebacuje u (3, 1, 0): sonda 1 u oknu Svijet.</translation>
     </message>
     <message>
         <source>Read the matrix by columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Čitajte matricu po stupcima</translation>
     </message>
     <message>
         <source>In *Matrices*, world ← object holds the turn and the move:</source>
-        <translation type="unfinished"></translation>
+        <translation>U ploči *Matrice* svijet ← objekt sadrži okret i pomak:</translation>
     </message>
     <message>
         <source>x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>os x</translation>
     </message>
     <message>
         <source>y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>os y</translation>
     </message>
     <message>
         <source>z axis</source>
-        <translation type="unfinished"></translation>
+        <translation>os z</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>ishodište</translation>
     </message>
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An axis straight up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka kroz T i R</translation>
     </message>
     <message>
         <source>The letter is turned by 30° about z and then moved by 4 along x: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo se okreće za 30° oko z, a zatim pomiče za 4 duž x: {0}.</translation>
     </message>
     <message>
         <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koliki je x točke objekta (2, 1, 0) u svijetu?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije pomiče, a zatim okreće, čime okreće i pomak. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo čita retke kao stupce, kao da je slovo okrenuto za −30°. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
         <source>2 times column 1, plus 1 times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 puta stupac 1, plus 1 puta stupac 2, plus stupac 4.</translation>
     </message>
     <message>
         <source>cos 30° = 0.866, sin 30° = 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>cos 30° = 0.866, sin 30° = 0.5</translation>
     </message>
     <message>
         <source>Where must it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamo se mora pomaknuti?</translation>
     </message>
     <message>
         <source>The letter is turned by 90° about z. Probe 1 in **World** is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo je okrenuto za 90° oko z. Sonda 1 u oknu **Svijet** je u {0}.</translation>
     </message>
     <message>
         <source>Keep the turn, and move the object so that its point (1, 0, 0) comes to probe 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadržite okret i pomaknite objekt tako da njegova točka (1, 0, 0) dođe u sondu 1.</translation>
     </message>
     <message>
         <source>Where is the point now, when it is turned but not moved?</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdje je točka sada, kad je okrenuta, ali ne i pomaknuta?</translation>
     </message>
     <message>
         <source>It is at (0, 1, 0), and it must go to (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>U (0, 1, 0) je, a mora u (2, 3, 0).</translation>
     </message>
     <message>
         <source>Right: column 1 plus column 4 is (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Točno: stupac 1 plus stupac 4 je (2, 3, 0).</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Natrag na predviđanje</translation>
+        <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
+        <source>Object, world, camera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: matrica okreta</translation>
     </message>
     <message>
         <source>The letter is turned about z by an angle {0}. Seen from the tip of z, a positive angle turns it anticlockwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo se okreće oko z za kut {0}. Gledano s vrha osi z, pozitivan kut okreće ga suprotno od kazaljke na satu.</translation>
     </message>
     <message>
         <source>Here {0}. Which numbers are in rows 1 and 2, columns 1 and 2 of {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovdje je {0}. Koji su brojevi u retcima 1 i 2, stupcima 1 i 2 matrice {1}?</translation>
     </message>
     <message>
         <source>This has rows and columns exchanged, which turns the letter the other way. Look at its own axes: they are turned by {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovdje su retci i stupci zamijenjeni, pa se slovo okreće na drugu stranu. Pogledajte njegove osi: okrenute su za {0}°.</translation>
     </message>
     <message>
         <source>My degrees are radians</source>
-        <translation type="unfinished"></translation>
+        <translation>Moji stupnjevi su radijani</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima {0}° kao {1} radijana. Pogledajte slovo okrenuto za toliko radijana.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 je os x okrenutog slova, stupac 2 njegova os y.</translation>
     </message>
     <message>
         <source>Column 1 is where the x axis points after the turn, column 2 where the y axis points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 je ono kamo nakon okreta pokazuje os x, stupac 2 kamo pokazuje os y.</translation>
     </message>
     <message>
         <source>Practise: turn, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: okret, zatim pomak</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo se okreće oko z za {0}, zatim pomiče duž x: {1}. Točka 1 je ondje kamo dođe točka iz vlastitog koordinatnog sustava slova.</translation>
     </message>
     <message>
         <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovdje je {0}, a pomak je {1} duž x. Koliki je x točke objekta {2} u svijetu?</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo čita retke kao stupce, kao da je slovo okrenuto za {0}°. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
         <source>{0} times column 1, plus {1} times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} puta stupac 1, plus {1} puta stupac 2, plus stupac 4.</translation>
     </message>
     <message>
         <source>The x of column 1 is {0}, and the x of column 2 is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>x stupca 1 je {0}, a x stupca 2 je {1}.</translation>
     </message>
     <message>
         <source>First the turn, then the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije okret, zatim pomak.</translation>
     </message>
     <message>
         <source>Practise: bring a point to its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: dovedite točku na mjesto</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo je okrenuto oko z za {0} i još nije pomaknuto. Pomak mu je u odjeljku *Objekt*, na bočnoj ploči.</translation>
     </message>
     <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zadržite okret od {0}° i pomaknite slovo tako da njegova točka {1} dođe u sondu 1, u {2}.</translation>
     </message>
     <message>
         <source>Where does the turn alone take {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamo {0} prebacuje sam okret?</translation>
     </message>
     <message>
         <source>To {0}. The move adds to that.</source>
-        <translation type="unfinished"></translation>
+        <translation>U {0}. Tome se dodaje pomak.</translation>
     </message>
     <message>
         <source>Column 1 plus column 4 is {0}: {1} {2} and {3} {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 plus stupac 4 je {0}: {1} {2} i {3} {4}.</translation>
     </message>
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
+        <translation>Ovaj je pomak točan ako djeluje prije okreta. Pogledajte slovo s redoslijedom R T S: samo ondje dovodi točku u sondu 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1094,7 +1374,7 @@
     </message>
     <message>
         <source>It is tempting to multiply the angle by 16/9, like the width: {0}. That would be right if the picture were bent round the eye. But the picture is flat: the tangent of the half angle grows evenly, and far from the axis a degree takes more and more of the picture.</source>
-        <translation>Zavodljivo je kut pomnožiti s 16/9, kao širinu: {0}. To bi bilo točno kad bi slika bila savijena oko kamere. Ali slika je ravna: tangens polovice kuta raste jednoliko, a daleko od osi jedan stupanj zauzima sve veći dio slike.</translation>
+        <translation>Primamljivo je kut pomnožiti s 16/9, kao širinu: {0}. To bi bilo točno kad bi slika bila savijena oko kamere. Ali slika je ravna: tangens polovice kuta raste jednoliko, a daleko od osi jedan stupanj zauzima sve veći dio slike.</translation>
     </message>
     <message>
         <source>The wider the angle, the larger the error: here the vertical angle is 120°. Multiplied, it would be 213° across, more than half a turn. The model has 144°.</source>
@@ -1205,7 +1485,7 @@
     </message>
     <message>
         <source>In the picture of the box: how wide is cube A, as a multiple of cube B, which is half as deep?</source>
-        <translation>Koliko je puta na slici kvadra kocka A široka kao kocka B, koja je na upola manjoj dubini?</translation>
+        <translation>Kolika je na slici kvadra širina kocke A podijeljena širinom kocke B, koja je na upola manjoj dubini?</translation>
     </message>
     <message>
         <source>This divides by the depth, as a pyramid does. Look at a pyramid wide enough for both: here A is half as wide as B, because its projectors meet. Those of the box do not.</source>
@@ -1389,7 +1669,7 @@
     </message>
     <message>
         <source>It is tempting to expect the farther cube to be smaller: every picture of an eye or a camera shows it so, and it is true of the pyramid, whose section grows with the depth. A cube takes a smaller share of a larger section.</source>
-        <translation>Zavodljivo je očekivati da je udaljenija kocka manja: tako je pokazuje svaka slika oka ili kamere, i to vrijedi za piramidu, čiji presjek raste s dubinom. Kocka zauzima manji dio većeg presjeka.</translation>
+        <translation>Primamljivo je očekivati da je udaljenija kocka manja: tako je pokazuje svaka slika oka ili kamere, i to vrijedi za piramidu, čiji presjek raste s dubinom. Kocka zauzima manji dio većeg presjeka.</translation>
     </message>
     <message>
         <source>The section of the box does not grow. A cube takes the same share of it at every depth. The picture loses the impression of depth: in **Image** nothing says that B is the nearer one.</source>
@@ -1632,7 +1912,7 @@
     </message>
     <message>
         <source>It is tempting to measure from the plane to P: 4 units before, 3 units after, so {0} against {1}, which is 2.67 times. But the two triangles share the corner at the eye. Measured from there, P stays 5 units deep wherever the plane is, and {2} grows from {3} to {4}.</source>
-        <translation>Zavodljivo je mjeriti od ravnine do P: 4 jedinice prije, 3 jedinice poslije, dakle {0} prema {1}, što je 2.67 puta. Ali dva trokuta imaju zajednički vrh kod kamere. Mjereno odande, P ostaje na dubini od 5 jedinica gdje god bila ravnina, a {2} raste od {3} do {4}.</translation>
+        <translation>Primamljivo je mjeriti od ravnine do P: 4 jedinice prije, 3 jedinice poslije, dakle {0} prema {1}, što je 2.67 puta. Ali dva trokuta imaju zajednički vrh kod kamere. Mjereno odande, P ostaje na dubini od 5 jedinica gdje god bila ravnina, a {2} raste od {3} do {4}.</translation>
     </message>
     <message>
         <source>This also says what happens to the *picture* when the plane moves: everything grows by the same factor, and nothing moves against the rest.</source>
@@ -1831,7 +2111,7 @@
     </message>
     <message>
         <source>It is tempting to move the picture with the window: to the right, {0}. But the window is the frame through which you see the scene. If you move a frame to the right, you see more of what is on the right, and what was in the middle is now left of the middle.</source>
-        <translation>Zavodljivo je pomaknuti sliku zajedno s prozorom: udesno, {0}. Ali prozor je okvir kroz koji vidite scenu. Ako okvir pomaknete udesno, vidite više onoga što je desno, a ono što je bilo u sredini sada je lijevo od sredine.</translation>
+        <translation>Primamljivo je pomaknuti sliku zajedno s prozorom: udesno, {0}. Ali prozor je okvir kroz koji vidite scenu. Ako okvir pomaknete udesno, vidite više onoga što je desno, a ono što je bilo u sredini sada je lijevo od sredine.</translation>
     </message>
     <message>
         <source>The plus in {0} does not contradict this. The cell is multiplied by {1}, and {2} is {3} at probe 1: {4}. Lecture 002 writes a plus where its own signs require a minus. So always try such a sign on a point.</source>
@@ -1986,7 +2266,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Prozor na bliskoj ravnini širok je 4, a visok 2: {0} od -2 do 2, {1} od -1 do 1. Slika ima 720 puta 720 piksela. Rastegnuto na nju, slovo F je dvostruko više nego što treba. Predavanje 000 ima dva lijeka. Varijanta X zamjenjuje {2} s {3} (i {4} s {5}), tako da proporcije budu ispravne.</translation>
+        <translation>Prozor na bliskoj ravnini širok je 4, a visok 2: {0} od -2 do 2, {1} od -1 do 1. Slika ima 720 puta 720 piksela. Rastegnuto na nju, slovo F je dvaput više nego što treba biti. Predavanje 000 ima dva lijeka. Varijanta X zamjenjuje {2} s {3} (i {4} s {5}), tako da proporcije budu ispravne.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -2118,7 +2398,7 @@
     </message>
     <message>
         <source>Leave Proportions at stretch, and give Bottom and Top the values that variant X would.</source>
-        <translation>Ostavite Proporcije na rastegni i dajte Donjem rubu i Gornjem rubu vrijednosti koje bi dala varijanta X.</translation>
+        <translation>Ostavite Proporcije na postavci rastegni i dajte Donjem rubu i Gornjem rubu vrijednosti koje bi dala varijanta X.</translation>
     </message>
     <message>
         <source>The window must be as high as it is wide.</source>
@@ -2134,7 +2414,7 @@
     </message>
     <message>
         <source>Two answers are tempting. The answer 3 adds 2 units at each end, so the window would be 6 high instead of 4. {0} is *half* of what is missing, because it is added twice.</source>
-        <translation>Zavodljiva su dva odgovora. Odgovor 3 dodaje 2 jedinice na svakom kraju, pa bi prozor bio visok 6 umjesto 4. {0} je *polovica* onoga što nedostaje, jer se dodaje dvaput.</translation>
+        <translation>Primamljiva su dva odgovora. Odgovor 3 dodaje 2 jedinice na svakom kraju, pa bi prozor bio visok 6 umjesto 4. {0} je *polovica* onoga što nedostaje, jer se dodaje dvaput.</translation>
     </message>
     <message>
         <source>The answer 1 leaves {0} as it is: the name of the variant sounds as if X changed. But X is what it *keeps*. With the same letter F and the same eye, X shows more of the scene above and below; Y takes away at the sides.</source>
@@ -2202,7 +2482,7 @@
     </message>
     <message>
         <source>*Proportions*, in *More of the lens*, stay at stretch.</source>
-        <translation>*Proporcije*, u *Više o objektivu*, ostaju na rastegni.</translation>
+        <translation>*Proporcije*, u *Više o objektivu*, ostaju na postavci rastegni.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Give *Bottom* and *Top* the values {1} and {2} of variant X.</source>
@@ -2409,11 +2689,11 @@
     </message>
     <message>
         <source>It is tempting to trust {0}, because in space it bends nothing. But after {1} and {2} are divided by {3}, equal steps along the picture are unequal steps of depth, and a straight line stays straight only if the depth is divided as well.</source>
-        <translation>Zavodljivo je vjerovati izrazu {0}, jer u prostoru ništa ne savija. Ali kad se {1} i {2} podijele s {3}, jednaki koraci po slici nejednaki su koraci dubine, i pravac ostaje pravac samo ako se podijeli i dubina.</translation>
+        <translation>Primamljivo je vjerovati izrazu {0}, jer u prostoru ništa ne savija. Ali kad se {1} i {2} podijele s {3}, jednaki koraci po slici nejednaki su koraci dubine, i pravac ostaje pravac samo ako se podijeli i dubina.</translation>
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
-        <translation>Savijene linije pokvarile bi spremnik dubine: između vrhova trokuta dubine se interpoliraju jednoliko po pikselima. Izračunana dubina ne bi bila prava, i ploha koja je iza mogla bi se nacrtati ispred.</translation>
+        <translation>Savijene linije pokvarile bi spremnik dubine: između vrhova trokuta dubine se interpoliraju jednoliko po pikselima. Izračunata dubina ne bi bila prava, i ploha koja je iza mogla bi se nacrtati ispred.</translation>
     </message>
     <message>
         <source>Practise: the depth of a point</source>
@@ -2500,254 +2780,322 @@
     <name>l09-pyramid-to-cube</name>
     <message>
         <source>From the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Od piramide do kocke</translation>
     </message>
     <message>
         <source>Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamo ide bliska ravnina?</translation>
     </message>
     <message>
         <source>Every lens has a volume of its own. Lecture 001 brings them all into one pyramid first: {0} moves the far plane to {1} and the sides of the picture to {2}. Here {3} and {4}, and the strip under the large cube is at *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaki objektiv ima vlastiti volumen. Predavanje 001 sve ih najprije dovodi u jednu piramidu: {0} pomiče daleku ravninu u {1}, a stranice slike u {2}. Ovdje je {3} i {4}, a traka ispod velike kocke je na postaji *Kamera*.</translation>
     </message>
     <message>
         <source>The strip goes on to *Pyramid*: the far plane moves from {0} to {1}. Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Traka ide dalje na *Piramida*: daleka ravnina pomiče se iz {0} u {1}. Kamo ide bliska ravnina?</translation>
     </message>
     <message>
         <source>It stays at z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ostaje na z = −1</translation>
     </message>
     <message>
         <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} dijeli svaku dubinu s {1}, a ne samo dubinu daleke ravnine. Pogledajte blisku ravninu: na −0.111 je, blizu kamere.</translation>
     </message>
     <message>
         <source>At z = −0.111</source>
-        <translation type="unfinished"></translation>
+        <translation>Na z = −0.111</translation>
     </message>
     <message>
         <source>At z = 0, with the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Na z = 0, uz kameru</translation>
     </message>
     <message>
         <source>{0} is the eye. {1} only scales: a plane that is in front of the eye stays in front of it. Look at near and the eye: they are 0.111 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je kamera. {1} samo skalira: ravnina koja je ispred kamere ostaje ispred nje. Pogledajte blisku ravninu i kameru: razmaknute su 0.111.</translation>
     </message>
     <message>
         <source>{0} only scales. All depths are divided by {1}, so the near plane is at {2}, and the eye stays at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} samo skalira. Sve se dubine dijele s {1}, pa je bliska ravnina na {2}, a kamera ostaje u 0.</translation>
     </message>
     <message>
         <source>The two factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Dva faktora</translation>
     </message>
     <message>
         <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Matrice* pokazuju lanac slovima predavanja i ističu matricu postaje na kojoj je traka. {0} dijeli z s {1}: ovdje je {2}.</translation>
     </message>
     <message>
         <source>{0} turns the pyramid into a box. Its third row ends in {1} and {2}, here 1.125 and 0.125, and its last row gives {3}. Try it on both planes:</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pretvara piramidu u kvadar. Njezin treći redak završava s {1} i {2}, ovdje 1.125 i 0.125, a posljednji redak daje {3}. Isprobajte to na objema ravninama:</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>numerator</source>
-        <translation type="unfinished"></translation>
+        <translation>brojnik</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>z of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>z kvadra</translation>
     </message>
     <message>
         <source>c</source>
-        <translation type="unfinished"></translation>
+        <translation>c</translation>
     </message>
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <translation>{0} prebacuje 0 … −1 u OpenGL-ov −1 … 1: {1}. Kliknite *Piramida*, *Kvadar* i *NDC* ispod kocke.</translation>
+    </message>
+    <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Half-way through the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Na pola puta kroz kvadar</translation>
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sonda 1 prikvačena je za točku slova F, 7.5 ispred kamere. {0} u kvadru je {1} u NDC; pokazuje to ploča Sonda.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovedite točku 1 u z = −1/2 kvadra, bliskom i dalekom ravninom, kamerom ili samom točkom.</translation>
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation type="unfinished"></translation>
+        <translation>S bliskom ravninom na 6 točka je u svijetu na pola puta između ravnina. Gdje je tada u kvadru?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} na dubini {1}, koja je bliža {2} nego {3}.</translation>
     </message>
     <message>
         <source>The middle of the box is not the middle of the pyramid: the space close behind near fills half of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sredina kvadra nije sredina piramide: prostor odmah iza bliske ravnine ispunjava polovicu kvadra.</translation>
     </message>
     <message>
         <source>The cells of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Ćelije lanca</translation>
     </message>
     <message>
         <source>Compute before you open *Matrices*. In this step {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Računajte prije nego što otvorite *Matrice*. U ovom koraku je {0} i {1}.</translation>
     </message>
     <message>
         <source>What is in row 3, column 4 of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Što je u retku 3, stupcu 4 matrice {0}?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is closer to the eye, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima {0}. Na putu u piramidu svaka se dubina dijeli s {1}. Pogledajte blisku ravninu: bliža je kameri, na {2}.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the box: near comes to 0 and far to {2}; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zamjenjuje {0} i {1}. Pogledajte kvadar: bliska ravnina dolazi u 0, a daleka u {2}; zamijenjene, promijenile bi mjesta.</translation>
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished">{0} uz {1}.</translation>
+        <translation>{0} uz {1}.</translation>
     </message>
     <message>
         <source>{0}, here 0.5/8.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, ovdje 0.5/8.5.</translation>
     </message>
     <message>
         <source>And in row 3, column 3 of the product {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>A u retku 3, stupcu 3 umnoška {0}?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth from 0 … −1 to −1 … 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} djeluje prva, pa stoji zdesna. Pogledajte kvadar koji ona daje: tek tada {1} rasteže njegovu dubinu s 0 … −1 na −1 … 1.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the cube: near comes to {2} and far to 1; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zamjenjuje {0} i {1}. Pogledajte kocku: bliska ravnina dolazi u {2}, a daleka u 1; zamijenjene, promijenile bi mjesta.</translation>
     </message>
     <message>
         <source>Third row of {0} times third column of {1}: {2} times one cell, and {3} times another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Treći redak od {0} puta treći stupac od {1}: {2} puta jedna ćelija i {3} puta druga.</translation>
     </message>
     <message>
         <source>{0}. That is {1}, which other lectures derive in one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. To je {1}, koji druga predavanja izvode u jednom koraku.</translation>
     </message>
     <message>
         <source>A near plane of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina po želji</translation>
     </message>
     <message>
         <source>The pyramid keeps its shape for every lens. Only {0} differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Piramida zadržava oblik za svaki objektiv. Razlikuje se samo {0}.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at z = −0.2 in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavite blisku ili daleku ravninu tako da bliska u piramidi bude na z = −0.2.</translation>
     </message>
     <message>
         <source>The title of the large pane shows {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Naslov velikog okna pokazuje {0}.</translation>
     </message>
     <message>
         <source>In {0} only the quotient matters: 1.8 to 9 gives the same pyramid as 1 to 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>U {0} je važan samo kvocijent: 1.8 prema 9 daje istu piramidu kao 1 prema 5.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Natrag na predviđanje</translation>
+        <translation>Natrag na predviđanje</translation>
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primamljivo je ostaviti blisku ravninu gdje jest, na {0}, jer se korak tiče daleke. Ali matrica koja skalira z pomiče svaku dubinu; kad bi bliska ravnina ostala, ležala bi na dalekoj. Ostaje samo kvocijent {1} dviju udaljenosti, i od njega je načinjena {2}. Pustite traku da još jednom ide od postaje *Svijet* do *NDC*: u piramidi je bliska ravnina 0.111 od kamere, a na kraju je cijela strana kocke.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: od piramide do kvadra</translation>
     </message>
     <message>
         <source>{0} takes the pyramid, whose near plane is at {1} and whose far plane is at {2}, to a box from 0 to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} prebacuje piramidu, čija je bliska ravnina na {1}, a daleka na {2}, u kvadar od 0 do {3}.</translation>
     </message>
     <message>
         <source>The near plane is {0} in front of the eye, the far plane {1}. What is in row 3 of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina je {0} ispred kamere, daleka {1}. Što je u retku 3 matrice {2}?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo uzima {0}. Na putu u piramidu svaka se dubina dijeli s {1}. Pogledajte blisku ravninu: na {2} je.</translation>
     </message>
     <message>
         <source>The row ends in {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak završava s {0} i {1}.</translation>
     </message>
     <message>
         <source>{0} and {1} with {2}: near comes to 0, and far to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} i {1} uz {2}: bliska ravnina dolazi u 0, a daleka u {3}.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: od piramide do kocke</translation>
     </message>
     <message>
         <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} prebacuje kvadar, od 0 do {1}, na OpenGL-ove dubine od {2} do {3}: {4}, a {5} ostaje. Prva djeluje {6}.</translation>
     </message>
     <message>
         <source>With {0} and {1}, what is in rows 3 and 4, columns 3 and 4 of the product {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Uz {0} i {1}, što je u retcima 3 i 4, stupcima 3 i 4 umnoška {2}?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} djeluje prva, pa stoji zdesna. Pogledajte kvadar koji ona daje: tek tada {1} rasteže njegovu dubinu.</translation>
     </message>
     <message>
         <source>In these rows and columns {0} is {1} above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>U tim retcima i stupcima {0} je {1} iznad {2}.</translation>
     </message>
     <message>
         <source>{0} is {1} above {2} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je ondje {1} iznad {2}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} takes {1} times row 3 of {2} and {3} times its row 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak 3 od {0} uzima {1} puta redak 3 od {2} i {3} puta njezin redak 4.</translation>
     </message>
     <message>
         <source>Practise: choose the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: odaberite piramidu</translation>
     </message>
     <message>
         <source>In the canonical pyramid the far plane is at {0}. The lens decides where the near plane is.</source>
-        <translation type="unfinished"></translation>
+        <translation>U kanonskoj piramidi daleka ravnina je na {0}. Objektiv odlučuje gdje je bliska.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at {0} in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Postavite blisku ili daleku ravninu tako da bliska u piramidi bude na {0}.</translation>
     </message>
     <message>
         <source>All depths are divided by {0} on the way into the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na putu u piramidu sve se dubine dijele s {0}.</translation>
     </message>
     <message>
         <source>{0}: only the quotient of the two distances matters. If far stays at {1}, near is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: važan je samo kvocijent dviju udaljenosti. Ako daleka ravnina ostaje na {1}, bliska je {2}.</translation>
     </message>
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
+        <translation>Ovo stavlja blisku ravninu {0} ispred kamere u svijetu. Na putu u piramidu sve se dubine dijele s {1}. Pogledajte blisku ravninu: preblizu je, u piramidi na {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -2767,7 +3115,7 @@
     </message>
     <message>
         <source>The lens becomes orthographic; camera and posts stay. How many times as high as post 1 is post 2 drawn now?</source>
-        <translation>Objektiv postaje ortogonalni; kamera i stupovi ostaju. Koliko je puta stup 2 sada nacrtan visok kao stup 1?</translation>
+        <translation>Objektiv postaje ortogonalni; kamera i stupovi ostaju. Kolika je sada nacrtana visina stupa 2 podijeljena visinom stupa 1?</translation>
     </message>
     <message>
         <source>1 times: both are equally high</source>
@@ -2875,7 +3223,7 @@
     </message>
     <message>
         <source>Far things look small to an eye, and to every lens whose projectors meet in a point. It is tempting to take this for a law of pictures. In a box the projectors never meet: the last row of the matrix is 0, 0, 0, 1, so {0} at every depth, and x and y do not depend on z. The depth is not lost: {1} keeps it and decides what hides what. That is why the posts are drawn equally high, side by side.</source>
-        <translation>Daleke stvari izgledaju male oku i svakom objektivu čije se zrake projiciranja sijeku u točki. Zavodljivo je to uzeti kao zakon slika. U kvadru se zrake projiciranja nikad ne sijeku: posljednji redak matrice je 0, 0, 0, 1, pa je {0} na svakoj dubini, a x i y ne ovise o z. Dubina nije izgubljena: {1} je čuva i odlučuje što će što sakriti. Zato su stupovi nacrtani jednako visoki, jedan uz drugi.</translation>
+        <translation>Daleke stvari izgledaju male oku i svakom objektivu čije se zrake projiciranja sijeku u točki. Primamljivo je to uzeti kao zakon slika. U kvadru se zrake projiciranja nikad ne sijeku: posljednji redak matrice je 0, 0, 0, 1, pa je {0} na svakoj dubini, a x i y ne ovise o z. Dubina nije izgubljena: {1} je čuva i odlučuje što će što sakriti. Zato su stupovi nacrtani jednako visoki, jedan uz drugi.</translation>
     </message>
     <message>
         <source>Practise: the first row</source>
@@ -3010,7 +3358,7 @@
     </message>
     <message>
         <source>That is a shear: the matrix {0}, which leaves the near plane as it is. Here {1}, {2} and {3}: one unit behind the near plane {4}, and x moves by {5}. *Matrices* shows it as *sheared ← view*. After {6} the slanted box is straight, so {7}; the three matrices stand side by side.</source>
-        <translation>To je smicanje: matrica {0}, koja ostavlja blisku ravninu kakva jest. Ovdje je {1}, {2} i {3}: jednu jedinicu iza bliske ravnine je {4}, a x se pomiče za {5}. *Matrice* je pokazuju kao *smaknuti ← kamera*. Nakon {6} kosi kvadar je uspravan, pa je {7}; tri matrice stoje jedna uz drugu.</translation>
+        <translation>To je smicanje: matrica {0}, koja ostavlja blisku ravninu kakva jest. Ovdje je {1}, {2} i {3}: jednu jedinicu iza bliske ravnine je {4}, a x se pomiče za {5}. *Matrice* je pokazuju kao *smicanje ← kamera*. Nakon {6} kosi kvadar je uspravan, pa je {7}; tri matrice stoje jedna uz drugu.</translation>
     </message>
     <message>
         <source>Make it a cabinet drawing</source>
@@ -3114,7 +3462,7 @@
     </message>
     <message>
         <source>Scale 0 belongs to 90°, scale 1 to 45°, so it is tempting to take the middle, 67.5°, for scale 1/2. But the angle does not change evenly with the scale. One unit of depth and {0} units along the picture are the legs of a right triangle, and {1}: for 1/2 that is 63.4°. Look at *World* from above, with the lines from the corners of the body to the near plane.</source>
-        <translation>Mjerilo 0 pripada kutu 90°, mjerilo 1 kutu 45°, pa je zavodljivo za mjerilo 1/2 uzeti sredinu, 67.5°. Ali kut se ne mijenja jednoliko s mjerilom. Jedna jedinica dubine i {0} jedinica po slici katete su pravokutnog trokuta, i {1}: za 1/2 to je 63.4°. Pogledajte *Svijet* odozgo, s linijama od vrhova tijela do bliske ravnine.</translation>
+        <translation>Mjerilo 0 pripada kutu 90°, mjerilo 1 kutu 45°, pa je primamljivo za mjerilo 1/2 uzeti sredinu, 67.5°. Ali kut se ne mijenja jednoliko s mjerilom. Jedna jedinica dubine i {0} jedinica po slici katete su pravokutnog trokuta, i {1}: za 1/2 to je 63.4°. Pogledajte *Svijet* odozgo, s linijama od vrhova tijela do bliske ravnine.</translation>
     </message>
     <message>
         <source>Practise: the first row of H</source>
@@ -3190,7 +3538,7 @@
     </message>
     <message>
         <source>The projectors of this drawing meet the picture at the angle {0}. Edges that recede are drawn {1} times as long as they are.</source>
-        <translation>Zrake projiciranja ovog crteža sijeku sliku pod kutom {0}. Bridovi koji idu u dubinu crtaju se {1} puta dugi koliko jesu.</translation>
+        <translation>Zrake projiciranja ovog crteža sijeku sliku pod kutom {0}. Nacrtana duljina bridova koji idu u dubinu iznosi {1} njihove prave duljine.</translation>
     </message>
     <message>
         <source>Make {0}, to within 1 %. The direction of the receding edges is free.</source>
@@ -3369,7 +3717,7 @@
     </message>
     <message>
         <source>A box has three directions, and everybody knows the name 3-point perspective, so three is tempting. But the number depends on the camera, not on the box. Each axis of the box that is parallel to the picture, {0}, has its vanishing point at infinity, and its edges stay parallel. A level camera keeps uprights upright, which is why architects keep it level. *Kinds of projection* has all of them as small pictures.</source>
-        <translation>Kvadar ima tri smjera, a svi znaju naziv perspektiva s 3 nedogleda, pa je odgovor tri zavodljiv. Ali broj ovisi o kameri, a ne o kvadru. Svaka os kvadra koja je paralelna sa slikom, {0}, ima nedogled u beskonačnosti, i njezini bridovi ostaju paralelni. Horizontalna kamera ostavlja uspravne bridove uspravnima, zato je arhitekti i drže horizontalno. *Vrste projekcija* ih sve imaju kao male slike.</translation>
+        <translation>Kvadar ima tri smjera, a svi znaju naziv perspektiva s 3 nedogleda, pa je odgovor tri primamljiv. Ali broj ovisi o kameri, a ne o kvadru. Svaka os kvadra koja je paralelna sa slikom, {0}, ima nedogled u beskonačnosti, i njezini bridovi ostaju paralelni. Horizontalna kamera ostavlja uspravne bridove uspravnima, zato je arhitekti i drže horizontalno. *Vrste projekcija* ih sve imaju kao male slike.</translation>
     </message>
     <message>
         <source>Practise: where lines meet</source>
@@ -3476,298 +3824,346 @@
     <name>l13-homogeneous</name>
     <message>
         <source>What w is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Čemu služi w</translation>
     </message>
     <message>
         <source>Four numbers for a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Četiri broja za točku</translation>
     </message>
     <message>
         <source>A point can be written with a fourth coordinate, {0}. Many such rows of numbers stand for the same point. With them, matrices can do what they cannot do with three numbers: translate and divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka se može zapisati s četvrtom koordinatom, {0}. Mnogo takvih redaka brojeva predstavlja istu točku. S njima matrice mogu ono što s tri broja ne mogu: translatirati i dijeliti.</translation>
     </message>
     <message>
         <source>Which point of space is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koja je točka prostora {0}?</translation>
     </message>
     <message>
         <source>(2, 4, −6); the 2 is dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>(2, 4, −6); 2 se odbacuje</translation>
     </message>
     <message>
         <source>The fourth number is an extra</source>
-        <translation type="unfinished"></translation>
+        <translation>Četvrti broj je dodatak</translation>
     </message>
     <message>
         <source>The fourth number is not an extra: it is the divisor of the other three. Only if {0} can it be dropped. Look at points 1 and 2: {1} is another place than {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Četvrti broj nije dodatak: on je djelitelj ostalih triju. Može se odbaciti samo ako je {0}. Pogledajte točke 1 i 2: {1} je drugo mjesto nego {2}.</translation>
     </message>
     <message>
         <source>None: four numbers are not a point of space</source>
-        <translation type="unfinished"></translation>
+        <translation>Nijedna: četiri broja nisu točka prostora</translation>
     </message>
     <message>
         <source>They stand for one: divide the first three by the fourth. Many rows of four numbers stand for the same point. Look at point 1: it is the point that they stand for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Predstavljaju jednu: podijelite prva tri četvrtim. Mnogo redaka od četiri broja predstavlja istu točku. Pogledajte točku 1: to je točka koju predstavljaju.</translation>
     </message>
     <message>
         <source>{0} is the point {1}. Type 2, 4, −6 and w = 2 in the Probe panel: it becomes point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je točka {1}. Upišite 2, 4, −6 i w = 2 u ploči Sonda: to postaje točka 1.</translation>
     </message>
     <message>
         <source>The w of the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w objektiva</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka 1 je u {0} u koordinatnom sustavu kamere. Posljednji redak matrice objektiva je {1}, pa je {2}, dubina. U prostoru odsijecanja još ništa nije podijeljeno:</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>odsijecanje</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>The matrix keeps straight lines straight. The division by {0}, which is not a matrix, makes far things small. *Probe* shows each in a row of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica čuva pravce ravnima. Dijeljenje s {0}, koje nije matrica, čini daleke stvari malima. *Sonda* pokazuje svako u zasebnom retku.</translation>
     </message>
     <message>
         <source>Without a w</source>
-        <translation type="unfinished"></translation>
+        <translation>Bez w</translation>
     </message>
     <message>
         <source>If {0}, the division is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ako je {0}, dijeljenje nije moguće.</translation>
     </message>
     <message>
         <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomičite kameru ili točku 1 dok w točke u prostoru odsijecanja ne bude 0, do na 0.05.</translation>
     </message>
     <message>
         <source>{0} is the depth in front of the eye, here 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je dubina ispred kamere, ovdje 5.</translation>
     </message>
     <message>
         <source>The distance is 8, and the point is 3 in front of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Udaljenost je 8, a točka je 3 ispred cilja.</translation>
     </message>
     <message>
         <source>The point lies beside the eye, in the eye plane: its image is at infinity, in no pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka leži pokraj kamere, u ravnini kamere: slika joj je u beskonačnosti, ni u jednom pikselu.</translation>
     </message>
     <message>
         <source>Computing with w</source>
-        <translation type="unfinished"></translation>
+        <translation>Računanje s w</translation>
     </message>
     <message>
         <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svako se pitanje tiče točke {0} nakon matrice objektiva ili takve matrice.</translation>
     </message>
     <message>
         <source>A point comes out of the matrix as {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka izlazi iz matrice kao {0}. Koliki je njezin {1} u NDC?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1, which has {1} and {2} in clip space: it is inside the cube, where {3} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je još prvi broj retka. U NDC se dijeli posljednjim, {0}. Pogledajte točku 1, koja u prostoru odsijecanja ima {1} i {2}: unutar kocke je, gdje je {3} najviše 1.</translation>
     </message>
     <message>
         <source>w has the sign of z</source>
-        <translation type="unfinished"></translation>
+        <translation>w ima predznak od z</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1, which has {3} and {4} in clip space: it is in the right half of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Predznak se promijenio: {0} je već pozitivna dubina {1}, zato dijelite samim {2}. Pogledajte točku 1, koja u prostoru odsijecanja ima {3} i {4}: u desnoj je polovici slike.</translation>
     </message>
     <message>
         <source>NDC is the result of the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC je rezultat dijeljenja.</translation>
     </message>
     <message>
         <source>{0}. The same w divides y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Isti w dijeli y i z.</translation>
     </message>
     <message>
         <source>Lecture 000: with {0} in row 4, column 3 the matrix has 1 in row 1, column 1. Multiply the matrix by the {1} that makes row 4, column 3 equal to {2}; let {3}. What is in row 1, column 1 then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Predavanje 000: s {0} u retku 4, stupcu 3 matrica ima 1 u retku 1, stupcu 1. Pomnožite matricu onim {1} koji u retku 4, stupcu 3 daje {2}; neka je {3}. Što je tada u retku 1, stupcu 1?</translation>
     </message>
     <message>
         <source>One minus is left over</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedan je minus preostao</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} daje {1}, što je pozitivno: obje strane imaju minus. Pogledajte {2} u sceni predavanja: {3} je ta duljina.</translation>
     </message>
     <message>
         <source>{0} and {1} take a point to the same point. Multiply every cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} i {1} preslikavaju točku u istu točku. Pomnožite svaku ćeliju.</translation>
     </message>
     <message>
         <source>{0}. All four resulting coordinates are four times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sve četiri dobivene koordinate četiri su puta veće, a kvocijenti su im isti.</translation>
     </message>
     <message>
         <source>w = 0 before the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w = 0 prije objektiva</translation>
     </message>
     <message>
         <source>{0} is not a point but a direction: a *point at infinity*. A matrix takes it like any other row, and a translation leaves it unchanged. Here P is at {1} along z: its {2} is 0 in the world, yet it has an image, because its w in clip space is not 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} nije točka, nego smjer: *beskonačno daleka točka*. Matrica je preslikava kao i svaki drugi redak, a translacija je ne mijenja. Ovdje je P kod {1} duž z: njezin {2} je u svijetu 0, a ipak ima sliku, jer njezin w u prostoru odsijecanja nije 0.</translation>
     </message>
     <message>
         <source>The image is 720 high and the field of view 70°. In which row is the image of the direction {0} in view space? Its {1} is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika je visoka 720, a vidno polje 70°. U kojem je retku slika smjera {0} iz koordinatnog sustava kamere? Njegov {1} je {2}.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. {0} is positive, so the row is above the middle, 360. Look at the numbers beside the frame: 0 is at the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retci se broje odozgo. {0} je pozitivan, pa je redak iznad sredine, 360. Pogledajte brojeve uz okvir: 0 je na vrhu.</translation>
     </message>
     <message>
         <source>This is a point ten steps along a line in this direction. The point at infinity depends on the direction alone: {0}. Look at P at {1}: it has not reached its vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo je točka deset koraka po pravcu tog smjera. Beskonačno daleka točka ovisi samo o smjeru: {0}. Pogledajte P kod {1}: nije stigla do svojega nedogleda.</translation>
     </message>
     <message>
         <source>Row {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak {0}.</translation>
     </message>
     <message>
         <source>{0}, so row 102.9. All lines in this direction meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, dakle redak 102.9. Ondje se sijeku svi pravci tog smjera.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Natrag na predviđanje</translation>
+        <translation>Natrag na predviđanje</translation>
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primamljivo je četvrti broj čitati kao dodatak i odbaciti ga. Ali on je djelitelj ostalih triju. {0} i {1} leže na istom pravcu kroz ishodište četverodimenzionalnog prostora, a taj pravac predstavlja jednu točku. Zato matrica može dijeliti: ona upisuje djelitelj u {2}. A ako je {3} jednak 0, pravac predstavlja smjer, a ne točku.</translation>
     </message>
     <message>
         <source>Practise: divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: podijelite</translation>
     </message>
     <message>
         <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka 1 izlazi iz matrice objektiva kao {0}.</translation>
     </message>
     <message>
         <source>Its row of numbers is {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Njezin redak brojeva je {0}. Koliki je njezin {1} u NDC?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je još prvi broj retka. U NDC se dijeli posljednjim, {0}. Pogledajte točku 1 u kocki: njezin {1} je između −1 i 1.</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1 in the picture: it is on the side that the sign of {3} says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Predznak se promijenio: {0} je već pozitivna dubina {1}, zato dijelite samim {2}. Pogledajte točku 1 na slici: na strani je koju kaže predznak od {3}.</translation>
     </message>
     <message>
         <source>The third number divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Treći broj dijeli</translation>
     </message>
     <message>
         <source>This divides by the third number of the row. The divisor is the fourth one, {0}, which the matrix made of the depth. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli trećim brojem retka. Djelitelj je četvrti, {0}, koji je matrica načinila od dubine. Pogledajte točku 1 u kocki: njezin {1} je između −1 i 1.</translation>
     </message>
     <message>
         <source>Which of the four numbers is the divisor?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koji je od četiri broja djelitelj?</translation>
     </message>
     <message>
         <source>The same {0} divides the first three numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Isti {0} dijeli prva tri broja.</translation>
     </message>
     <message>
         <source>Practise: the same matrix, multiplied</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: ista matrica, pomnožena</translation>
     </message>
     <message>
         <source>Lecture 000 projects onto the plane {0} by a matrix {1} with 1, 1, 1, 0 on its diagonal, {2} in row 4, column 3, and 0 elsewhere. {3} and {4} take every point to the same point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Predavanje 000 projicira na ravninu {0} matricom {1} koja na dijagonali ima 1, 1, 1, 0, u retku 4, stupcu 3 {2}, a drugdje 0. {3} i {4} preslikavaju svaku točku u istu točku.</translation>
     </message>
     <message>
         <source>{0}. Which {1} has {2} in row 4, column 3? Give its rows 3 and 4, columns 3 and 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Koja {1} ima {2} u retku 4, stupcu 3? Napišite njezine retke 3 i 4, stupce 3 i 4.</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2}: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} daje {1}, što je pozitivno: obje strane imaju minus. Pogledajte {2}: {3} je ta duljina.</translation>
     </message>
     <message>
         <source>One cell is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovoljna je jedna ćelija</translation>
     </message>
     <message>
         <source>This changes one cell only. {0} multiplies every cell of the matrix, the ones on the diagonal too. Look at {1}: only for this plane is 1 right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo mijenja samo jednu ćeliju. {0} množi svaku ćeliju matrice, i jedinice na dijagonali. Pogledajte {1}: samo je za tu ravninu 1 točno.</translation>
     </message>
     <message>
         <source>The diagonal is divided</source>
-        <translation type="unfinished"></translation>
+        <translation>Dijagonala se dijeli</translation>
     </message>
     <message>
         <source>This multiplies the diagonal by {0}, but the last row by {1}. All cells have the same factor. Look at {2}: only for this plane are {3} and {4} the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo množi dijagonalu s {0}, a posljednji redak s {1}. Sve ćelije imaju isti faktor. Pogledajte {2}: samo su za tu ravninu {3} i {4} isti.</translation>
     </message>
     <message>
         <source>By what is {0} multiplied to become {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Čime se množi {0} da postane {1}?</translation>
     </message>
     <message>
         <source>{0}. All four numbers of a point are {1} times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sva četiri broja točke {1} puta su veća, a kvocijenti su im isti.</translation>
     </message>
     <message>
         <source>Practise: a direction in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: smjer na slici</translation>
     </message>
     <message>
         <source>Lines in one direction of view space run to one point of the picture: the image of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pravci jednog smjera koordinatnog sustava kamere idu prema jednoj točki slike: slici od {0}.</translation>
     </message>
     <message>
         <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pravac počinje u {0} u koordinatnom sustavu kamere i ide duž {1}. Vidno polje je {2}°. Označite sliku beskonačno daleke točke pravca.</translation>
     </message>
     <message>
         <source>This is a point five steps along the line. At infinity {0}, and the start has no part in the image: only the direction counts. Look at point 1, 60 steps along the line: it has moved on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo je točka pet koraka po pravcu. U beskonačnosti je {0}, a početak u slici ne sudjeluje: računa se samo smjer. Pogledajte točku 1, 60 koraka po pravcu: otišla je dalje.</translation>
     </message>
     <message>
         <source>The column is right, but the rows are counted from the top: a direction that leads up ends in the upper half of the picture. Look at point 1, 60 steps along the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac je točan, ali retci se broje odozgo: smjer koji vodi gore završava u gornjoj polovici slike. Pogledajte točku 1, 60 koraka po pravcu.</translation>
     </message>
     <message>
         <source>{0}, where *aspect* is 16/9.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, gdje je *aspect* 16/9.</translation>
     </message>
     <message>
         <source>{0} is the middle of the picture and {1} its right edge; {2} is its top.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je sredina slike, a {1} njezin desni rub; {2} je njezin vrh.</translation>
     </message>
     <message>
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
+        <translation>Mjesto točke zauzima smjer: {0} i {1} su njegove koordinate odsijecanja podijeljene s njegovim {2}.</translation>
+    </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3911,7 +4307,7 @@
     </message>
     <message>
         <source>In a diagram y goes up, and in NDC too, so 720 is tempting for the top. But an image is stored row by row from the top, and y of the image counts these rows. The minus in {0} does all the work. If you forget it, the picture is upside down, and you notice. If you forget the half pixel, the picture is shifted by half a pixel, and you do not notice.</source>
-        <translation>Na dijagramu y ide prema gore, a tako je i u NDC, pa je za vrh zavodljivo 720. Ali slika se sprema redak po redak odozgo, i y slike broji te retke. Minus u {0} čini sav posao. Ako ga zaboravite, slika je naopačke, i to primijetite. Ako zaboravite pola piksela, slika je pomaknuta za pola piksela, a to ne primijetite.</translation>
+        <translation>Na dijagramu y ide prema gore, a tako je i u NDC, pa je za vrh primamljivo 720. Ali slika se sprema redak po redak odozgo, i y slike broji te retke. Minus u {0} čini sav posao. Ako ga zaboravite, slika je naopačke, i to primijetite. Ako zaboravite pola piksela, slika je pomaknuta za pola piksela, a to ne primijetite.</translation>
     </message>
     <message>
         <source>Practise: the viewport as a matrix</source>
@@ -4138,7 +4534,7 @@
     </message>
     <message>
         <source>This measures straight from the eye to C. The far plane is a plane, not a sphere: only the depth along the axis counts. Look from above at far = 12.5: C is inside, though it is 13.9 away.</source>
-        <translation>Ovo mjeri ravno od kamere do C. Daleka ravnina je ravnina, a ne sfera: računa se samo dubina duž osi. Pogledajte odozgo s dalekom ravninom = 12.5: C je unutra, premda je udaljena 13.9.</translation>
+        <translation>Ovo mjeri ravno od kamere do C. Daleka ravnina je ravnina, a ne sfera: računa se samo dubina duž osi. Pogledajte odozgo s dalekom ravninom na 12.5: C je unutra, premda je udaljena 13.9.</translation>
     </message>
     <message>
         <source>The far plane is a plane: only the depth matters.</source>
@@ -4178,7 +4574,7 @@
     </message>
     <message>
         <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
-        <translation>„Njezin {0} je između −1 i 1, dakle na slici je”: to je zavodljivo, jer nakon dijeljenja drugog ispita više nema. Ali dijeljenje je izgubilo predznak od {1}. Točka iza kamere tada izgleda kao ona ispred nje, naopačke i na drugoj strani. Zato odsijecajte prije dijeljenja, po {2}; bliska ravnina uklanja sve što nema pozitivan {3}.</translation>
+        <translation>„Njezin {0} je između −1 i 1, dakle na slici je”: to je primamljivo, jer nakon dijeljenja drugog ispita više nema. Ali dijeljenje je izgubilo predznak od {1}. Točka iza kamere tada izgleda kao ona ispred nje, naopačke i na drugoj strani. Zato odsijecajte prije dijeljenja, po {2}; bliska ravnina uklanja sve što nema pozitivan {3}.</translation>
     </message>
     <message>
         <source>Practise: where an edge leaves</source>
@@ -4226,7 +4622,7 @@
     </message>
     <message>
         <source>At which {0} is {1}? Go from {2} to {3}.</source>
-        <translation>Kod kojeg {0} je {1}? Idite od {2} do {3}.</translation>
+        <translation>Kod kojeg {0} vrijedi {1}? Idite od {2} do {3}.</translation>
     </message>
     <message>
         <source>{0} at the cut is {1}; {2} is the right edge of the picture.</source>
@@ -4321,7 +4717,7 @@
     </message>
     <message>
         <source>*Image* shows the three ways: *naive*, divided without a cut; *cut*, at {0}; and *clipped*, in homogeneous coordinates, which need no such number.</source>
-        <translation>*Slika* pokazuje tri načina: *naivno*, dijeljeno bez odsijecanja; *odsječeno*, kod {0}; i *odsječeno* u homogenim koordinatama, kojima taj broj ne treba.</translation>
+        <translation>*Slika* pokazuje tri načina: *naivno*, dijeljeno bez odsijecanja; *odsječeno*, kod {0}; i *odsječeno homogeno*, u homogenim koordinatama, kojima taj broj ne treba.</translation>
     </message>
     <message>
         <source>Case 4</source>
@@ -4421,7 +4817,7 @@
     </message>
     <message>
         <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je zavodljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A&apos; i B&apos; crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
+        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je primamljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A&apos; i B&apos; crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
@@ -4445,7 +4841,7 @@
     </message>
     <message>
         <source>At which {0} from A to B is {1}? There {2}.</source>
-        <translation>Kod kojeg je {0} od A do B {1}? Ondje je {2}.</translation>
+        <translation>Kod kojeg {0}, od A do B, vrijedi {1}? Ondje je {2}.</translation>
     </message>
     <message>
         <source>{0}; the {1} there is divided by 0.01.</source>
@@ -4481,7 +4877,7 @@
     </message>
     <message>
         <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Počinje u A&apos; i ide od B&apos;. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
+        <translation>Počinje u A&apos; i udaljava se od B&apos;. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4501,7 +4897,7 @@
     </message>
     <message>
         <source>In camera space the ends behind the camera have {0}. So it is with the eye at {1}, if it looks towards {2}.</source>
-        <translation>U koordinatnom sustavu kamere krajevi iza kamere imaju {0}. Tako je s kamerom na {1} ako gleda prema {2}.</translation>
+        <translation>U koordinatnom sustavu kamere krajevi iza kamere imaju {0}. Tako je s kamerom u {1} ako gleda prema {2}.</translation>
     </message>
 </context>
 <context>
@@ -4512,7 +4908,7 @@
     </message>
     <message>
         <source>Half of the range gone</source>
-        <translation>Polovica raspona manje</translation>
+        <translation>Upola manji raspon</translation>
     </message>
     <message>
         <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
@@ -4632,7 +5028,7 @@
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; at the distance {0} the gap is proportional to {1}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; na udaljenosti {0} razmak je proporcionalan s {1}. Pogledajte pruge s bliskom ravninom = 0.1: počinju daleko i s udaljenošću se šire.</translation>
+        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; na udaljenosti {0} razmak je proporcionalan s {1}. Pogledajte pruge s bliskom ravninom na 0.1: počinju daleko i s udaljenošću se šire.</translation>
     </message>
     <message>
         <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
@@ -4644,7 +5040,7 @@
     </message>
     <message>
         <source>With far at 50 instead of 100 the range is half as long, so it is tempting to expect codes twice as close. They would be if depth changed evenly. But it changes with {0}, so most codes lie just behind near. The space from 50 to 100 had hardly any, and giving them up gains nothing. Now move *Near* a little and watch the stripes.</source>
-        <translation>S dalekom ravninom na 50 umjesto na 100 raspon je upola kraći, pa je zavodljivo očekivati dvostruko gušće kodove. Bili bi takvi kad bi se dubina mijenjala jednoliko. Ali ona se mijenja s {0}, pa većina kodova leži odmah iza bliske ravnine. Prostor od 50 do 100 jedva ih je imao, i odreći ga se ne donosi ništa. Sada malo pomaknite klizač *Bliska ravnina* i promatrajte pruge.</translation>
+        <translation>S dalekom ravninom na 50 umjesto na 100 raspon je upola kraći, pa je primamljivo očekivati dvostruko gušće kodove. Bili bi takvi kad bi se dubina mijenjala jednoliko. Ali ona se mijenja s {0}, pa većina kodova leži odmah iza bliske ravnine. Prostor od 50 do 100 jedva ih je imao, i odreći ga se ne donosi ništa. Sada malo pomaknite klizač *Bliska ravnina* i promatrajte pruge.</translation>
     </message>
     <message>
         <source>Practise: a stored depth</source>
@@ -4688,7 +5084,7 @@
     </message>
     <message>
         <source>This makes the gap the same at every distance. It would be if the codes were spread evenly, but most of them lie just behind near; the gap is proportional to {0}. Look at the stripes with near = 0.1: they begin far out and widen with the distance.</source>
-        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; razmak je proporcionalan s {0}. Pogledajte pruge s bliskom ravninom = 0.1: počinju daleko i s udaljenošću se šire.</translation>
+        <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; razmak je proporcionalan s {0}. Pogledajte pruge s bliskom ravninom na 0.1: počinju daleko i s udaljenošću se šire.</translation>
     </message>
     <message>
         <source>Twice as far, twice the gap</source>
@@ -4696,7 +5092,7 @@
     </message>
     <message>
         <source>This makes the gap proportional to {0}. The stored number changes with {1}, whose slope is {2}: twice as far needs four times the gap. Look at the stripes with near = 0.1: they widen faster than the distance grows.</source>
-        <translation>Ovo čini razmak proporcionalnim s {0}. Spremljeni broj mijenja se s {1}, čiji je nagib {2}: dvostruko dalje traži četverostruki razmak. Pogledajte pruge s bliskom ravninom = 0.1: šire se brže nego što raste udaljenost.</translation>
+        <translation>Ovo čini razmak proporcionalnim s {0}. Spremljeni broj mijenja se s {1}, čiji je nagib {2}: dvostruko dalje traži četverostruki razmak. Pogledajte pruge s bliskom ravninom na 0.1: šire se brže nego što raste udaljenost.</translation>
     </message>
     <message>
         <source>The 16 bits have {0} steps.</source>
@@ -4831,7 +5227,7 @@
     </message>
     <message>
         <source>One half was tempting because the picture of a straight edge is straight, and its middle is easy to see. But the division by the depth is not even along the edge: at four times the depth, a piece is drawn a quarter as wide. So half of the picture shows only the nearest fifth. Interpolate the divided quantities, {0} and {1}, and then divide.</source>
-        <translation>Polovica je bila zavodljiva jer je slika ravnog brida ravna, a sredina joj se lako vidi. Ali dijeljenje s dubinom nije jednoliko duž brida: na četiri puta većoj dubini komad se crta u četvrtini širine. Zato polovica slike pokazuje samo najbližu petinu. Interpolirajte podijeljene veličine, {0} i {1}, a zatim dijelite.</translation>
+        <translation>Polovica je bila primamljiva jer je slika ravnog brida ravna, a sredina joj se lako vidi. Ali dijeljenje s dubinom nije jednoliko duž brida: na četiri puta većoj dubini komad se crta u četvrtini širine. Zato polovica slike pokazuje samo najbližu petinu. Interpolirajte podijeljene veličine, {0} i {1}, a zatim dijelite.</translation>
     </message>
     <message>
         <source>Practise: a value on the way</source>
@@ -5042,7 +5438,7 @@
     </message>
     <message>
         <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
-        <translation>Sunce i svjetiljka imali su ista tri broja, pa je bilo zavodljivo sjenu ostaviti na mjestu. Ali brojevi sunca su smjer, isti za svaku točku slova F. Brojevi svjetiljke su položaj, a smjer zrake je {0}: što je točka viša, to je zraka položitija i sjena dulja. Promijenite *Vrsta svjetla* i promatrajte vrh slova F, zatim njegovo podnožje.</translation>
+        <translation>Sunce i svjetiljka imali su ista tri broja, pa je bilo primamljivo sjenu ostaviti na mjestu. Ali brojevi sunca su smjer, isti za svaku točku slova F. Brojevi svjetiljke su položaj, a smjer zrake je {0}: što je točka viša, to je zraka položitija i sjena dulja. Promijenite *Vrsta svjetla* i promatrajte vrh slova F, zatim njegovo podnožje.</translation>
     </message>
     <message>
         <source>Practise: a lamp&apos;s shadow</source>
@@ -5209,15 +5605,15 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Predavanje fotografira mačku objektivom od 29 mm s 30 cm i objektivom od 105 mm. Na filmu je stvar {0} puta svoje prave veličine, pa zadržava veličinu ako je</translation>
+        <translation>Predavanje fotografira mačku objektivom od 29 mm s 30 cm i objektivom od 105 mm. Veličina stvari na filmu je {0} puta njezina prava veličina, pa ostaje ista ako je</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
-        <translation>S 360 cm bila bi samo 0.30 puta toliko velika, pa bi se morala povećati.</translation>
+        <translation>S 360 cm njezina bi veličina bila samo 0.30 te veličine, pa bi se morala povećati.</translation>
     </message>
     <message>
         <source>The squares are {0} cm apart. The near one is drawn {1} times as large as the far one, with its own distance {2}: from 30 cm {3} times, from 108.6 cm {4} times. This camera is at 108.6 cm; under *More numbers* its focal length is 105 mm.</source>
-        <translation>Kvadrati su razmaknuti {0} cm. Bliži je nacrtan {1} puta velik kao dalji, gdje je {2} njegova vlastita udaljenost: s 30 cm {3} puta, sa 108.6 cm {4} puta. Ova je kamera na 108.6 cm; pod *Još brojeva* žarišna joj je duljina 105 mm.</translation>
+        <translation>Kvadrati su razmaknuti {0} cm. Bliži je nacrtan {1} puta veći od daljega, gdje je {2} njegova vlastita udaljenost: s 30 cm {3} puta, sa 108.6 cm {4} puta. Ova je kamera na 108.6 cm; pod *Još brojeva* žarišna joj je duljina 105 mm.</translation>
     </message>
     <message>
         <source>Walk, and keep the head</source>
@@ -5285,7 +5681,7 @@
     </message>
     <message>
         <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
-        <translation>Zavodljivo je reći da se ništa ne mijenja, jer glava zadržava veličinu, a zum je tome i namijenjen. Ali zum čuva veličine samo na jednoj dubini, dubini cilja. Ispred njega i iza njega veličine su proporcionalne s jedan kroz *svoju* udaljenost, a hodanje ju je promijenilo. Zato portret izbliza ima velik nos uz svaki objektiv: udaljenost određuje perspektivu; objektiv samo bira njezin dio.</translation>
+        <translation>Primamljivo je reći da se ništa ne mijenja, jer glava zadržava veličinu, a zum je tome i namijenjen. Ali zum čuva veličine samo na jednoj dubini, dubini cilja. Ispred njega i iza njega veličine su proporcionalne s jedan kroz *svoju* udaljenost, a hodanje ju je promijenilo. Zato portret izbliza ima velik nos uz svaki objektiv: udaljenost određuje perspektivu; objektiv samo bira njezin dio.</translation>
     </message>
     <message>
         <source>Practise: as large with another lens</source>
@@ -5297,7 +5693,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the head is {0} times as large as it is; the angle of view is no measure of that. Look at the head from here with {1} mm: it is {2} times as large.</source>
-        <translation>Ovo uzima vidni kut kao veličinu. Na filmu je glava {0} puta svoje prave veličine; vidni kut nije mjera za to. Pogledajte glavu odavde s {1} mm: {2} puta je toliko velika.</translation>
+        <translation>Ovo uzima vidni kut kao veličinu. Veličina glave na filmu je {0} puta njezina prava veličina; vidni kut nije mjera za to. Pogledajte glavu odavde s {1} mm: {2} puta je veća.</translation>
     </message>
     <message>
         <source>A longer lens goes nearer</source>
@@ -5309,7 +5705,7 @@
     </message>
     <message>
         <source>On the film, the head is {0} times as large as it is.</source>
-        <translation>Na filmu je glava {0} puta svoje prave veličine.</translation>
+        <translation>Veličina glave na filmu je {0} puta njezina prava veličina.</translation>
     </message>
     <message>
         <source>{0} must be equal to {1}: a longer lens needs a distance longer by the same factor.</source>
@@ -5321,7 +5717,7 @@
     </message>
     <message>
         <source>The near square is {0} from the eye; the far one is as large and {1} behind it. So the near one is drawn {2} times as large. How many times as large is it drawn from {3}, with a zoom that keeps its size?</source>
-        <translation>Bliži kvadrat je {0} od kamere; dalji je jednako velik i {1} iza njega. Zato je bliži nacrtan {2} puta velik kao dalji. Koliko je puta toliko velik nacrtan s {3}, uz zum koji zadržava njegovu veličinu?</translation>
+        <translation>Bliži kvadrat je {0} od kamere; dalji je jednako velik i {1} iza njega. Zato je bliži nacrtan {2} puta veći od daljega. Koliko je puta veći nacrtan s {3}, uz zum koji zadržava njegovu veličinu?</translation>
     </message>
     <message>
         <source>This keeps the ratio that is seen from {0}. The zoom enlarges both squares alike; only their distances decide how they compare. Look from the side: the camera is now {1} from the near square.</source>
@@ -5337,7 +5733,7 @@
     </message>
     <message>
         <source>Each square is drawn as large as one over its own distance.</source>
-        <translation>Svaki se kvadrat crta velik kao jedan kroz svoju udaljenost.</translation>
+        <translation>Nacrtana veličina svakog kvadrata proporcionalna je s jedan kroz njegovu udaljenost.</translation>
     </message>
     <message>
         <source>The near one is now {0} away. And the far one?</source>
@@ -5357,7 +5753,7 @@
     </message>
     <message>
         <source>Move the camera until the near square is drawn {0} times as large as the far one, and keep the head as high in the picture as it is now.</source>
-        <translation>Pomičite kameru dok bliži kvadrat ne bude nacrtan {0} puta velik kao dalji, i zadržite visinu glave na slici kakva je sada.</translation>
+        <translation>Pomičite kameru dok bliži kvadrat ne bude nacrtan {0} puta veći od daljega, i zadržite visinu glave na slici kakva je sada.</translation>
     </message>
     <message>
         <source>From the near square to the far one it is {0}. At the distance {1} of the near square, the ratio is {2}.</source>
@@ -5468,7 +5864,7 @@
     </message>
     <message>
         <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
-        <translation>Strelica je visoka 5 i 9 ispred rupice. Film se pomiče na 6 iza rupice. Kolika je visina slike strelice na filmu, s predznakom?</translation>
+        <translation>Strelica je visoka 5 i stoji 9 ispred rupice. Film se pomiče na 6 iza rupice. Kolika je visina slike strelice na filmu, s predznakom?</translation>
     </message>
     <message>
         <source>This is the image on a film in front of the hole. Behind the hole the light has crossed the axis, so the sign changes. Look at both films: only the one in front has the arrow upright.</source>
@@ -5504,7 +5900,7 @@
     </message>
     <message>
         <source>It was tempting to keep the sign, because the triangles are the same. But the projector goes through the eye and crosses the axis there: what was above is now below. Our cameras put the plane in front, where nothing is turned over. A real camera has its film behind and turns the picture round afterwards; the numbers differ by the sign only.</source>
-        <translation>Bilo je zavodljivo zadržati predznak, jer su trokuti isti. Ali zraka projiciranja ide kroz kameru i ondje siječe os: što je bilo gore, sada je dolje. Naše kamere stavljaju ravninu ispred, gdje se ništa ne okreće. Prava kamera ima film iza i sliku poslije okreće; brojevi se razlikuju samo predznakom.</translation>
+        <translation>Bilo je primamljivo zadržati predznak, jer su trokuti isti. Ali zraka projiciranja ide kroz kameru i ondje siječe os: što je bilo gore, sada je dolje. Naše kamere stavljaju ravninu ispred, gdje se ništa ne okreće. Prava kamera ima film iza i sliku poslije okreće; brojevi se razlikuju samo predznakom.</translation>
     </message>
     <message>
         <source>Practise: height on the film</source>
@@ -5512,7 +5908,7 @@
     </message>
     <message>
         <source>An arrow, {0} high, stands before the hole of a dark box.</source>
-        <translation>Strelica, {0}, stoji pred rupicom mračne kutije.</translation>
+        <translation>Strelica visine {0} stoji pred rupicom mračne kutije.</translation>
     </message>
     <message>
         <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
@@ -5524,7 +5920,7 @@
     </message>
     <message>
         <source>The image is {0} times as high as the arrow, and upside down.</source>
-        <translation>Slika je {0} puta visoka kao strelica, i naopačke.</translation>
+        <translation>Visina slike je {0} puta visina strelice, i slika je naopačke.</translation>
     </message>
     <message>
         <source>Practise: a corner on the film</source>
@@ -5560,7 +5956,7 @@
     </message>
     <message>
         <source>On the other side of the middle, and {0} times as far from it.</source>
-        <translation>S druge strane sredine, i {0} puta toliko daleko od nje.</translation>
+        <translation>S druge strane sredine, i na {0} te udaljenosti od nje.</translation>
     </message>
     <message>
         <source>Practise: the film for a size</source>
@@ -5568,11 +5964,11 @@
     </message>
     <message>
         <source>{0} is {1} deep. Put the plane behind the eye so that the image of {2} is upside down and {3} times as far from the axis as {4}.</source>
-        <translation>{0} je na dubini {1}. Stavite ravninu iza kamere tako da slika točke {2} bude naopačke i {3} puta toliko daleko od osi koliko {4}.</translation>
+        <translation>{0} je na dubini {1}. Stavite ravninu iza kamere tako da slika točke {2} bude naopačke, a njezina udaljenost od osi {3} puta udaljenost same točke {4}.</translation>
     </message>
     <message>
         <source>The image is {0} times as far from the axis as {1}. Measure both from the eye.</source>
-        <translation>Slika je {0} puta toliko daleko od osi koliko {1}. Oboje mjerite od kamere.</translation>
+        <translation>Udaljenost slike od osi je {0} puta udaljenost točke {1} od osi. Obje dubine mjerite od kamere.</translation>
     </message>
     <message>
         <source>Behind the eye {0} is negative: type it under Plane distance d.</source>
@@ -5588,7 +5984,7 @@
     </message>
     <message>
         <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
-        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: od osi je udaljena manje od {1} puta koliko {2}.</translation>
+        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: njezina je udaljenost od osi manja od {1} puta udaljenost točke {2}.</translation>
     </message>
 </context>
 <context>
@@ -5603,7 +5999,7 @@
     </message>
     <message>
         <source>The letter F of eight cubes stands on its grid. The camera looks level: its eye is as high as its target. The uprights of the F are parallel in the picture.</source>
-        <translation>Slovo F od osam kocaka stoji na svojoj rešetki. Kamera gleda horizontalno: visoko je koliko i njezin cilj. Uspravni bridovi slova F na slici su paralelni.</translation>
+        <translation>Slovo F od osam kocaka stoji na svojoj rešetki. Kamera gleda horizontalno: na istoj je visini kao njezin cilj. Uspravni bridovi slova F na slici su paralelni.</translation>
     </message>
     <message>
         <source>The camera rises to 5.5, above the F, and keeps looking level. What do the uprights do in the picture?</source>
@@ -5667,7 +6063,7 @@
     </message>
     <message>
         <source>Make the camera look level, with its eye as high as its target and the whole F in the picture.</source>
-        <translation>Neka kamera gleda horizontalno, visoko koliko i njezin cilj, s cijelim slovom F na slici.</translation>
+        <translation>Neka kamera gleda horizontalno, s visine svojega cilja, a cijelo slovo F neka bude na slici.</translation>
     </message>
     <message>
         <source>Which angle in the dock says how steeply the camera looks down?</source>
@@ -5743,7 +6139,7 @@
     </message>
     <message>
         <source>From above you usually *look down*, and houses lean in photographs from towers, so it was tempting to let the uprights lean. But looking down makes them lean, not the height. If a camera rises and looks level, the F moves in the picture but its uprights stay parallel. If a camera turns down to its target, {0} and the uprights meet. Press play in the tool bar: the section Animation has both ways of looking.</source>
-        <translation>Odozgo obično *gledate dolje*, a na fotografijama s tornjeva zgrade se naginju, pa je bilo zavodljivo pustiti uspravne bridove da se nagnu. Ali naginje ih gledanje dolje, a ne visina. Ako se kamera diže i gleda horizontalno, F se na slici pomiče, ali uspravni bridovi ostaju paralelni. Ako se kamera okrene dolje prema cilju, {0} i uspravni bridovi se stječu. Pritisnite Pokreni na alatnoj traci: odjeljak Animacija ima oba načina gledanja.</translation>
+        <translation>Odozgo obično *gledate dolje*, a na fotografijama s tornjeva zgrade se naginju, pa je bilo primamljivo pustiti uspravne bridove da se nagnu. Ali naginje ih gledanje dolje, a ne visina. Ako se kamera diže i gleda horizontalno, F se na slici pomiče, ali uspravni bridovi ostaju paralelni. Ako se kamera okrene dolje prema cilju, {0} i uspravni bridovi se stječu. Pritisnite Pokreni na alatnoj traci: odjeljak Animacija ima oba načina gledanja.</translation>
     </message>
     <message>
         <source>Practise: the vector v</source>
@@ -5910,11 +6306,11 @@
     </message>
     <message>
         <source>Point 1 is on the axis of a tree 44 ahead and 15 to the right. Far is 34. How far must the camera drive until the point is at the far plane?</source>
-        <translation>Točka 1 je na osi stabla 44 naprijed i 15 udesno. Daleka ravnina je na 34. Koliko kamera mora voziti dok točka ne dođe na daleku ravninu?</translation>
+        <translation>Točka 1 je na osi stabla 44 naprijed i 15 udesno. Daleka ravnina je na 34. Koliko kamera mora prijeći dok točka ne dođe na daleku ravninu?</translation>
     </message>
     <message>
         <source>This waits until the tree is 34 away from the eye, measured straight. Far is a plane across the direction of view, so how far the tree is to the side does not matter. Look from above at far = 44: it goes through point 1, though the point is 46.5 away.</source>
-        <translation>Ovo čeka da stablo bude 34 od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je stablo sa strane. Pogledajte odozgo daleku ravninu = 44: prolazi kroz točku 1, premda je ona udaljena 46.5.</translation>
+        <translation>Ovo čeka da stablo bude 34 od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je stablo sa strane. Pogledajte odozgo daleku ravninu na 44: prolazi kroz točku 1, premda je ona udaljena 46.5.</translation>
     </message>
     <message>
         <source>44 − 34. A tree at the side appears at the same time as one straight ahead.</source>
@@ -5938,7 +6334,7 @@
     </message>
     <message>
         <source>The tree is 40.85 away, more than far, so it was tempting to leave it out. If far were a sphere, that would be right. But a matrix can only give planes, so near and far are planes: the tree is drawn because it is 38 *ahead*. When the camera turns, the plane turns with it, and trees at the edge of the picture come and go although nobody has driven. Drag the azimuth and watch them.</source>
-        <translation>Stablo je udaljeno 40.85, dalje od daleke ravnine, pa ga je bilo zavodljivo izostaviti. Da je daleka ravnina sfera, to bi bilo točno. Ali matrica može dati samo ravnine, pa su bliska i daleka ravnine: stablo se crta jer je 38 *naprijed*. Kad se kamera okreće, s njom se okreće i ravnina, i stabla na rubu slike dolaze i odlaze premda nitko nije vozio. Povucite azimut i promatrajte ih.</translation>
+        <translation>Stablo je udaljeno 40.85, dalje od daleke ravnine, pa ga je bilo primamljivo izostaviti. Da je daleka ravnina sfera, to bi bilo točno. Ali matrica može dati samo ravnine, pa su bliska i daleka ravnine: stablo se crta jer je 38 *naprijed*. Kad se kamera okreće, s njom se okreće i ravnina, i stabla na rubu slike dolaze i odlaze premda nitko nije vozio. Povucite azimut i promatrajte ih.</translation>
     </message>
     <message>
         <source>Practise: drive until it appears</source>
@@ -5946,11 +6342,11 @@
     </message>
     <message>
         <source>Point 1 is {0} ahead and {1} to the right, and far is {2}. How far must the camera drive, straight ahead, until the point is at the far plane?</source>
-        <translation>Točka 1 je {0} naprijed i {1} udesno, a daleka ravnina je na {2}. Koliko kamera mora voziti, ravno naprijed, dok točka ne dođe na daleku ravninu?</translation>
+        <translation>Točka 1 je {0} naprijed i {1} udesno, a daleka ravnina je na {2}. Koliko kamera mora prijeći, ravno naprijed, dok točka ne dođe na daleku ravninu?</translation>
     </message>
     <message>
         <source>This waits until the point is {0} away from the eye, measured straight. Far is a plane across the direction of view, so how far the point is to the side does not matter. Look from above at far = {1}: it goes through point 1, however far that is to the side.</source>
-        <translation>Ovo čeka da točka bude {0} od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je točka sa strane. Pogledajte odozgo daleku ravninu = {1}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
+        <translation>Ovo čeka da točka bude {0} od kamere, mjereno ravno. Daleka ravnina je ravnina okomita na smjer gledanja, pa nije važno koliko je točka sa strane. Pogledajte odozgo daleku ravninu na {1}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
     </message>
     <message>
         <source>The straight way counts</source>
@@ -5958,7 +6354,7 @@
     </message>
     <message>
         <source>This subtracts far from the straight distance to the point. Far is a plane across the direction of view: only how far the point is ahead counts. Look from above at far = {0}: it goes through point 1, however far that is to the side.</source>
-        <translation>Ovo oduzima udaljenost daleke ravnine od ravne udaljenosti do točke. Daleka ravnina je ravnina okomita na smjer gledanja: računa se samo koliko je točka naprijed. Pogledajte odozgo daleku ravninu = {0}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
+        <translation>Ovo oduzima udaljenost daleke ravnine od ravne udaljenosti do točke. Daleka ravnina je ravnina okomita na smjer gledanja: računa se samo koliko je točka naprijed. Pogledajte odozgo daleku ravninu na {0}: prolazi kroz točku 1, koliko god ona bila sa strane.</translation>
     </message>
     <message>
         <source>The view from above shows the far plane. Which distance to it does the drive shorten?</source>
@@ -6025,7 +6421,7 @@
     </message>
     <message>
         <source>Behind the focus</source>
-        <translation>Iza izoštrenoga</translation>
+        <translation>Iza ravnine izoštravanja</translation>
     </message>
     <message>
         <source>The lens of the synthetic camera is a point, and everything is sharp. A real lens draws a point as a disc. A disc of diameter {0} or less passes for a point. The lens here has a focal length of 50 mm and an aperture of {1}, and is focused at 2 m.</source>
@@ -6037,19 +6433,19 @@
     </message>
     <message>
         <source>5.713, as far behind the focus as in front</source>
-        <translation>5.713, jednako daleko iza izoštrenoga kao ispred</translation>
+        <translation>5.713, jednako daleko iza ravnine izoštravanja kao ispred</translation>
     </message>
     <message>
         <source>The disc grows more slowly behind the focus than in front of it. So the sharp range reaches farther behind. Look from above: from the focus it is 0.713 m to the near limit, and 0.998 m to the far one.</source>
-        <translation>Krug iza izoštrenoga raste sporije nego ispred njega. Zato oštro područje iza seže dalje. Pogledajte odozgo: od izoštrenoga je 0.713 m do bliže granice, a 0.998 m do dalje.</translation>
+        <translation>Krug iza ravnine izoštravanja raste sporije nego ispred nje. Zato oštro područje iza seže dalje. Pogledajte odozgo: od ravnine izoštravanja je 0.713 m do bliže granice, a 0.998 m do dalje.</translation>
     </message>
     <message>
         <source>Only there are points drawn as points, but discs up to {0} pass for points. Look from above: the sharp range goes on behind the focus.</source>
-        <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza izoštrenoga.</translation>
+        <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>0.713 m ispred izoštrenoga, ali 0.998 m iza njega. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
+        <translation>0.713 m ispred ravnine izoštravanja, ali 0.998 m iza nje. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
     </message>
     <message>
         <source>The two limits</source>
@@ -6081,7 +6477,7 @@
     </message>
     <message>
         <source>Focus at the hyperfocal distance H or farther away, or stop the lens down with a larger N until H is nearer than the focus.</source>
-        <translation>Izoštrite na hiperfokalnu udaljenost H ili dalje, ili zatvorite blendu većim N dok H ne bude bliže od izoštrenoga.</translation>
+        <translation>Izoštrite na hiperfokalnu udaljenost H ili dalje, ili zatvorite blendu većim N dok H ne bude bliže od ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>From {0} on, {1} is 1 or more. If you focus exactly at {2}, everything from {3} on is sharp.</source>
@@ -6097,7 +6493,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The disc grows more slowly behind the focus, so the far limit is farther away. Look from above: the far limit is farther from the focus than the near one.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Krug iza izoštrenoga raste sporije, pa je dalja granica udaljenija. Pogledajte odozgo: dalja je granica udaljenija od izoštrenoga nego bliža.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Krug iza nje raste sporije, pa je dalja granica udaljenija. Pogledajte odozgo: dalja je granica od ravnine izoštravanja udaljenija nego bliža.</translation>
     </message>
     <message>
         <source>{0} m, {1}, and {2}.</source>
@@ -6113,7 +6509,7 @@
     </message>
     <message>
         <source>This puts the focus half-way between the limits. The disc grows more slowly behind the focus, so the focus is closer to the near limit; what is half-way is one over the distance, between {0} and {1}. Look from above at the focus 4.5 with a near limit of 3: the far limit is 9, not 6.</source>
-        <translation>Ovo stavlja izoštreno na pola puta između granica. Krug iza njega raste sporije, pa je izoštreno bliže bližoj granici; na pola puta je jedan kroz udaljenost, između {0} i {1}. Pogledajte odozgo izoštreno na 4.5 s bližom granicom 3: dalja je 9, a ne 6.</translation>
+        <translation>Ovo stavlja ravninu izoštravanja na pola puta između granica. Krug iza nje raste sporije, pa je ona bliže bližoj granici; na pola puta je jedan kroz udaljenost, između {0} i {1}. Pogledajte odozgo izoštravanje na 4.5 s bližom granicom 3: dalja je 9, a ne 6.</translation>
     </message>
     <message>
         <source>{0} is the middle of {1} and {2}: {3}.</source>
@@ -6129,7 +6525,7 @@
     </message>
     <message>
         <source>Half in front and half behind was tempting, because the disc is 0 at the focus and grows on both sides. But it does not grow equally: it is proportional to {0}, and one over the distance changes more slowly the farther away you are. So the far limit is always farther from the focus than the near one, and from the hyperfocal distance on it is at infinity.</source>
-        <translation>Pola ispred i pola iza bilo je zavodljivo, jer je krug na izoštrenome 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica uvijek udaljenija od izoštrenoga nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
+        <translation>Pola ispred i pola iza bilo je primamljivo, jer je krug u ravnini izoštravanja 0 i raste na obje strane. Ali ne raste jednako: proporcionalan je s {0}, a jedan kroz udaljenost mijenja se to sporije što ste dalje. Zato je dalja granica od ravnine izoštravanja uvijek udaljenija nego bliža, a od hiperfokalne udaljenosti nadalje ona je u beskonačnosti.</translation>
     </message>
     <message>
         <source>Practise: the far limit</source>
@@ -6145,7 +6541,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The limits are {0} and {1}; the far one is farther from the focus. Look from above: it is farther from the focus than the near one.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Granice su {0} i {1}; dalja je udaljenija od izoštrenoga. Pogledajte odozgo: udaljenija je od izoštrenoga nego bliža.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Granice su {0} i {1}; dalja je od ravnine izoštravanja udaljenija. Pogledajte odozgo: od ravnine izoštravanja udaljenija je nego bliža.</translation>
     </message>
     <message>
         <source>Both limits have a plus</source>
@@ -6153,7 +6549,7 @@
     </message>
     <message>
         <source>This is the near limit, {0}. Behind the focus it is {1}. Look from above: the far limit lies behind the focus.</source>
-        <translation>To je bliža granica, {0}. Iza izoštrenoga je {1}. Pogledajte odozgo: dalja granica leži iza izoštrenoga.</translation>
+        <translation>To je bliža granica, {0}. Iza ravnine izoštravanja je {1}. Pogledajte odozgo: dalja granica leži iza ravnine izoštravanja.</translation>
     </message>
     <message>
         <source>First {0}, in metres: {1} mm are {2} m, and 0.03 mm are 0.00003 m.</source>
@@ -6181,7 +6577,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The far limit, {0}, is farther away. Look from above at both limits.</source>
-        <translation>Ovo je jednako daleko iza izoštrenoga kao što je bliža granica ispred njega. Dalja granica, {0}, je udaljenija. Pogledajte odozgo obje granice.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Dalja granica, {0}, je udaljenija. Pogledajte odozgo obje granice.</translation>
     </message>
     <message>
         <source>The far limit is {0}. Find its distance between the posts.</source>
@@ -6221,7 +6617,7 @@
     </message>
     <message>
         <source>The far limit is farther from the focus than the near one. Look from above at the focus {0} with a near limit of {1}: the far limit is beyond {2}.</source>
-        <translation>Dalja je granica udaljenija od izoštrenoga nego bliža. Pogledajte odozgo izoštreno na {0} s bližom granicom {1}: dalja je iza {2}.</translation>
+        <translation>Dalja je granica od ravnine izoštravanja udaljenija nego bliža. Pogledajte odozgo izoštravanje na {0} s bližom granicom {1}: dalja je iza {2}.</translation>
     </message>
 </context>
 <context>
@@ -6396,7 +6792,7 @@
     </message>
     <message>
         <source>65 536 places were tempting because no screen has so many columns. But the places belong to the scene, and the pixels to the picture: the number that matters is pixels per place, and you change it with every step. The two pictures draw the corner with 16 bits and with float64. So ask for the error in pixels from where you will stand, and buy the bits for that.</source>
-        <translation>65 536 mjesta bilo je zavodljivo jer nijedan ekran nema toliko stupaca. Ali mjesta pripadaju sceni, a pikseli slici: važan je broj piksela po mjestu, a njega mijenjate svakim korakom. Dvije slike crtaju vrh sa 16 bitova i s float64. Zato pitajte za pogrešku u pikselima odande gdje ćete stajati i za to kupite bitove.</translation>
+        <translation>65 536 mjesta bilo je primamljivo jer nijedan ekran nema toliko stupaca. Ali mjesta pripadaju sceni, a pikseli slici: važan je broj piksela po mjestu, a njega mijenjate svakim korakom. Dvije slike crtaju vrh sa 16 bitova i s float64. Zato pitajte za pogrešku u pikselima odande gdje ćete stajati i za to kupite bitove.</translation>
     </message>
     <message>
         <source>16 bits</source>
@@ -6551,7 +6947,7 @@
     </message>
     <message>
         <source>Such an error is no chance. Each round adds about as much as the one before, and the errors of {0} rounds are {1} times as large. After one round the dock says that an axis leans by {2}.</source>
-        <translation>Takva pogreška nije slučaj. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta toliko velike. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
+        <translation>Takva pogreška nije slučaj. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta veće. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
     </message>
     <message>
         <source>Turn the camera until the picture is off by more than 50 pixels, with nothing else changed.</source>
@@ -6563,7 +6959,7 @@
     </message>
     <message>
         <source>Move Rounds to the right.</source>
-        <translation>Pomaknite Krugova udesno.</translation>
+        <translation>Pomaknite klizač Krugova udesno.</translation>
     </message>
     <message>
         <source>9 or 10 rounds are enough: a minute at 60 frames a second.</source>
@@ -6607,7 +7003,7 @@
     </message>
     <message>
         <source>The lengths are right to ten digits. But an axis still leans by 0.0008°: less than before, and not nothing.</source>
-        <translation>Duljine su točne na deset znamenaka. Ali os je i dalje nagnuta za 0.0008°: manje nego prije, ali ne nimalo.</translation>
+        <translation>Duljine su točne na deset znamenaka. Ali os je i dalje nagnuta za 0.0008°: manje nego prije, ali nije nula.</translation>
     </message>
     <message>
         <source>A step that is too small</source>
@@ -6782,11 +7178,11 @@
     </message>
     <message>
         <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
-        <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Ovdje se računa u svakom vrhu, jer je ondje jeftina, a pod od bliske do daleke ravnine jedan je komad. U oknu **Slika** vidite temelj zida, koji je ispod poda: pod se crta iza njega. Bočna ploča kaže kolika je pogreška: do 3.53 puta predaleko.</translation>
+        <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Ovdje se računa u svakom vrhu, jer je ondje jeftina, a pod od bliske do daleke ravnine jedan je komad. U oknu **Slika** vidite temelj zida, koji je ispod poda: pod se crta iza njega. Bočna ploča kaže kolika je pogreška: do 3.53 puta dalje nego što treba.</translation>
     </message>
     <message>
         <source>Far moves from 30 to 1000, and the floor with it, still one piece. Up to how many times too far is it drawn?</source>
-        <translation>Daleka ravnina pomiče se s 30 na 1000, a s njom i pod, i dalje jedan komad. Do koliko se puta predaleko crta?</translation>
+        <translation>Daleka ravnina pomiče se s 30 na 1000, a s njom i pod, i dalje jedan komad. Koliko se puta dalje nego što treba tada najviše crta?</translation>
     </message>
     <message>
         <source>Still 3.5 times: that is what a logarithm is for</source>
@@ -6810,7 +7206,7 @@
     </message>
     <message>
         <source>Only the two ends of the floor have the right depth. The nearest and the farthest vertex are now 1000 times as far apart as near is from the eye.</source>
-        <translation>Ispravnu dubinu imaju samo dva kraja poda. Najbliži i najudaljeniji vrh sada su razmaknuti 1000 puta koliko je bliska ravnina udaljena od kamere.</translation>
+        <translation>Ispravnu dubinu imaju samo dva kraja poda. Razmak najbližeg i najudaljenijeg vrha sada je 1000 puta veći od udaljenosti bliske ravnine od kamere.</translation>
     </message>
     <message>
         <source>One over w, and log w</source>
@@ -6830,7 +7226,7 @@
     </message>
     <message>
         <source>Near is 1 and far is 100. How many times too far is the floor drawn, half-way along it on the screen?</source>
-        <translation>Bliska ravnina je na 1, daleka na 100. Koliko se puta predaleko crta pod, na pola puta na ekranu?</translation>
+        <translation>Bliska ravnina je na 1, daleka na 100. Koliko se puta dalje nego što treba crta pod, na pola puta na ekranu?</translation>
     </message>
     <message>
         <source>Half-way is half the distance</source>
@@ -6862,7 +7258,7 @@
     </message>
     <message>
         <source>Draw the floor nowhere more than 1.2 times too far, and still compute the logarithm at the vertices only.</source>
-        <translation>Nacrtajte pod tako da nigdje nije više od 1.2 puta predaleko, a logaritam se i dalje računa samo u vrhovima.</translation>
+        <translation>Nacrtajte pod tako da nigdje nije više od 1.2 puta dalje nego što treba, a logaritam se i dalje računa samo u vrhovima.</translation>
     </message>
     <message>
         <source>What makes the ratio of the nearest piece small?</source>
@@ -6870,7 +7266,7 @@
     </message>
     <message>
         <source>Move Pieces of the floor to the right.</source>
-        <translation>Pomaknite Komada poda udesno.</translation>
+        <translation>Pomaknite klizač Komada poda udesno.</translation>
     </message>
     <message>
         <source>13 pieces are enough here. From 1 to 1000 it takes 419: the near pieces need to be short, and the far ones are shorter than they have to be.</source>
@@ -6910,7 +7306,7 @@
     </message>
     <message>
         <source>A step is the box over {0}: with 4 bits more it is 16 times as short.</source>
-        <translation>Korak je kvadar kroz {0}: s 4 bita više 16 je puta kraći.</translation>
+        <translation>Korak je kvadar kroz {0}: s 4 bita više 16 puta je kraći.</translation>
     </message>
     <message>
         <source>Half a step, and half a step</source>
@@ -7026,7 +7422,7 @@
     </message>
     <message>
         <source>“Logarithmic depth is always better” is tempting: its digits are spread as distances need them. But digits are half of the story. A number is stored at some places, and used at others: depths between the vertices, positions in the grid of another mesh. Precision goes where two ways of rounding meet. Choose *each pixel* and watch the foundation disappear.</source>
-        <translation>„Logaritamska dubina uvijek je bolja” zvuči zavodljivo: znamenke su joj raspoređene kako ih udaljenosti trebaju. Ali znamenke su pola priče. Broj se sprema na jednim mjestima, a koristi na drugima: dubine između vrhova, položaji na rešetki druge mreže. Preciznost odlazi ondje gdje se sretnu dva načina zaokruživanja. Odaberite *svaki piksel* i promatrajte kako temelj nestaje.</translation>
+        <translation>„Logaritamska dubina uvijek je bolja” zvuči primamljivo: znamenke su joj raspoređene kako ih udaljenosti trebaju. Ali znamenke su pola priče. Broj se sprema na jednim mjestima, a koristi na drugima: dubine između vrhova, položaji na rešetki druge mreže. Preciznost odlazi ondje gdje se sretnu dva načina zaokruživanja. Odaberite *svaki piksel* i promatrajte kako temelj nestaje.</translation>
     </message>
     <message>
         <source>Practise: half-way</source>
@@ -7038,7 +7434,7 @@
     </message>
     <message>
         <source>Near is {0}, far is {1}. Half-way along the floor on the screen: how many times too far is it drawn?</source>
-        <translation>Bliska ravnina je na {0}, daleka na {1}. Na pola puta po podu na ekranu: koliko se puta predaleko crta?</translation>
+        <translation>Bliska ravnina je na {0}, daleka na {1}. Na pola puta po podu na ekranu: koliko se puta dalje nego što treba crta?</translation>
     </message>
     <message>
         <source>This takes half the distance for the true place. Half-way on the screen {0} is half-way, and {1} is much nearer. Look at the foundation: the floor is drawn behind it, not before it.</source>
@@ -7109,1458 +7505,1482 @@
     <name>talk-000</name>
     <message>
         <source>Normalised coordinates and the perspective projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalizirane koordinate i perspektivna projekcija</translation>
     </message>
     <message>
         <source>From similar triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Od sličnih trokuta</translation>
     </message>
     <message>
         <source>A point {0} in front of the camera comes to the plane at the distance {1} from the eye:</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka {0} ispred kamere dolazi na ravninu na udaljenosti {1} od kamere:</translation>
     </message>
     <message>
         <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
-        <translation type="unfinished"></translation>
+        <translation>P je na dubini 5. Ravnina se pomiče s d = 1 na d = 2. Koliko je puta P&apos; sada viša?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Površina slike raste 4 puta. Visina i širina proporcionalne su s d.</translation>
     </message>
     <message>
         <source>Both triangles have a corner at the eye, and P is 5 deep, measured from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oba trokuta imaju vrh kod kamere, a P je na dubini 5, mjereno odande.</translation>
     </message>
     <message>
         <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svijet sa strane: najprije imenujte dva trokuta, od kamere do P i od kamere do P&apos;. Očitajte sa slike -z = 5, y = 2 i {0}. Neka studenti glasuju, zatim pustite da se model pomakne. Potom povucite Udaljenost ravnine d ispod 0: film camere obscure, i slika se okreće. To je izvedeno ranije na kolegiju; ne zadržavajte se.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Isto kao matrica</translation>
     </message>
     <message>
         <source>{0} goes to {1}, and divided by the last number to {2} (2):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} prelazi u {1}, a podijeljeno posljednjim brojem u {2} (2):</translation>
     </message>
     <message>
         <source>The matrix is in the dock too, with numbers: -1/d = -0.5. Under it P = (2, 2, -5) becomes (2, 2, -5, 2.5). Divide aloud: 0.8, 0.8, -2. Stress that all projection is in the last row, and that -z/d is positive for what is in front. Drag d and watch the one cell that changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica je i na bočnoj ploči, s brojevima: -1/d = -0.5. Pod njom P = (2, 2, -5) postaje (2, 2, -5, 2.5). Podijelite naglas: 0.8, 0.8, -2. Naglasite da je sva projekcija u posljednjem retku i da je -z/d pozitivno za ono što je ispred. Povucite d i promatrajte jedinu ćeliju koja se mijenja.</translation>
     </message>
     <message>
         <source>A and λA are one transformation</source>
-        <translation type="unfinished"></translation>
+        <translation>A i λA ista su transformacija</translation>
     </message>
     <message>
         <source>Multiply every cell by {0}: the last number becomes {1}, and the quotients stay the same (3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomnožite svaku ćeliju s {0}: posljednji broj postaje {1}, a kvocijenti ostaju isti (3).</translation>
     </message>
     <message>
         <source>last row</source>
-        <translation type="unfinished"></translation>
+        <translation>posljednji redak</translation>
     </message>
     <message>
         <source>of P = (2, 2, −5)</source>
-        <translation type="unfinished"></translation>
+        <translation>od P = (2, 2, −5)</translation>
     </message>
     <message>
         <source>divided</source>
-        <translation type="unfinished"></translation>
+        <translation>podijeljeno</translation>
     </message>
     <message>
         <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pitajte čime se još može množiti: bilo kojim λ osim 0. Zato posljednji redak može biti i 0 0 -1 0, koliki god bio d, a w&apos; = -z je sama dubina. U prozoru -z = 5 stoji na bočnoj ploči i kao duljina ispod slike. Taj posljednji redak imaju sve daljnje matrice predavanja.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
-        <translation type="unfinished"></translation>
+        <translation>WebGL: d je udaljenost bliske ravnine</translation>
     </message>
     <message>
         <source>The scene is projected onto the near plane {0}, so {1} (4). **World** shows the picture on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Scena se projicira na blisku ravninu {0}, pa je {1} (4). **Svijet** na njoj pokazuje sliku.</translation>
     </message>
     <message>
         <source>Show the small F on the near plane in World: same projectors as before, and the plane is one of the walls of the frustum. Drag Near: the picture on the plane grows with it, and so does the plane; in Image nothing changes, until near cuts into the F. Near is a distance and positive; the plane is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pokažite mali F na bliskoj ravnini u oknu Svijet: iste zrake projiciranja kao prije, a ravnina je jedna od strana krnje piramide. Povucite Blisku ravninu: slika na ravnini raste s njom, a raste i ravnina; u oknu Slika ništa se ne mijenja dok bliska ravnina ne zareže u F. Bliska ravnina zadana je udaljenošću, i pozitivna je; ravnina je u {0}.</translation>
     </message>
     <message>
         <source>A segment to [-1, 1]</source>
-        <translation type="unfinished"></translation>
+        <translation>Segment u [-1, 1]</translation>
     </message>
     <message>
         <source>The orthographic projection drops {0}; only {1} must become {2} (5). Here it is {3}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortogonalna projekcija zaboravlja {0}; samo {1} mora postati {2} (5). Ovdje je to {3}:</translation>
     </message>
     <message>
         <source>Try three values on the board: x = -3 gives -1, x = 5 gives 1, x = 1, the middle, gives 0. Point to the denominators of the two fractions: they differ in sign. In NDC the box has become the cube; the F lies left of the middle, because the axis came to -0.25. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na ploči isprobajte tri vrijednosti: x = -3 daje -1, x = 5 daje 1, x = 1, sredina, daje 0. Pokažite nazivnike dvaju razlomaka: razlikuju se predznakom. U NDC je kvadar postao kocka; F leži lijevo od sredine, jer je os došla u -0.25. Povucite Lijevi rub i Desni rub.</translation>
     </message>
     <message>
         <source>The same for {0} and {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Isto za {0} i {1}</translation>
     </message>
     <message>
         <source>Put {0} into (5) and write everything over {1} (6); likewise for {2} (8):</source>
-        <translation type="unfinished"></translation>
+        <translation>Uvrstite {0} u (5) i sve napišite nad {1} (6); isto tako za {2} (8):</translation>
     </message>
     <message>
         <source>The window moves to [-1, 3]. Which {0} has probe 1, straight ahead?</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozor se pomiče na [-1, 3]. Koji {0} ima sonda 1, ravno naprijed?</translation>
     </message>
     <message>
         <source>Only in a window that reaches equally far to both sides is the axis in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os je u sredini samo kad prozor seže jednako daleko na obje strane.</translation>
     </message>
     <message>
         <source>This moves the picture with its window. Look at the window that has moved to the left: only then is probe 1 at {0}.</source>
-        <translation type="unfinished">Ovo pomiče sliku s prozorom. Pogledajte prozor koji se pomaknuo ulijevo: samo je tada sonda 1 u {0}.</translation>
+        <translation>Ovo pomiče sliku s prozorom. Pogledajte prozor koji se pomaknuo ulijevo: samo je tada sonda 1 u {0}.</translation>
     </message>
     <message>
         <source>{0}, and {1}.</source>
-        <translation type="unfinished">{0}, a {1}.</translation>
+        <translation>{0}, i {1}.</translation>
     </message>
     <message>
         <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na ploči izvedite (6) redak po redak. Trik je pomnožiti drugi razlomak s -z/-z, tako da sve ima jedan nazivnik: to će biti w&apos;. S njim se okreće i predznak. Zatim glasovanje: mnogi kažu +0.5, jer prozor ide udesno. Nakon toga povucite Lijevi rub i Desni rub i pratite sondu 1 u oknu Slika.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Afini z savija pravce</translation>
     </message>
     <message>
         <source>With {0} the third homogeneous number would be {1} (9)-(11): no matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uz {0} treći bi homogeni broj bio {1} (9)-(11): nema matrice.</translation>
     </message>
     <message>
         <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
-        <translation type="unfinished"></translation>
+        <translation>P dolazi bliže, na trećinu dubine točke Q. Što {0} čini od PQ?</translation>
     </message>
     <message>
         <source>A straight segment</source>
-        <translation type="unfinished"></translation>
+        <translation>Ravnu dužinu</translation>
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>x i y dijele se s {0}, a z&apos; ne. Pogledajte luk između P i Q: ravno je samo {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
-        <translation type="unfinished">Luk</translation>
+        <translation>Luk</translation>
     </message>
     <message>
         <source>{0} and {1} are divided by {2}, {3} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} i {1} dijele se s {2}, a {3} ne.</translation>
     </message>
     <message>
         <source>Go through (9), (10), (11): the same point three times, then all times -z. Nothing in the last line but -Az² - Bz is new. NDC shows both: A z + B is the bow, -A - B/z the straight line. After the vote drag P in World. Near and far change the bow too: try Near 0.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prođite (9), (10), (11): ista točka triput, zatim sve puta -z. U posljednjem retku novo je samo -Az² - Bz. NDC pokazuje oboje: A z + B je luk, -A - B/z pravac. Nakon glasovanja povucite P u oknu Svijet. Luk mijenjaju i bliska i daleka ravnina: isprobajte blisku na 0.3.</translation>
     </message>
     <message>
         <source>What the depth buffer does with z</source>
-        <translation type="unfinished"></translation>
+        <translation>Što spremnik dubine radi sa z</translation>
     </message>
     <message>
         <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Između vrhova trokuta {0} se interpolira jednoliko po pikselima, i pobjeđuje manja vrijednost. Ako su pravci savijeni ili je kodova premalo, crta se pogrešna ploha.</translation>
     </message>
     <message>
         <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Recite što pođe po zlu kad je linija savijena: vrijednost interpolirana u pikselu nije dubina onoga što je ondje. Ovdje se vidi druga nevolja: spremnik od 16 bitova, bliska ravnina na 0.01, ploha 2 je 0.25 iza plohe 1, i 64 % piksela je pogrešno. Pitajte što pomaže. Daleka ravnina sa 200 na 60: 63 %. Bliska s 0.01 na 0.1: nijedan. Većina vrijednosti leži odmah iza bliske ravnine.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Malo bitova za vrh</translation>
     </message>
     <message>
         <source>With {0} bits over a side {1} a coordinate is off by up to {2}: in pixels the more, the nearer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uz {0} bitova na stranici {1} koordinata je pomaknuta za najviše {2}: u pikselima to više što je bliže.</translation>
     </message>
     <message>
         <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubine nisu jedini brojevi s malo bitova. 8 bitova po koordinati: 3 bajta po vrhu i pogreška do 0.5 piksela na slici od 320 puta 240. Strelice su 50 puta dulje od pogrešaka. Odaberite 12 i 16 bitova: svaki bit prepolovi pogrešku. Zatim prepolovite udaljenost: svaka je pogreška dvostruko dulja. Koliko je bitova dosta, ovisi o tome gdje stojite; lekcija „Koliko bitova treba slika?”.</translation>
     </message>
     <message>
         <source>{0} instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Umjesto toga {0}</translation>
     </message>
     <message>
         <source>Divided by {0} as well, {1} stays linear in homogeneous coordinates (12). Near must come to -1, far to 1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Kad se i on podijeli s {0}, {1} ostaje linearan u homogenim koordinatama (12). Bliska ravnina mora doći u -1, daleka u 1:</translation>
     </message>
     <message>
         <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Riješite na ploči dvije jednadžbe: {0} i {1}. Zatim NDC: stupovi u oknu Svijet stoje razmaknuti 6, a u kocki se gomilaju prema dalekoj ravnini. S bliskom ravninom na 9 i dalekom na 41 sredina kocke, z&apos; = 0, na dubini je samo 14.8. Poredak se čuva i pravci ostaju pravci; spremnik dubine ne treba ništa više.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Cijela matrica</translation>
     </message>
     <message>
         <source>{0}, and the six numbers of the frustum (13):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, i šest brojeva krnje piramide (13):</translation>
     </message>
     <message>
         <source>Rows 1 and 2 are (6) and (8), row 3 is (12), row 4 is the division. In World left and right are written at the near plane. Ask for the cells with x from -1 to 3, near 2, far 19: 1 and 0.5 in row 1, -21/17 and -76/17 in row 3. Matrices in the drawer has them, and lights up what a control changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retci 1 i 2 su (6) i (8), redak 3 je (12), redak 4 je dijeljenje. U oknu Svijet lijevo i desno napisani su uz blisku ravninu. Pitajte za ćelije s x od -1 do 3, bliskom ravninom 2 i dalekom 19: 1 i 0.5 u retku 1, -21/17 i -76/17 u retku 3. Matrice u ladici ih imaju i osvjetljavaju ono što kontrola mijenja.</translation>
     </message>
     <message>
         <source>Stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>Rastegnuto</translation>
     </message>
     <message>
         <source>The window is {0}, but the canvas {1} is square. (13) does not prevent this: the letter is twice as high as it should be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozor je {0}, ali je canvas {1} kvadratan. (13) to ne sprječava: slovo je dvaput više nego što treba biti.</translation>
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC ne zna za proporcije: kocka je kocka. Rasteže se ondje gdje [-1, 1] postaju pikseli, različitim faktorima za x i y. Za okrugle kružnice prozor mora imati proporcije canvasa: {0}.</translation>
     </message>
     <message>
         <source>Variant X: y is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Varijanta X: podešava se y</translation>
     </message>
     <message>
         <source>Image changes, the fields stay: Top still says 1, and the program calls the projection with {0} and {1}. Ask why there is a 2 under the fraction: k is put on at both ends. X is what is kept; students often read it as what is changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika se mijenja, polja ostaju: u polju Gornji rub i dalje piše 1, a program poziva projekciju s {0} i {1}. Pitajte zašto je pod razlomkom 2: k se dodaje na oba kraja. X je ono što se čuva; studenti često čitaju da se to mijenja.</translation>
     </message>
     <message>
         <source>Variant Y: x is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Varijanta Y: podešava se x</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovdje je k negativan: prozor postaje uži, x od -1 do 1, a F veći. Posljednji redak nastavnog materijala ima {0} umjesto {1}; mora biti {2}. Pitajte koju bi varijantu program trebao uzeti kad se prozor ručno suzi: s X scena zadržava širinu, s Y visinu.</translation>
     </message>
 </context>
 <context>
     <name>talk-001</name>
     <message>
         <source>The synthetic camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Sintetička kamera</translation>
     </message>
     <message>
         <source>Eye, monitor, phone</source>
-        <translation type="unfinished"></translation>
+        <translation>Oko, monitor, telefon</translation>
     </message>
     <message>
         <source>How much of the world is in a picture? The eye sees 120°, without the blurred rim. A monitor fills 25° to 30°, a phone 5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koliko je svijeta na slici? Oko vidi 120°, bez mutnog ruba. Monitor ispunjava 25° do 30°, telefon 5°.</translation>
     </message>
     <message>
         <source>eye 120°</source>
-        <translation type="unfinished"></translation>
+        <translation>oko 120°</translation>
     </message>
     <message>
         <source>monitor 30°</source>
-        <translation type="unfinished"></translation>
+        <translation>monitor 30°</translation>
     </message>
     <message>
         <source>phone 5°</source>
-        <translation type="unfinished"></translation>
+        <translation>telefon 5°</translation>
     </message>
     <message>
         <source>A camera takes a 3-D scene and puts it onto film or pixels; the synthetic camera imitates that. The three pictures hold the head at one size: the eye has to go very near, the phone far away. Read the angles under More numbers. Ask which picture looks natural, and from which distance one would have to look at it on the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera uzima 3D scenu i stavlja je na film ili u piksele; sintetička kamera to oponaša. Tri slike drže glavu jednako velikom: oko mora prići vrlo blizu, telefon se odmaknuti daleko. Kutove očitajte pod Još brojeva. Pitajte koja slika izgleda prirodno i s koje bi je udaljenosti trebalo gledati na zidu.</translation>
     </message>
     <message>
         <source>The view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Volumen pogleda</translation>
     </message>
     <message>
         <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Crta se samo ono što leži u volumenu: stožac oka, piramida oko njega ili kvadar, pogled s vrlo velike udaljenosti.</translation>
     </message>
     <message>
         <source>Begin with the cone: what an eye sees. Then choose Pyramid under View volume: pictures are rectangles, so the cone is cut off by four planes. Then Box. The letters are test points; grey ones lie outside. Ask before each change which come in and which go. The volume is given by its shape and its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Počnite sa stošcem: s onim što oko vidi. Zatim pod Volumen pogleda odaberite Piramidu: slike su pravokutnici, pa stožac odsijecaju četiri ravnine. Zatim Kvadar. Slova su testne točke; sive leže izvan. Prije svake promjene pitajte koje ulaze, a koje izlaze. Volumen je zadan oblikom i mjestom.</translation>
     </message>
     <message>
         <source>In, out, crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Unutra, izvan, presijeca</translation>
     </message>
     <message>
         <source>What is wholly outside is dropped. What crosses a plane is cut, plane by plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Što je cijelo izvan, odbacuje se. Što siječe ravninu, odsijeca se, ravninu po ravninu.</translation>
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kartice koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelih.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
-        <translation type="unfinished"></translation>
+        <translation>Što prava kamera još ima</translation>
     </message>
     <message>
         <source>A real camera has a focal distance, and a depth of field in front of it and behind it. The synthetic camera has neither: everything is sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prava kamera ima udaljenost izoštravanja te dubinsku oštrinu ispred nje i iza nje. Sintetička kamera nema ni jedno ni drugo: sve je oštro.</translation>
     </message>
     <message>
         <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Parametri kamere: položaj, dva vektora, dva kuta, dvije ravnine. Prava ima i udaljenost izoštravanja i otvor blende. Ovdje je objektiv od 50 mm pri f/1, izoštren na 5 m: oštro od 4.720 do 5.316 m, obrubljeni stup. Povucite udaljenost izoštravanja na 10 m; zatim postavite N na 16. Pitajte odakle je sve daleko oštro: od hiperfokalne udaljenosti.</translation>
     </message>
     <message>
         <source>Camera obscura</source>
-        <translation type="unfinished"></translation>
+        <translation>Camera obscura</translation>
     </message>
     <message>
         <source>A dark box with a hole: {0}, upside down. The synthetic camera has its plane in front of the hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mračna kutija s rupicom: {0}, naopačke. Sintetička kamera ima ravninu ispred rupice.</translation>
     </message>
     <message>
         <source>The F is 5 high, the film 4 behind the hole. The F goes from 9 to 18. How high is its image?</source>
-        <translation type="unfinished"></translation>
+        <translation>F je visok 5, film je 4 iza rupice. F se pomiče s 9 na 18. Kolika je visina njegove slike?</translation>
     </message>
     <message>
         <source>This measures from the film, 18 + 4. Both triangles have their corner in the hole. Look at {0} and {1}: both begin there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo mjeri od filma, 18 + 4. Oba trokuta imaju vrh u rupici. Pogledajte {0} i {1}: oboje ondje počinje.</translation>
     </message>
     <message>
         <source>1.11, upright</source>
-        <translation type="unfinished"></translation>
+        <translation>1.11, uspravno</translation>
     </message>
     <message>
         <source>This is the image in front of the hole. Look at the film behind it: the light has crossed in the hole, so the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je slika ispred rupice. Pogledajte film iza nje: svjetlo se u rupici križa, pa je slika naopačke.</translation>
     </message>
     <message>
         <source>Twice as far, half as high: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvostruko dalje, upola niže: {0}.</translation>
     </message>
     <message>
         <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svjetlo se u rupici križa, pa je slika na filmu naopačke, a lijevo i desno su zamijenjeni; slikari su se time služili. Usporedite oba filma: jednako veliki, razlikuje se samo predznak. Centar projekcije je rupica; kod nas je to položaj kamere P, a ravnina je između njega i objekta. Neka glasuju, zatim pokažite; povucite i d.</translation>
     </message>
     <message>
         <source>Position, look, up</source>
-        <translation type="unfinished"></translation>
+        <translation>Položaj, smjer gledanja, smjer prema gore</translation>
     </message>
     <message>
         <source>{0} is the position of the camera, {1} its direction, and {2} says how it is turned about that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je položaj kamere, {1} njezin smjer, a {2} kaže kako je oko njega okrenuta.</translation>
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Osi kao na ekranu: x udesno, y gore, z prema nama. Smjer gledanja može biti bilo koji vektor, smjer prema gore bilo koji koji ne leži duž njega; ne mora biti okomit. Na ploči pomičite Prema gore od pogleda: slika ostaje dok smjer prema gore ostaje u svojoj ravnini. Dovedite ga blizu 0 i pomaknite ga za 0.1° u stranu: slika se zakrene. Na 0 program kameru odbije.</translation>
     </message>
     <message>
         <source>The angles of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidni kutovi</translation>
     </message>
     <message>
         <source>{0} and {1}, or one of them and the aspect. A narrow angle is almost a parallel view, a wide one exaggerates.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} i {1}, ili jedan od njih i omjer stranica. Uzak kut je gotovo paralelni pogled, širok pretjeruje.</translation>
     </message>
     <message>
         <source>The picture is 16:9 and {0} is 60°. How wide is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika je 16:9, a {0} je 60°. Koliko je širok {1}?</translation>
     </message>
     <message>
         <source>60°, one angle does for both</source>
-        <translation type="unfinished"></translation>
+        <translation>60°, jedan kut vrijedi za oba smjera</translation>
     </message>
     <message>
         <source>{0}. From above half of it is written at the eye: 45.75°.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Odozgo je kod kamere napisana polovica: 45.75°.</translation>
     </message>
     <message>
         <source>From the side {0} is written at the eye. Vote first; then the world is seen from above, with {1} at the eye and the half width on the far plane, f tan of it. Make the image 720 x 720 under Image and depth range: both angles are 60. A photographer does this when choosing a lens. Keep window and picture at one aspect, or everything is stretched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sa strane kod kamere piše {0}. Najprije glasovanje; zatim se svijet gleda odozgo, s {1} kod kamere i polovicom širine na dalekoj ravnini, f puta njegov tangens. Pod Slika i raspon dubine postavite sliku na 720 x 720: oba su kuta 60. Tako radi fotograf kad bira objektiv. Neka prozor i slika imaju isti omjer stranica, inače se sve rastegne.</translation>
     </message>
     <message>
         <source>29 mm and 105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm i 105 mm</translation>
     </message>
     <message>
         <source>With 29 mm from 30 cm and with 105 mm from 108.6 cm the head is equally large. With 105 mm from 360 cm it is 0.30 times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektivom od 29 mm s udaljenosti od 30 cm i objektivom od 105 mm sa 108.6 cm glava je jednako velika. Objektivom od 105 mm s 360 cm visoka je samo 0.30 te veličine.</translation>
     </message>
     <message>
         <source>From 30 cm to 108.6 cm, the head kept at its size: what of the background?</source>
-        <translation type="unfinished"></translation>
+        <translation>S 30 cm na 108.6 cm, a glava iste veličine: što biva s pozadinom?</translation>
     </message>
     <message>
         <source>it stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>ostaje kakva je bila</translation>
     </message>
     <message>
         <source>it grows, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>raste u odnosu na glavu</translation>
     </message>
     <message>
         <source>it shrinks, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>smanjuje se u odnosu na glavu</translation>
     </message>
     <message>
         <source>From 30 cm it was smaller than it is now: the nearer, the larger the difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>S 30 cm bila je manja nego sada: što bliže, to veća razlika.</translation>
     </message>
     <message>
         <source>29 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm</translation>
     </message>
     <message>
         <source>105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>105 mm</translation>
     </message>
     <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
-        <translation type="unfinished"></translation>
+        <translation>20 cm iza, njezina je veličina 0.6 veličine glave snimljene s 30 cm, a 0.84 snimljene sa 108.6 cm.</translation>
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
-        <translation type="unfinished"></translation>
+        <translation>Čemu bliska i daleka ravnina?</translation>
     </message>
     <message>
         <source>Four rays run to infinity. Two planes across the axis cut them off, at the distances {0} and {1} from {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Četiri zrake idu u beskonačnost. Odsijecaju ih dvije ravnine okomite na os, na udaljenostima {0} i {1} od {2}.</translation>
     </message>
     <message>
         <source>Near: what is too close hides all the rest, a speck of dust at the eye; what is behind the camera would come out upside down; and the depth buffer needs it. Far: what is far away costs time, and many parts fall into one pixel. Drag both through the F and see in the image what goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska: što je preblizu, skriva sve ostalo, trun prašine na oku; što je iza kamere, ispalo bi naopačke; a treba je i spremnik dubine. Daleka: što je daleko, troši vrijeme, a mnogo dijelova pada u isti piksel. Povucite obje kroz F i pogledajte na slici što nestaje.</translation>
     </message>
     <message>
         <source>Depth has finitely many steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubina ima konačno mnogo koraka</translation>
     </message>
     <message>
         <source>The nearer the near plane, the more of the depth values are used up just behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Što je bliska ravnina bliže, više se vrijednosti dubine potroši odmah iza nje.</translation>
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation type="unfinished"></translation>
+        <translation>Što od ovoga dvoga uklanja pruge?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>bliska s 0.1 na 1</translation>
     </message>
     <message>
         <source>far from 100 to 50</source>
-        <translation type="unfinished"></translation>
+        <translation>daleka sa 100 na 50</translation>
     </message>
     <message>
         <source>{0} is small already, so half of far hardly changes {1}. Look at the stripes: they stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je ionako malo, pa prepolovljena daleka ravnina jedva mijenja {1}. Pogledajte pruge: ostaju.</translation>
     </message>
     <message>
         <source>neither of them</source>
-        <translation type="unfinished"></translation>
+        <translation>ništa od toga</translation>
     </message>
     <message>
         <source>One of them has a large effect on the gap, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedno od toga jako utječe na razmak, {0}.</translation>
     </message>
     <message>
         <source>The gap is proportional to {0}, and {1} is small already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Razmak je proporcionalan s {0}, a {1} je ionako malo.</translation>
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvije plohe razmaknute 0.05, 16 bitova. Gdje obje dobiju isti kod, probija skrivena. Glasovanje, zatim pokažite; potom vratite blisku ravninu na 0.1 i isprobajte daleku na 50: ništa se ne dobiva. To rješavaju i 24 bita. Pravilo: bliska ravnina onoliko daleko koliko scena dopušta. Ne stavljajte je na 0 za svaki slučaj.</translation>
     </message>
     <message>
         <source>Popping</source>
-        <translation type="unfinished"></translation>
+        <translation>Iskakanje</translation>
     </message>
     <message>
         <source>As you drive, things appear at the far plane out of nothing. Fog used to hide this; now distant things have fewer vertices, so far can be farther.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dok vozite, stvari se na dalekoj ravnini pojavljuju niotkuda. Prije je to skrivala magla; danas daleke stvari imaju manje vrhova, pa daleka ravnina može biti dalje.</translation>
     </message>
     <message>
         <source>Play Position and let them look at the end of the avenue: four trees a second. Choose linear fog, end it at 66: 12 per cent of the contrast are left where they pop. Then switch Level of detail on, and move far out: vertices drawn, with and without. Far is a plane, so trees at the side come at the same depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pokrenite Položaj i pustite ih da gledaju kraj drvoreda: četiri stabla u sekundi. Odaberite linearnu maglu koja završava na 66: ondje gdje iskaču ostaje 12 posto kontrasta. Zatim uključite Razina detalja i odmaknite daleku ravninu: nacrtanih vrhova, s njom i bez nje. Daleka ravnina je ravnina, pa stabla sa strane dolaze na istoj dubini.</translation>
     </message>
     <message>
         <source>The parallel volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Paralelni volumen</translation>
     </message>
     <message>
         <source>Width and height take the place of the angles. Things are drawn equally large at every distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mjesto kutova zauzimaju širina i visina. Stvari se na svakoj udaljenosti crtaju jednako velikima.</translation>
     </message>
     <message>
         <source>Posts of one height, one behind the other. Change the lens to perspective and back. The box is simpler to clip against and to test, and no divide is needed: forget z. That is why the perspective volume is brought into this shape in the end. A box need not be upright: oblique is a parallelepiped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupovi iste visine, jedan iza drugoga. Promijenite objektiv u perspektivni i natrag. Prema kvadru je lakše odsijecati i ispitivati, a dijeljenje nije potrebno: zaboravite z. Zato se perspektivni volumen na kraju dovodi u taj oblik. Kvadar ne mora biti uspravan: kosi je paralelepiped.</translation>
     </message>
     <message>
         <source>A camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera u (4, 2, 0)</translation>
     </message>
     <message>
         <source>It looks along {0}. To put it at the origin, looking along {1}, move the world by {2}, then rotate it about {3} by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gleda duž {0}. Da je stavite u ishodište, s pogledom duž {1}, pomaknite svijet za {2}, zatim ga rotirajte oko {3} za {4}.</translation>
     </message>
     <message>
         <source>Which is this camera&apos;s {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koji je {0} ove kamere?</translation>
     </message>
     <message>
         <source>That would be the {0} of a camera that looks along {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>To bi bio {0} kamere koja gleda duž {1}.</translation>
     </message>
     <message>
         <source>{0} is opposite to the view direction: the third row begins with −1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je suprotan smjeru gledanja: treći redak počinje s −1.</translation>
     </message>
     <message>
         <source>The camera stays, the world is moved the opposite way: inverse transformations. The F has been put in front of the camera. In Matrices, view from world, press its factors open: rotation times translation, the translation at the right, so it acts first. On View of the strip the eye is the origin. Vote on w before you show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera ostaje, a svijet se pomiče suprotno: inverzne transformacije. F je stavljen pred kameru. U ploči Matrice, kamera ← svijet, rasklopite faktore: rotacija puta translacija, translacija zdesna, pa djeluje prva. Na postaji Kamera trake kamera je u ishodištu. Neka glasuju o w prije nego što ga pokažete.</translation>
     </message>
     <message>
         <source>u, v, w</source>
-        <translation type="unfinished"></translation>
+        <translation>u, v, w</translation>
     </message>
     <message>
         <source>{0}, {1} is {2} without its component along {3}, normalised, and {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} je {2} bez svoje komponente duž {3}, normiran, i {4}.</translation>
     </message>
     <message>
         <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatni sustav kamere gradi ih korak po korak: w, u, v. Program najprije uzima u iz vektorskog umnoška gore i w, a v iz w i u; to je isti v kao u predavanju: smjer prema gore minus njegova projekcija na w, normiran. R ima u, v, w kao stupce; kameru pomiče inverz, a on je transponirana matrica: u, v, w kao retci.</translation>
     </message>
     <message>
         <source>A, B, C and the canonical pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>A, B, C i kanonska piramida</translation>
     </message>
     <message>
         <source>{0}, {1}, {2} go to {3}, {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}, {2} prelaze u {3}, {4}, {5}.</translation>
     </message>
     <message>
         <source>{0}, {1}: where is near in the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}: gdje je u piramidi bliska ravnina?</translation>
     </message>
     <message>
         <source>z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −1</translation>
     </message>
     <message>
         <source>z = −0.1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −0.1</translation>
     </message>
     <message>
         <source>z = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>z = 0</translation>
     </message>
     <message>
         <source>Then it would be in the eye. It comes to 0 in the next step, in the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tada bi bila u kameri. U 0 dolazi u sljedećem koraku, u kvadru.</translation>
     </message>
     <message>
         <source>All is divided by {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sve se dijeli s {0}.</translation>
     </message>
     <message>
         <source>An affine transformation is fixed by four points: P, A, B, C. Here f = 10, {0} is 0.8 and {1} is 0.45, so B is 8 to the side and C 4.5 up. {2} = scale, rotation, translation: move P to the origin, turn u, v, w onto x, y, z, divide by f tan, f tan, f. The slide has the scale alone, for the view matrix has turned and moved before. Vote on the near plane, then the pyramid comes: distances along every ray from P are divided by f, too. Show the formulas in Matrices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afinu transformaciju određuju četiri točke: P, A, B, C. Ovdje je f = 10, {0} je 0.8, a {1} je 0.45, pa je B 8 u stranu, a C 4.5 gore. {2} = skaliranje, rotacija, translacija: pomaknite P u ishodište, okrenite u, v, w na x, y, z, podijelite s f tan, f tan, f. Slajd ima samo skaliranje, jer je matrica pogleda prije toga okrenula i pomaknula. Neka glasuju o bliskoj ravnini, zatim dolazi piramida: i udaljenosti duž svake zrake iz P dijele se s f. Pokažite formule u ploči Matrice.</translation>
     </message>
     <message>
         <source>From pyramid to box to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Od piramide do kvadra do kocke</translation>
     </message>
     <message>
         <source>{0} opens the pyramid between {1} and {2}, {3} brings {4} to {5}: {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} otvara piramidu između {1} i {2}, {3} dovodi {4} u {5}: {6}.</translation>
     </message>
     <message>
         <source>Drag the strip slowly from Pyramid to Box: the rays to the origin turn into parallels to z, the order of depths is kept, straight lines stay straight. Check a corner: (-c, -c, c) goes to (1, 1, 0). Then NDC: {0} for OpenGL. Here w is 1 at far. Matrices multiplies by f, so that w is the distance and the product is the usual projection matrix; the picture is the same. Now clipping is against x, y, z = 1 and -1, for every camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Polako povlačite traku od Piramide do Kvadra: zrake u ishodište postaju paralele sa z, poredak dubina se čuva, pravci ostaju pravci. Provjerite jedan vrh: (-c, -c, c) prelazi u (1, 1, 0). Zatim NDC: {0} za OpenGL. Ovdje je w na dalekoj ravnini 1. Matrice množe s f, tako da je w udaljenost, a umnožak uobičajena matrica projekcije; slika je ista. Sada se odsijeca prema x, y, z = 1 i -1, za svaku kameru.</translation>
     </message>
 </context>
 <context>
     <name>talk-002</name>
     <message>
         <source>Projections, from the box to the shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekcije, od kvadra do sjene</translation>
     </message>
     <message>
         <source>Planar projections</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekcije na ravninu</translation>
     </message>
     <message>
         <source>A planar geometric projection takes points of space to a plane along straight lines. The lines are parallel, or they meet in one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ravninska geometrijska projekcija preslikava točke prostora na ravninu duž pravaca. Pravci su paralelni ili se sijeku u jednoj točki.</translation>
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekcija može biti bilo što: u linearnoj algebri preslikavanje bez inverza, u geografiji izrada karte. Ovdje su to ravnina i pravci. Prođite stablo slijeva nadesno i kliknite svaku vrstu: kavalirsku, izometrijsku, 2 nedogleda. F se odmah crta u toj projekciji. Rečenica ispod stabla daje uvjet za tu vrstu. Pitajte koje vrste čuvaju jednakost jednakih duljina: paralelne.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ortogonalna: zaboravite z</translation>
     </message>
     <message>
         <source>{0}. The screen is not infinite, so a clipping box bounds what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Ekran nije beskonačan, pa kvadar odsijecanja omeđuje ono što se crta.</translation>
     </message>
     <message>
         <source>Of two equally high posts one is twice as far away as the other. How high does a box draw the far one, relative to the near one?</source>
-        <translation type="unfinished"></translation>
+        <translation>Od dvaju jednako visokih stupova jedan je dvostruko dalje od drugoga. Koliko visoko kvadar crta dalji, u odnosu na bliži?</translation>
     </message>
     <message>
         <source>1, equally high</source>
-        <translation type="unfinished"></translation>
+        <translation>1, jednako visoko</translation>
     </message>
     <message>
         <source>0.5, half as high</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5, upola niže</translation>
     </message>
     <message>
         <source>The projectors are parallel: x and y do not depend on z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zrake projiciranja su paralelne: x i y ne ovise o z.</translation>
     </message>
     <message>
         <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Počnite s kvadrom i imenujte njegovih šest ravnina: lijeva, desna, gornja, donja, bliska, daleka. Jednom se vratite na piramidu pomoću Volumen pogleda i neka studenti kažu koje testne točke dolaze, a koje odlaze: B stane u kvadar, C ne stane. Zatim pitanje, dizanjem ruku. Stupovi su nacrtani jednako visoki; koji je koji, kažu im brojevi. Promijenite Blisku ravninu i Daleku ravninu: mijenja se ono što se odsijeca, veličine ne.</translation>
     </message>
     <message>
         <source>Normalised: the matrix of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Normalizirano: matrica kvadra</translation>
     </message>
     <message>
         <source>The clipping box becomes {0}. z is kept, because it decides what hides what.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadar odsijecanja postaje {0}. z se čuva, jer odlučuje što će što sakriti.</translation>
     </message>
     <message>
         <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Napišite na ploču {0}: pomaknite sredinu u 0, zatim skalirajte. Ćelije u ploči Matrice prebacite na Formule: umnožak ima oba člana. {1} i {2} u ovom su predavanju negativni, a z&apos; je 1 na bliskoj ravnini. Gdje je sredina kvadra? U {3}, pa je F lijevo od sredine. Točke dolaze na ekran po {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
-        <translation type="unfinished"></translation>
+        <translation>Kose zrake projiciranja: H</translation>
     </message>
     <message>
         <source>{0}. From the side it is the same with {1} and {2}: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Sa strane je isto s {1} i {2}: {3}.</translation>
     </message>
     <message>
         <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odozgo: kamera je lijevo, bliska ravnina je crta na 5, a tanke linije su zrake projiciranja. Vrh u x crta se u x&apos;. Paralelne su, ali sijeku blisku ravninu pod {0}: jedinica iza nje pada jedinicu dalje duž u. To čini smicanje, H; točke bliske ravnine ostaju. Okrećite α: pod 90° zrake projiciranja okomite su na blisku ravninu. Kad su oba kuta 90°, H je 1, a crtež ortogonalan.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Kosi kvadar uspravljen</translation>
     </message>
     <message>
         <source>{0} makes the clipping box straight and shears the object; its image stays. The rest is known: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} uspravlja kvadar odsijecanja i smiče objekt; njegova slika ostaje. Ostalo je poznato: {1}.</translation>
     </message>
     <message>
         <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kavalirske zrake projiciranja sijeku sliku pod 45°. Pod kojim kutom kabinetske, mjerilo 1/2?</translation>
     </message>
     <message>
         <source>The cotangent of the angle is the scale: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kotangens kuta je mjerilo: {0}.</translation>
     </message>
     <message>
         <source>World from above has the slanted box with a cube in it. After H and {0} the box is the NDC cube, and the object is sheared. Which faces keep their shape? Those parallel to the picture. Then vote, and show. Open Matrices: H, {1} and their product stand side by side. Read from right to left: H first, which knows the slant alone, then {2}, which knows the box alone. In OpenGL it is glOrtho and one more matrix, multiplied from the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svijet odozgo ima kosi kvadar s kockom u njemu. Nakon H i {0} kvadar je kocka NDC, a na objekt je primijenjeno smicanje. Koje strane zadržavaju oblik? One paralelne sa slikom. Zatim glasovanje, pa pokažite. Otvorite Matrice: H, {1} i njihov umnožak stoje jedan uz drugi. Čitajte zdesna nalijevo: najprije H, koji zna samo za nagib, zatim {2}, koji zna samo za kvadar. U OpenGL-u je to glOrtho i još jedna matrica, pomnožena zdesna.</translation>
     </message>
     <message>
         <source>Homogeneous coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Homogene koordinate</translation>
     </message>
     <message>
         <source>{0} is the point {1}. With {2} it is not a point of space but a point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je točka {1}. Uz {2} to nije točka prostora, nego beskonačno daleka točka.</translation>
     </message>
     <message>
         <source>Until now w was 1 all the time. One point of space has infinitely many rows {0}: a line through the origin. Drag t towards 1: P runs along its edge, w goes to 0, and its image comes to rest in {1}. At 1 there is no longer a point of space, but there is still an image. Go on beyond 1: P comes from the other side. This is what makes perspective a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dosad je w cijelo vrijeme bio 1. Jedna točka prostora ima beskonačno mnogo redaka {0}: pravac kroz ishodište. Povucite t prema 1: P ide po svojem bridu, w ide u 0, a njezina se slika smiruje u {1}. U 1 više nema točke prostora, ali slike još ima. Nastavite preko 1: P dolazi s druge strane. Zbog toga je perspektiva matrica.</translation>
     </message>
     <message>
         <source>Camera obscura, and ours</source>
-        <translation type="unfinished"></translation>
+        <translation>Camera obscura i naša kamera</translation>
     </message>
     <message>
         <source>The film is behind a hole, so the image is upside down. We put the plane in front of the centre of projection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Film je iza rupice, pa je slika naopačke. Mi stavljamo ravninu ispred centra projekcije.</translation>
     </message>
     <message>
         <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pratite crtu od vrha slova F kroz rupicu: dolazi na film dolje. Prava kamera ondje ima objektiv, i istu geometriju. Naša ima ravninu ispred centra: ista veličina, uspravno. Pomičite film: visina ide s njim. Očitajte obje visine ispod kontrola scene: jednake su do na predznak.</translation>
     </message>
     <message>
         <source>Onto the plane {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Na ravninu {0}</translation>
     </message>
     <message>
         <source>{0} with {1}: two triangles share the corner at the eye. As a row: {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} uz {1}: dva trokuta imaju zajednički vrh kod kamere. Kao redak: {2}.</translation>
     </message>
     <message>
         <source>The two triangles of the side view: eye to the plane, eye to P. Both heights over both lengths. The lecture writes {0} for {1}, from above; from the side it is {2}. The plane is drawn with its distance d; here {3}, so {4} is positive in front. A 3 by 3 matrix cannot divide by z. Four coordinates can: the last row writes {5} into w, and the dividing comes afterwards. Move d behind the eye: camera obscura again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dva trokuta pogleda sa strane: od kamere do ravnine i od kamere do P. Obje visine kroz obje duljine. Predavanje piše {0} za {1}, odozgo; sa strane je to {2}. Ravnina je nacrtana na udaljenosti d; ovdje je {3}, pa je {4} ispred pozitivno. Matrica 3 puta 3 ne može dijeliti sa z. Četiri koordinate mogu: posljednji redak upisuje {5} u w, a dijeli se poslije. Pomaknite d iza kamere: opet camera obscura.</translation>
     </message>
     <message>
         <source>Frustum to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Krnja piramida u kocku</translation>
     </message>
     <message>
         <source>The visible part of space is now a frustum. It must become the same cube as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidljivi dio prostora sada je krnja piramida. Mora postati ista kocka kao prije.</translation>
     </message>
     <message>
         <source>The trick of the box once more: make it the cube, then leave z out. Let the strip run, slowly, from View over Pyramid and Box to NDC, and back. Ask what has become of straight lines: they are straight at every place of the strip. What has become of the F? The part nearer to the eye has grown. For x and y that is easily said: after dividing, the window is scaled to −1 to 1. z is the problem.</source>
-        <translation type="unfinished"></translation>
+        <translation>Još jednom trik s kvadrom: pretvorite je u kocku, zatim izostavite z. Pustite traku da polako ide od postaje Kamera preko Piramide i Kvadra do NDC, i natrag. Pitajte što je bilo s pravcima: ravni su na svakom mjestu trake. Što je bilo sa slovom F? Dio bliži kameri je narastao. Za x i y lako je reći: nakon dijeljenja prozor se skalira na −1 do 1. Problem je z.</translation>
     </message>
     <message>
         <source>What becomes of z?</source>
-        <translation type="unfinished"></translation>
+        <translation>Što biva sa z?</translation>
     </message>
     <message>
         <source>x and y are divided by z. May we simply keep z, only scaled and shifted?</source>
-        <translation type="unfinished"></translation>
+        <translation>x i y se dijele sa z. Smijemo li z jednostavno zadržati, samo skaliran i pomaknut?</translation>
     </message>
     <message>
         <source>x and y are divided, {0}. What is PQ in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>x i y se dijele, {0}. Što je PQ u kocki?</translation>
     </message>
     <message>
         <source>Straight: every step keeps lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Ravna: svaki korak čuva pravce</translation>
     </message>
     <message>
         <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation type="unfinished"></translation>
+        <translation>x i y se dijele sa z, a z&apos; ne: taj korak ne čuva pravce. Pogledajte luk između P i Q.</translation>
     </message>
     <message>
         <source>Bent</source>
-        <translation type="unfinished"></translation>
+        <translation>Savijena</translation>
     </message>
     <message>
         <source>Only with {0} do all three change with 1/z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Samo se uz {0} sva tri mijenjaju s 1/z.</translation>
     </message>
     <message>
         <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neka glasuju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postotku duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
     </message>
     <message>
         <source>The matrix of perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica perspektive</translation>
     </message>
     <message>
         <source>{0}, and the last row is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, a posljednji redak je {1}.</translation>
     </message>
     <message>
         <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} je linearno: matrica. Zato čuva pravce. U ploči Matrice pogledajte odsijecanje ← kamera u Formulama: u ovim slovima w je z, ispred kamere negativan. OpenGL-ova matrica je ova puta −1 s obrnutim z&apos;, jer su ondje ravnine pozitivne udaljenosti. Brojevi: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozor izvan osi</translation>
     </message>
     <message>
         <source>The window is not in the middle: {0} makes the slanted frustum straight first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozor nije u sredini: {0} najprije uspravlja kosu krnju piramidu.</translation>
     </message>
     <message>
         <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zid od ekrana ili oko pokraj sredine svojega ekrana. Povucite „Kamera desno od sredine”: slika na prozoru ostaje ispravna za to oko. Opet H, s kotangensima iz sredine prozora. Omaška predavanja: uz w = z treći stupac ima minus, {0}. Provjerite to na točki u sredini prozora, koja mora doći u x&apos; = 0. glFrustum prima šest brojeva, gluPerspective četiri.</translation>
     </message>
     <message>
         <source>Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidno polje</translation>
     </message>
     <message>
         <source>30° is a common angle. A wide angle draws near things much larger than far ones; a narrow angle is close to an orthographic picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>30° je uobičajen kut. Širok kut crta bliske stvari mnogo većima od dalekih; uzak kut blizak je ortogonalnoj slici.</translation>
     </message>
     <message>
         <source>Three cameras, each as far away as it must be for the same size of the F: 95°, 30°, 7.5°. The first is what the lecture calls fish-eye, the last is nearly orthographic: look at the upright edges and at the top. Sizes are proportional to the tangent of half the angle. The angle alone only enlarges; the distance changes the perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tri kamere, svaka udaljena koliko mora biti za istu veličinu slova F: 95°, 30°, 7.5°. Prvu predavanje zove ribljim okom, posljednja je gotovo ortogonalna: pogledajte uspravne bridove i vrh. Veličine su proporcionalne tangensu polovice kuta. Sam kut samo povećava; perspektivu mijenja udaljenost.</translation>
     </message>
     <message>
         <source>Divide, then pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Dijeljenje, zatim pikseli</translation>
     </message>
     <message>
         <source>{0}, then {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, zatim {1}</translation>
     </message>
     <message>
         <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jedna točka kroz sve etape, redak po redak: svijet, kamera, odsijecanje, dijeljenje, NDC, pikseli. Širina i visina su ekranske, u pikselima; predavanje piše w i h, ali w je ovdje četvrta koordinata. Ishodište ekrana je gornji lijevi kut, zato 1 - y. Povucite točku 1 na slici u gornji lijevi kut i očitajte njezin redak NDC: −1 i 1. To je bila transformacija vrhova; odsijecanje i rasterizacija dolaze nakon nje.</translation>
     </message>
     <message>
         <source>Halfway in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Na pola puta na slici</translation>
     </message>
     <message>
         <source>Linear on the screen is not linear in the world: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Linearno na ekranu nije linearno u svijetu: {0}</translation>
     </message>
     <message>
         <source>The same board twice: once texture coordinates are interpolated as they are, once a/z and 1/z are, and then divided. Where is the middle of an edge whose ends are 2 and 8 away? A fifth of the way, seen from the near end. Colours forgive it, textures do not. Divide the board into more parts: the error goes down with their size, which is how old games hid it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ista ploča dvaput: jednom se koordinate teksture interpoliraju kakve jesu, a drugi put a/z i 1/z, pa se zatim dijeli. Gdje je sredina brida čiji su krajevi na 2 i 8? Na petini puta, gledano od bližeg kraja. Boje to opraštaju, teksture ne. Podijelite ploču na više dijelova: pogreška se smanjuje s njihovom veličinom, i tako su je stare igre skrivale.</translation>
     </message>
     <message>
         <source>What a console of 1996 saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Što je štedjela konzola iz 1996.</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Cijeli pikseli za vrhove, bez dijeljenja za teksturu: brzo, i odmah se vidi.</translation>
     </message>
     <message>
         <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika zvana jeftino: vrhovi na cijelim pikselima, 1/w iz male tablice, a/z zamijenjeno s a. Strelice idu od mjesta kojem vrh pripada do mjesta gdje je nacrtan, 20 puta dulje. Polako okrećite kameru Azimutom: vrhovi skaču, a kvadratići se savijaju na dijagonali svakog kvadrata. Druga je slika egzaktna. Nijedan vrh nije pomaknut više od pola piksela u širinu i pola piksela u visinu; vidi se to što susjedi skaču u različitim trenucima.</translation>
     </message>
     <message>
         <source>Shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Sjene</translation>
     </message>
     <message>
         <source>A shadow is a projection from the lamp onto the ground: a matrix {0}, and {1}. Draw the object once more under it, in black.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sjena je projekcija iz svjetiljke na tlo: matrica {0}, i {1}. Objekt nacrtajte pod njom još jednom, u crnoj boji.</translation>
     </message>
     <message>
         <source>The lamp is the centre of projection, the ground is the plane. No depth has to be kept, so the simplest matrix will do: More numbers has S. Draw the ground, draw the object, then in black the object under S. Drag the lamp lower, then choose Sun: the projection becomes a parallel one, w = 1. Close: orthographic, oblique and perspective are all matrices in homogeneous coordinates. Next time: clipping and hidden faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svjetiljka je centar projekcije, a tlo ravnina. Dubina se ne mora čuvati, pa je dovoljna najjednostavnija matrica: S je pod Još brojeva. Nacrtajte tlo, nacrtajte objekt, zatim objekt pod S, crno. Spustite svjetiljku, zatim odaberite Sunce: projekcija postaje paralelna, w = 1. Završetak: ortogonalna, kosa i perspektivna projekcija u homogenim su koordinatama matrice. Idući put: odsijecanje i skrivene strane.</translation>
     </message>
 </context>
 <context>
     <name>talk-003</name>
     <message>
         <source>Coordinate systems and transformations</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatni sustavi i transformacije</translation>
     </message>
     <message>
         <source>Three spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Tri sustava</translation>
     </message>
     <message>
         <source>Object space is where a thing is made, world space where it is placed, camera space where it is seen from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Koordinatni sustav objekta je onaj u kojem se stvar radi, globalni onaj u koji se stavlja, a koordinatni sustav kamere onaj iz kojeg se gleda.</translation>
     </message>
     <message>
         <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svijet: sredina rešetke je ishodište svijeta; male osi uz F su njegove vlastite, pomaknute za 3 duž x i -1 duž z te okrenute oko y; u, v, n kod kamere pripadaju njoj. Svako od triju pitanja, izraditi, postaviti, pogledati, ima vlastiti sustav, pa se na svako može odgovoriti bez ostalih. Sva su tri desni sustavi. Uhvatite F za njegovo ishodište i pomaknite ga.</translation>
     </message>
     <message>
         <source>Columns are axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupci su osi</translation>
     </message>
     <message>
         <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupci 1 do 3 matrice {0} su osi objekta kako ih vidi svijet; stupac 4 je njegovo ishodište:</translation>
     </message>
     <message>
         <source>The object is turned by 90° about z, then moved by 3 along x. How high in y is its point (1, 0, 0) then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt se okreće za 90° oko z, zatim pomiče za 3 duž x. Koliko je tada po y visoko njegova točka (1, 0, 0)?</translation>
     </message>
     <message>
         <source>The move does not raise it, but the rotation takes x to y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomak je ne podiže, ali rotacija prebacuje x u y.</translation>
     </message>
     <message>
         <source>Column 1 is (0, 1, 0), column 4 is (3, 0, 0), and together they are (3, 1, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 je (0, 1, 0), stupac 4 je (3, 0, 0), a zajedno su (3, 1, 0).</translation>
     </message>
     <message>
         <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Redak x umnoška je zbroj na ploči: koliko daleko svaka os objekta seže duž globalne osi x, puta koordinata. Čitan po stupcima govori više: stupac 1 je ono kamo pokazuje os x objekta. Nakon glasovanja otvorite Matrice i prijeđite stupce matrice svijet ← objekt; os zasvijetli u oknu Svijet. Zatim rukom okrenite objekt, za njegov prsten.</translation>
     </message>
     <message>
         <source>From the object to the camera</source>
+        <translation>Od objekta do kamere</translation>
+    </message>
+    <message>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Odsijecanje, dijeljenje, NDC</translation>
     </message>
     <message>
         <source>First multiply by {0}, then divide by {1}. Probe 1 is at {2} in camera space, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije pomnožite s {0}, zatim podijelite s {1}. Sonda 1 je u {2} u koordinatnom sustavu kamere, a {3}.</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>odsijecanje</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dva koraka: matrica i dijeljenje koje nijedna matrica ne može. w je 5, dubina točke. Tablica je ona iz ploče Sonda; NDC ima točku u kocki. Nastavni materijal zove kocku prostorom odsijecanja; ovdje je odsijecanje ono što je prije dijeljenja. Os z kocke ide od čitatelja: NDC je lijevi sustav, koordinatni sustav kamere desni. Povucite sondu 1 u oknu Slika.</translation>
     </message>
     <message>
         <source>The view frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Krnja piramida pogleda</translation>
     </message>
     <message>
         <source>Six numbers: near and far, and left, right, bottom and top of the window on the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Šest brojeva: bliska i daleka ravnina te lijevi, desni, donji i gornji rub prozora na bliskoj ravnini.</translation>
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svijet: piramida bez vrha. Što je unutra, crta se, i sve to ide u kocku. Povucite blisku ravninu, daleku ravninu i kut prozora za njihove ručice. Ovdje je prozor simetričan, a njegova četiri broja dolaze iz jednog kuta i proporcija slike: to je sljedeći korak.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidna polja i e</translation>
     </message>
     <message>
         <source>At {0} the picture reaches {1} in x and {2} in y, {3}; at near {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na {0} slika po x doseže {1}, a po y {2}, {3}; na bliskoj ravnini {4}, {5}.</translation>
     </message>
     <message>
         <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation type="unfinished"></translation>
+        <translation>β je sada 60°, a slika 16:9. Koliko je α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>
-        <translation type="unfinished"></translation>
+        <translation>tan(α/2) = 16/9 · tan 30° = 1.026</translation>
     </message>
     <message>
         <source>Draw the triangle eye, axis, edge: half the angle is in it. World is seen from above, with half of α at the eye. After the vote: 91.5°, not 106.7°. The tangents of the half angles are in the ratio 16 to 9, not the angles. The wider, the worse: type 120°, multiplied it would be 213°. More of the lens has Focal length e and the focal length of a 35-mm camera. β is not α, unless the picture is square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nacrtajte trokut kamera, os, rub: u njemu je polovica kuta. Svijet se gleda odozgo, s polovicom kuta α kod kamere. Nakon glasovanja: 91.5°, a ne 106.7°. U omjeru 16 prema 9 su tangensi polovica kutova, a ne kutovi. Što šire, to gore: upišite 120°, pomnožen bio bi 213°. Više o objektivu ima Žarišnu duljinu e i žarišnu duljinu za film od 35 mm. β nije α, osim ako je slika kvadratna.</translation>
     </message>
     <message>
         <source>Onto the near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Na blisku ravninu</translation>
     </message>
     <message>
         <source>By similar triangles, with the plane at {0}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Po sličnim trokutima, s ravninom na {0}:</translation>
     </message>
     <message>
         <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svijet sa strane: ravnina je bliska ravnina, d = n = 2. P je na dubini 5 i visini 2, P&apos; na visini 0.8. Obje koordinate idu s 1/(-z), pa je {0}, duljina ispod slike, a posljednji redak 0 0 -1 0. Minus je tu jer ono što se vidi ima negativan z. Odozgo je isto za x.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
-        <translation type="unfinished"></translation>
+        <translation>[l, r] i [b, t]</translation>
     </message>
     <message>
         <source>{0}, and likewise for y with b and t.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, a isto tako za y s b i t.</translation>
     </message>
     <message>
         <source>Check the ends: {0} gives {1}, {2} gives 1. In the proportion of the handout read {3} and (t - b). Probe 1 is straight ahead, x = 0; only the second fraction is left, and with l = -1, r = 3 it puts it at -0.5. The plus is right: it is multiplied by z, which is negative. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Provjerite krajeve: {0} daje {1}, {2} daje 1. U razmjeru iz nastavnog materijala čitajte {3} i (t - b). Sonda 1 je ravno naprijed, x = 0; ostaje samo drugi razlomak, i uz l = -1, r = 3 stavlja je u -0.5. Plus je točan: množi se sa z, koji je negativan. Povucite Lijevi rub i Desni rub.</translation>
     </message>
     <message>
         <source>A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>A i B</translation>
     </message>
     <message>
         <source>z does not depend on x and y: {0}, {1} at near and {2} at far:</source>
-        <translation type="unfinished"></translation>
+        <translation>z ne ovisi o x i y: {0}, {1} na bliskoj, a {2} na dalekoj ravnini:</translation>
     </message>
     <message>
         <source>Near is 1, far is 9. A point is 5 deep, halfway between them. Where is it in the cube, as {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina je na 1, daleka na 9. Točka je na dubini 5, na pola puta između njih. Gdje je u kocki, kao {0}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. Look at the F in the cube: most of the depth lies close to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dubinu raspoređuje jednoliko između bliske i daleke ravnine. Pogledajte F u kocki: većina dubine leži blizu daleke ravnine.</translation>
     </message>
     <message>
         <source>This is {0}, before the division by {1}. Look at the point: it lies inside the cube, so {2} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je {0}, prije dijeljenja s {1}. Pogledajte točku: leži unutar kocke, pa je {2} najviše 1.</translation>
     </message>
     <message>
         <source>{0}, {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} i {2}.</translation>
     </message>
     <message>
         <source>Solve for A and B with the two conditions. Why not just scale? Because then lines would be bent; the reason that the lecture gives is the next part: 1/z is what is linear on the screen. The vote: most say 0, the middle. Show the crowding: half of the cube is used up at 2nf/(n + f) = 1.8.</source>
-        <translation type="unfinished"></translation>
+        <translation>Izračunajte A i B iz dva uvjeta. Zašto ne samo skalirati? Zato što bi tada pravci bili savijeni; razlog koji daje predavanje dolazi u sljedećem dijelu: na ekranu je linearan 1/z. Glasovanje: većina kaže 0, sredina. Pokažite gomilanje: polovica kocke potrošena je kod 2nf/(n + f) = 1.8.</translation>
     </message>
     <message>
         <source>The matrix of glFrustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica iz glFrustum</translation>
     </message>
     <message>
         <source>Rows 1 and 2 come from the window, row 3 from {0} and {1}; row 4 divides. Framed is what {2} changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Retci 1 i 2 dolaze od prozora, redak 3 od {0} i {1}; redak 4 dijeli. Uokvireno je ono što mijenja {2}.</translation>
     </message>
     <message>
         <source>All of it has been derived: rows 1 and 2 from the window, row 3 from A and B, row 4 from the division. With the numbers here row 1 is 1, 0, 0.5, 0. For a symmetric window the two shears are 0, and 2n/(r - l) is e.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sve je izvedeno: retci 1 i 2 iz prozora, redak 3 iz A i B, redak 4 iz dijeljenja. S brojevima odavde redak 1 je 1, 0, 0.5, 0. Za simetričan prozor oba su smicanja 0, a 2n/(r - l) je e.</translation>
     </message>
     <message>
         <source>1/z is linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>1/z je na ekranu linearan</translation>
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Brid ide od dubine {0} do {1}. Njegova točka na {2} puta na ekranu, ovdje {3}, ima dubinu {4}:</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika: polovica označenog brida na ekranu i njegova polovica u svijetu dva su mjesta. Prvo je na samo 30 % puta od bližeg kraja. Na ploči: dubine 2 i 8, t = 1/2, pa je 1/z = (1/2 + 1/8)/2 i z = 3.2, a ne 5. Zašto: pravac {0} i zraka kroz {1} sijeku se gdje je {2}. p i 1/z povezuje linearna jednadžba, i to je sve.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
-        <translation type="unfinished"></translation>
+        <translation>Atributi: a/z</translation>
     </message>
     <message>
         <source>Colours and texture coordinates are linear along the edge in space, so {0} is linear on the screen too:</source>
-        <translation type="unfinished"></translation>
+        <translation>Boje i koordinate teksture linearne su duž brida u prostoru, pa je {0} linearno i na ekranu:</translation>
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Afino: tekstura je savijena duž dijagonale, gdje se dva trokuta dodiruju. Točno: interpoliraju se a/z i 1/z i dijele u svakom pikselu. S dubinama 2 i 8 i a od 0 do 1 sredina ima a = 0.2, a ne 0.5. Okrećite Azimut: gledano ravno, obje izgledaju isto. Dijelova po stranici smanjuje pogrešku, ali ne na nulu.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadar ortogonalne projekcije</translation>
     </message>
     <message>
         <source>A box becomes a cube without a division: scale by {0} and {1}, and move the middle to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadar postaje kocka bez dijeljenja: skalirajte s {0} i {1} i pomaknite sredinu u 0.</translation>
     </message>
     <message>
         <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadar ima istu širinu na svakoj dubini: w je 1. Prva ćelija u nastavnom materijalu ima 2n/(r - l), omašku: ovdje se ništa ne dovodi na blisku ravninu, pa nema n. Pomaci sada stoje u stupcu 4, a ne u stupcu 3, jer se ne množe sa z. Usporedite s matricom krnje piramide, u koraku 10.</translation>
     </message>
     <message>
         <source>To pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Do piksela</translation>
     </message>
     <message>
         <source>{0} and, as rows count down, {1}. Probe 1: {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, a kako se retci broje prema dolje, {1}. Sonda 1: {2} prelazi u {3}.</translation>
     </message>
     <message>
         <source>The same probe as before, now to the end: 1280 by 720, origin at the upper left. Ask for the corners of the cube: (-1, 1) is (0, 0), (1, -1) is (1280, 720). y turns over here and nowhere else. Sum up the chain: object, world, camera, clip, NDC, pixels; Probe in the drawer has all of it for one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ista sonda kao prije, sada do kraja: 1280 puta 720, ishodište gore lijevo. Pitajte za kutove kocke: (-1, 1) je (0, 0), (1, -1) je (1280, 720). y se okreće ovdje i nigdje drugdje. Sažmite lanac: objekt, svijet, kamera, odsijecanje, NDC, pikseli; Sonda u ladici ima sve to za jednu točku.</translation>
     </message>
 </context>
 <context>
     <name>talk-004</name>
     <message>
         <source>A camera for the letter F</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera za slovo F</translation>
     </message>
     <message>
         <source>The camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Osi kamere</translation>
     </message>
     <message>
         <source>{0}, {1} is the origin, {2}. What is {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} je ishodište, {2}. Koliko je {3}?</translation>
     </message>
     <message>
         <source>1: {0} is up, so {1} is up</source>
-        <translation type="unfinished"></translation>
+        <translation>1: {0} je smjer prema gore, pa je i {1}</translation>
     </message>
     <message>
         <source>{0} and {1}, so {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} i {1}, pa je {2}.</translation>
     </message>
     <message>
         <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasuju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako se naginje od V. Što ako je V paralelan s N? Okrećite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
     </message>
     <message>
         <source>The camera in the world</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera u svijetu</translation>
     </message>
     <message>
         <source>The camera is at {0}, and has {1}. It is to stand in the origin, with them along {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je u {0}, i ima {1}. Treba stajati u ishodištu, s njima duž {2}.</translation>
     </message>
     <message>
         <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y i z pripadaju svijetu i u sljedeća dva koraka miruju; u, v i n pripadaju kameri. Pitajte za dva pomicanja koja ih dovode u poklapanje, i kojim redom.</translation>
     </message>
     <message>
         <source>First P</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije P</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and the whole scene with it. Nothing turns: {1} keep their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pomiče kameru u ishodište, a s njom i cijelu scenu. Ništa se ne okreće: {1} zadržavaju svoje smjerove.</translation>
     </message>
     <message>
         <source>Go on, and watch the camera come to the axes; back on the strip and once more. Nothing changes its shape, and nothing its place against the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Idite dalje i promatrajte kako kamera dolazi do osi; natrag po traci i još jednom. Ništa ne mijenja oblik, ni svoj položaj prema ostalome.</translation>
     </message>
     <message>
         <source>Then R</source>
-        <translation type="unfinished"></translation>
+        <translation>Zatim R</translation>
     </message>
     <message>
         <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} rotira oko ishodišta dok {1} ne legnu duž {2}, u predavanju {3}.</translation>
     </message>
     <message>
         <source>The camera looks along {0} now. R is hard to write down; its inverse is easy: the columns of {1} are u, v, n. R is orthogonal, so its inverse is its transpose, and its rows are u, v, n. Unfold the factors of view ← world: rotation and translation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera sada gleda duž {0}. R je teško zapisati; inverz je lak: stupci od {1} su u, v, n. R je ortogonalan operator, pa mu je inverz transponirana matrica, a retci su u, v, n. Rasklopite faktore matrice kamera ← svijet: rotacija i translacija.</translation>
     </message>
     <message>
         <source>R times P</source>
-        <translation type="unfinished"></translation>
+        <translation>R puta P</translation>
     </message>
     <message>
         <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, iz globalnog koordinatnog sustava (GKS) u koordinatni sustav kamere (KSK); {1} djeluje prva.</translation>
     </message>
     <message>
         <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}. Koji je broj u retku 3 posljednjeg stupca od {2}?</translation>
     </message>
     <message>
         <source>−8: the eye&apos;s z with a minus</source>
-        <translation type="unfinished"></translation>
+        <translation>−8: z kamere s minusom</translation>
     </message>
     <message>
         <source>8: the eye&apos;s z</source>
-        <translation type="unfinished"></translation>
+        <translation>8: z kamere</translation>
     </message>
     <message>
         <source>{0}. {1} acts first, so {2} rotates the translation, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. {1} djeluje prva, pa {2} rotira i translaciju.</translation>
     </message>
     <message>
         <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Izmnožite na ploči: posljednji stupac je minus položaj kamere duž u, v i n. U drugom redoslijedu posljednji bi stupac bio minus položaj kamere. Pomiču se svi objekti, kamera poslije miruje; njihov međusobni položaj se ne mijenja. GKS je globalni koordinatni sustav, KSK koordinatni sustav kamere.</translation>
     </message>
     <message>
         <source>Why transform at all?</source>
-        <translation type="unfinished"></translation>
+        <translation>Zašto uopće transformirati?</translation>
     </message>
     <message>
         <source>A point behind the camera has {0}. A nearer point has a larger (less negative) z. Here point 1 has −7.5, point 2 has −12, point 3 has 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka iza kamere ima {0}. Bliža točka ima veći (manje negativan) z. Ovdje točka 1 ima −7.5, točka 2 ima −12, točka 3 ima 2.</translation>
     </message>
     <message>
         <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tri točke i njihov z u koordinatnom sustavu kamere (ima ih ploča Sonda). Koja je iza kamere? Koja skriva koju? Po jedna usporedba. U globalnim koordinatama ista pitanja svaki put trebaju kameru. Ravnina projekcije sada je okomita na os z, a ortogonalna projekcija glasi: ispustite z. Perspektivna je još jedno dijeljenje.</translation>
     </message>
     <message>
         <source>The letter F on its grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo F na svojoj rešetki</translation>
     </message>
     <message>
         <source>Eight cubes on the xz plane, drawn by orthogonal projection: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Osam kocaka na xz-ravnini, nacrtanih ortogonalnom projekcijom: {0}</translation>
     </message>
     <message>
         <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>To je klasa Ortho iz vježbe: svaka linija rešetke i svaki brid kocaka prolazi kroz R P, a z se zaboravlja. Paralelni bridovi ostaju paralelni: pokažite tri. Okrećite Azimut: slovo se okreće, ništa s udaljenošću ne raste i ne smanjuje se. Vježba traži samo linije; ovdje su strane ispunjene, da se vidi što je ispred.</translation>
     </message>
     <message>
         <source>Round the F</source>
-        <translation type="unfinished"></translation>
+        <translation>Oko slova F</translation>
     </message>
     <message>
         <source>The camera circles the F. Its height changes smoothly, or in steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera kruži oko slova F. Njezina se visina mijenja glatko ili u skokovima.</translation>
     </message>
     <message>
         <source>Press Play in the tool bar. Open Animation in the dock: let the height of the eye swing, then go in steps, and set the lowest and highest y. In every picture R and P are computed anew from the three vectors; the F itself does not move. Ask what changes in the World pane: only the camera and its frustum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pritisnite Pokreni na alatnoj traci. Otvorite Animaciju na bočnoj ploči: pustite da se visina kamere njiše, zatim da ide u skokovima, i postavite najniži i najviši y. Na svakoj se slici R i P iznova računaju iz triju vektora; sam F se ne pomiče. Pitajte što se mijenja u oknu Svijet: samo kamera i njezina krnja piramida.</translation>
     </message>
     <message>
         <source>Looking level</source>
-        <translation type="unfinished"></translation>
+        <translation>S horizontalnim pogledom</translation>
     </message>
     <message>
         <source>{0}: the camera looks level, and uprights stay parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: kamera gleda horizontalno, i uspravni bridovi ostaju na slici paralelni.</translation>
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished">horizontalno</translation>
+        <translation>horizontalno</translation>
     </message>
     <message>
         <source>looking down</source>
-        <translation type="unfinished">gleda dolje</translation>
+        <translation>gleda dolje</translation>
     </message>
     <message>
         <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
-        <translation type="unfinished"></translation>
+        <translation>U Animaciji odaberite Pogled: horizontalno, i pokrenite: visina kamere i visina cilja idu zajedno. Uspravni su bridovi sada uspravni, na svakoj visini; Svijet pokazuje obje kamere. Vratite na prema cilju: stječu se. Zatim otvorite Više o kameri i postavite smjer prema gore na 1, 1, 0: slika se okreće, F ne. Računa se samo smjer vektora V, i to samo njegov dio okomit na n.</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Perspektiva</translation>
     </message>
     <message>
         <source>{0}, by the matrix with {1} in its last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, matricom s {1} u posljednjem retku.</translation>
     </message>
     <message>
         <source>Two similar triangles with the camera as their corner. z is negative in front, so {0} is positive. The matrix: 1, 1, 1 and −1/d; it makes {1}, and dividing by the last number gives {2}, {3} and {4}. Any multiple of the matrix does the same. Move the plane distance d: the picture on the plane grows with d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dva slična trokuta s vrhom u kameri. z je ispred negativan, pa je {0} pozitivno. Matrica: 1, 1, 1 i −1/d; ona daje {1}, a dijeljenje posljednjim brojem {2}, {3} i {4}. Isto čini svaki višekratnik matrice. Pomičite udaljenost ravnine d: slika na ravnini raste s d.</translation>
     </message>
     <message>
         <source>To the pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Do piksela</translation>
     </message>
     <message>
         <source>Natural coordinates to pixel coordinates: scale, then shift. {0} and {1} are the middle of the picture, 640 and 360; {2} is negative, since rows count downwards. With d = 1 and this lens {3}, and {4}. Check with point 1: view x = 1.5, z = −7.5, so {5}, and {6}. The Probe panel has it in the row image px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prirodne koordinate u piksel koordinate: skaliranje, zatim pomak. {0} i {1} su sredina slike, 640 i 360; {2} je negativan, jer se retci broje prema dolje. Uz d = 1 i ovaj objektiv {3}, i {4}. Provjerite na točki 1: u sustavu kamere x = 1.5, z = −7.5, pa je {5}, i {6}. Ploča Sonda to ima u retku slika px.</translation>
     </message>
     <message>
         <source>The F in perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>F u perspektivi</translation>
     </message>
     <message>
         <source>These are the same lines, divided by their depth. A larger {0} only enlarges the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>To su iste linije, podijeljene svojom dubinom. Veći {0} samo povećava sliku.</translation>
     </message>
     <message>
         <source>d</source>
-        <translation type="unfinished"></translation>
+        <translation>d</translation>
     </message>
     <message>
         <source>2d</source>
-        <translation type="unfinished"></translation>
+        <translation>2d</translation>
     </message>
     <message>
         <source>Two pictures from the same eye: in the second one d is twice as large, and all is twice as large. In the program it is the field of view that does it: {0} from 1.73 to 3.46. Nothing moves against anything else. Then end the comparison and change Distance: now near parts grow faster than far ones. As long as the camera is on a wide enough circle, all is well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvije slike iz iste kamere: na drugoj je d dvostruko veći, i sve je dvostruko veće. U programu to čini vidno polje: {0} od 1.73 do 3.46. Ništa se ne pomiče prema drugome. Zatim završite usporedbu i promijenite Udaljenost: sada bliski dijelovi rastu brže od dalekih. Dok je kamera na kružnici dovoljno velikog polumjera, sve je u redu.</translation>
     </message>
     <message>
         <source>Too close</source>
-        <translation type="unfinished"></translation>
+        <translation>Preblizu</translation>
     </message>
     <message>
         <source>The camera comes nearer to the F, and lines appear that nobody drew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera se približava slovu F, i pojavljuju se linije koje nitko nije nacrtao.</translation>
     </message>
     <message>
         <source>Change Distance to 8 first: a good picture. Then come nearer, slowly. As soon as an edge of the F reaches behind the camera, lines go astray. It is not the distance of the plane that does it: with d as small as you like the picture is right, as long as all is in front. The World pane shows the plane through the eye, marked z = 0. Which edges cross it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije promijenite Udaljenost na 8: dobra slika. Zatim se polako približavajte. Čim neki brid slova F seže iza kamere, linije zalutaju. Ne čini to udaljenost ravnine: s d koliko god malim slika je ispravna dok je sve ispred. Okno Svijet pokazuje ravninu kroz kameru, označenu z = 0. Koji je bridovi sijeku?</translation>
     </message>
     <message>
         <source>A line broken at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Pravac razlomljen kod {0}</translation>
     </message>
     <message>
         <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Projekcija preslikava točku kod {0} u beskonačno daleku, a beskonačno daleku točku pravca u konačnu: slika je pravac u dva dijela.</translation>
     </message>
     <message>
         <source>In the KSK {0}, {1}, and {2}. Which {3} does the image of AB cover?</source>
-        <translation type="unfinished"></translation>
+        <translation>U KSK je {0}, {1}, a {2}. Koje {3} pokriva slika dužine AB?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, from one image to the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Od 0.5 do −0.5, od jedne slike do druge</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
-        <translation type="unfinished">Od 0.5 do beskonačnosti</translation>
+        <translation>Od 0.5 do beskonačnosti</translation>
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} prema z = 0 raste bez granice.</translation>
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>AB je ravna i prolazi kroz ravninu z = 0; polovica joj je iza kamere. Glasovanje, zatim pokažite: ružičasta je slika, narančasto je ono što crta naivni program; crtkano je komad bez slike. U projektivnoj geometriji pravac je kružnica, zatvorena svojom beskonačno dalekom točkom: za to otvorite Objašnjenje i dijagrami. Spajanje A&apos; i B&apos; uzima pogrešan luk. A pramen pravaca kroz jednu točku? F ima mnogo paralelnih bridova; njihovi pogrešni dijelovi svi prolaze kroz nedogled tih bridova. Jedna rečenica predavanja kaže „ravnina projekcije” ondje gdje misli z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Četiri slučaja</translation>
     </message>
     <message>
         <source>If both ends are in front, draw. If both are behind, do not draw. Otherwise cut first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ako su oba kraja ispred, crtajte. Ako su oba iza, ne crtajte. Inače najprije odsijecite.</translation>
     </message>
     <message>
         <source>1 in front</source>
-        <translation type="unfinished"></translation>
+        <translation>1 ispred</translation>
     </message>
     <message>
         <source>2 behind</source>
-        <translation type="unfinished"></translation>
+        <translation>2 iza</translation>
     </message>
     <message>
         <source>3 A behind</source>
-        <translation type="unfinished"></translation>
+        <translation>3 A iza</translation>
     </message>
     <message>
         <source>4 B behind</source>
-        <translation type="unfinished"></translation>
+        <translation>4 B iza</translation>
     </message>
     <message>
         <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Počinje kao slučaj 1, oba kraja ispred. Povucite B iza ravnine z = 0: slučaj 4. Povucite i A iza: slučaj 2, ništa se ne crta. B opet ispred: slučaj 3. Broj ispod kontrola scene svaki put imenuje slučaj. Program iz vježbe mora pamtiti posljednju točku u koordinatama kamere, kao {0}, i ondje gdje ništa nije nacrtano.</translation>
     </message>
     <message>
         <source>Cut at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Odsijecanje kod {0}</translation>
     </message>
     <message>
         <source>{0}, and the point of the line at {1} takes the place of the end behind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, a točka pravca u {1} zauzima mjesto kraja koji je iza.</translation>
     </message>
     <message>
         <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ne u 0, gdje dijeljenje zakaže, nego malo ispred. Tri slike: dijeljeno bez odsijecanja, odsječeno kod z = −0.01, odsječeno piramidom. Crtkano je komad dužine AB bez slike. To odsijecanje zadržava sve od AB ispred ravnine, i slika izlazi iz okvira. Odsijecanje piramidom zadržava ono što je unutar nje, i slika završava na okviru. U oknu Slika jedva se razlikuju: razlika je pokraj slike ili najviše nekoliko piksela; „Još brojeva” ima je kao ono što odsijecanje izostavlja. Odsijecanju u homogenim koordinatama takav broj ne treba: ono zadržava {0} do {1} prije dijeljenja. Time je vježba gotova: ušećite u F.</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Two minutes with a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvije minute s kamerom</translation>
     </message>
     <message>
         <source>The near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Bliska ravnina</translation>
     </message>
     <message>
         <source>In the World pane a camera looks at the letter F. The ochre frame is its near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>U oknu Svijet kamera gleda slovo F. Okvir boje okera je njezina bliska ravnina.</translation>
     </message>
     <message>
         <source>Bring the near plane closer to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primaknite blisku ravninu kameri.</translation>
     </message>
     <message>
         <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Povucite romb boje okera u oknu Svijet duž osi ili pomaknite klizač *Bliska ravnina* na bočnoj ploči ulijevo.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Slika ostaje kakva jest; u kocki NDC sve se pomaknulo prema dalekoj ravnini.</translation>
     </message>
     <message>
         <source>From another side</source>
-        <translation type="unfinished"></translation>
+        <translation>S druge strane</translation>
     </message>
     <message>
         <source>You look at camera, frustum and picture from outside. Nothing changes when you walk round them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kameru, krnju piramidu i sliku gledate izvana. Kad ih obilazite, ništa se ne mijenja.</translation>
     </message>
     <message>
         <source>Turn the world: drag beside the frustum, or anywhere with the middle button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okrenite svijet: povucite pokraj krnje piramide ili bilo gdje srednjom tipkom.</translation>
     </message>
     <message>
         <source>On the planes a drag moves near or far. With the keyboard: Tab to the World pane, then arrows. The house in its title brings back the first view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Na ravninama povlačenje pomiče blisku ili daleku. Tipkovnicom: Tab do okna Svijet, zatim strelice. Kućica u naslovu vraća prvi pogled.</translation>
     </message>
     <message>
         <source>Only your own view has turned. The image is the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Okrenuo se samo vaš vlastiti pogled. Slika pripada kameri.</translation>
     </message>
     <message>
         <source>The cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Kocka</translation>
     </message>
     <message>
         <source>Everything between near and far is squeezed into one cube, whatever the lens. That is the NDC cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sve između bliske i daleke ravnine stisne se u jednu kocku, kakav god bio objektiv. To je kocka NDC.</translation>
     </message>
     <message>
         <source>Make the cube the large pane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Neka kocka bude veliko okno.</translation>
     </message>
     <message>
         <source>Double-click its title, *NDC cube*, or press Ctrl+2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dvaput kliknite njezin naslov, *Kocka NDC*, ili pritisnite Ctrl+2.</translation>
     </message>
     <message>
         <source>The small end of the frustum has become the front face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mali kraj krnje piramide postao je prednja strana.</translation>
     </message>
     <message>
         <source>On the way there</source>
-        <translation type="unfinished"></translation>
+        <translation>Na putu onamo</translation>
     </message>
     <message>
         <source>Each matrix on the way is a stop of the strip below the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaka matrica na putu je postaja trake ispod kocke.</translation>
     </message>
     <message>
         <source>Go back to an earlier stop of the strip, and forwards again if you like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vratite se na raniju postaju trake, pa opet naprijed ako želite.</translation>
     </message>
     <message>
         <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Povucite klizač trake ulijevo ili pritisnite *Kamera*, *Piramida* ili *Kvadar*; kad je fokus na njemu, pomiču ga strelice.</translation>
     </message>
     <message>
         <source>Lines stay straight all the way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pravci cijelim putem ostaju ravni.</translation>
     </message>
     <message>
         <source>The field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Vidno polje</translation>
     </message>
     <message>
         <source>How much of the world does the picture show?</source>
-        <translation type="unfinished"></translation>
+        <translation>Koliko svijeta pokazuje slika?</translation>
     </message>
     <message>
         <source>Change the field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Promijenite vidno polje.</translation>
     </message>
     <message>
         <source>Move the slider *Field of view* in the dock, or type a number and press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomaknite klizač *Vidno polje* na bočnoj ploči ili upišite broj i pritisnite Enter.</translation>
     </message>
     <message>
         <source>The wider the angle, the more of the world you see, and the smaller everything is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Što je kut širi, vidite više svijeta i sve je manje.</translation>
     </message>
     <message>
         <source>Another lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Drugi objektiv</translation>
     </message>
     <message>
         <source>The rays of a parallel lens do not meet in an eye: what is far away is drawn as large as what is near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Zrake paralelnog objektiva ne sijeku se u kameri: što je daleko, crta se jednako velikim kao ono što je blizu.</translation>
     </message>
     <message>
         <source>Choose the orthographic lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Odaberite ortogonalni objektiv.</translation>
     </message>
     <message>
         <source>*Lens*, in the dock, is a list: choose *orthographic* in it. From the keyboard press Tab until it has the focus, then Down until it is *orthographic*.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Objektiv*, na bočnoj ploči, je popis: odaberite u njemu *ortogonalni*. Tipkovnicom pritišćite Tab dok ne dobije fokus, zatim strelicu dolje dok ne bude *ortogonalni*.</translation>
     </message>
     <message>
         <source>The frustum is a box. The list at the top left has a scene for each topic of the lectures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Krnja piramida postala je kvadar. Popis gore lijevo ima scenu za svaku temu predavanja.</translation>
     </message>
 </context>
 </TS>

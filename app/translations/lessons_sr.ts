@@ -5,386 +5,570 @@
     <name>ideas</name>
     <message>
         <source>Wrong ideas, and what refutes them</source>
-        <translation type="unfinished"></translation>
+        <translation>Погрешне представе, и шта их побија</translation>
     </message>
     <message>
         <source>n is where I look</source>
-        <translation type="unfinished"></translation>
+        <translation>n је куда гледам</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. The camera looks along {1}: {2} runs from the target back to the eye, so that with {3} to the right and {4} up the three axes are right-handed.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је смер погледа узет за {0}. Камера гледа дуж {1}: {2} иде од циља назад ка позицији камере, тако да са {3} удесно и {4} нагоре три осе чине десни систем.</translation>
     </message>
     <message>
         <source>My up vector is v</source>
-        <translation type="unfinished"></translation>
+        <translation>Мој вектор нагоре је v</translation>
     </message>
     <message>
         <source>This takes the normalised up vector for {0}. Up only has to point roughly upwards; {1} is at a right angle to the view direction, so the more the camera looks down, the farther {2} tilts away from up.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је нормирани вектор нагоре узет за {0}. Он треба само приближно да показује нагоре; {1} је под правим углом према смеру погледа, па што камера више гледа надоле, то се {2} више нагиње од вектора нагоре.</translation>
     </message>
     <message>
         <source>Unit times unit is a unit</source>
-        <translation type="unfinished"></translation>
+        <translation>Јединични пута јединични је јединични</translation>
     </message>
     <message>
         <source>This does not normalise the cross product of up and {0}, because both are unit vectors. But its length is the sine of the angle between them, so {1} is the product divided by that length; otherwise everything measured along {2} is too short.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде векторски производ вектора нагоре и {0} није нормиран, јер су оба вектора јединична. Али његова дужина је синус угла између њих, па је {1} производ подељен том дужином; иначе је све што се мери дуж {2} прекратко.</translation>
     </message>
     <message>
         <source>The view matrix puts the camera in its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа ставља камеру на њено место</translation>
     </message>
     <message>
         <source>This writes down the inverse of the view matrix, which moves a camera from the origin to its place. The view matrix does the opposite: it moves the world until the eye is at the origin, so its last column is minus the eye along {0}, {1} and {2}, not the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је написан инверз матрице погледа, који камеру из координатног почетка помера на њено место. Матрица погледа чини супротно: помера свет док позиција камере не буде у координатном почетку, па је њена последња колона минус позиција камере дуж {0}, {1} и {2}, а не позиција камере.</translation>
     </message>
     <message>
         <source>Rows and columns may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Врсте и колоне могу да замене места</translation>
     </message>
     <message>
         <source>This reads the matrix with rows and columns exchanged. Points are columns here, {0}, so a cell {1} says how much of coordinate {2} goes into coordinate {3}, and the axes are the columns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се матрица чита са замењеним врстама и колонама. Тачке су овде колоне, {0}, па поље {1} каже колико координате {2} улази у координату {3}, а осе су колоне.</translation>
     </message>
     <message>
         <source>The order does not matter</source>
-        <translation type="unfinished"></translation>
+        <translation>Редослед није важан</translation>
     </message>
     <message>
         <source>This multiplies the factors in the opposite order. The factor on the right acts first. First rotating and then moving differs from first moving and then rotating, because the later rotation rotates the move as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се чиниоци множе обрнутим редом. Десни чинилац делује први. Прво ротирати, па померити није исто што и прво померити, па ротирати, јер каснија ротација ротира и помак.</translation>
     </message>
     <message>
         <source>The function takes my degrees</source>
-        <translation type="unfinished"></translation>
+        <translation>Функција прима моје степене</translation>
     </message>
     <message>
         <source>This passes degrees to a function that expects radians. 60 degrees are {0} radians; 60 radians are nine and a half turns, so the result can be anything, even of the opposite sign, and the picture upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се степени предају функцији која очекује радијане. 60 степени је {0} радијана; 60 радијана је девет и по кругова, па резултат може бити било шта, чак и супротног предзнака, а слика наопачке.</translation>
     </message>
     <message>
         <source>The lens takes the whole angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Објектив прима цео угао</translation>
     </message>
     <message>
         <source>This takes the tangent or cotangent of the whole field of view. The right-angled triangle lies between the axis and the edge of the picture and contains half of the angle: at 90° the lens has {0}, whereas {1} is 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је узет тангенс или котангенс целог видног поља. Правоугли троугао лежи између осе и ивице слике и садржи половину угла: на 90° објектив има {0}, док је {1} једнако 0.</translation>
     </message>
     <message>
         <source>Twice the angle is twice the width</source>
-        <translation type="unfinished"></translation>
+        <translation>Двоструки угао је двострука ширина</translation>
     </message>
     <message>
         <source>This assumes that widths are proportional to angles. They are proportional to the tangent of half the angle: with 120° high and 16:9 that tangent is 1.73 upwards and 3.08 sideways, so the picture is 144.0° wide: 72.0° on each side, not 213°, which no picture can be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се претпоставља да су ширине сразмерне угловима. Оне су сразмерне тангенсу половине угла: са 120° у висину и 16:9 тај тангенс је 1.73 нагоре и 3.08 у страну, па је слика широка 144.0°: 72.0° на сваку страну, а не 213°, колико ниједна слика не може бити.</translation>
     </message>
     <message>
         <source>An angle is an angle</source>
-        <translation type="unfinished"></translation>
+        <translation>Угао је угао</translation>
     </message>
     <message>
         <source>This uses the vertical angle in place of the horizontal one. A picture that is wider than high reaches farther sideways than upwards, as width to height, and so does the tangent of half the angle; only then do circles stay round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је вертикални угао узет уместо хоризонталног. Слика шира него виша досеже у страну даље него нагоре, као ширина према висини, па тако и тангенс половине угла; само тада кругови остају округли.</translation>
     </message>
     <message>
         <source>I measure from the picture plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Мерим од равни слике</translation>
     </message>
     <message>
         <source>This divides by the distance from the plane, {0}. The two similar triangles share the corner at the eye, so measure both depths from the eye: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се дели растојањем од равни, {0}. Два слична троугла деле теме код камере, па обе дубине мерите одатле: {1}.</translation>
     </message>
     <message>
         <source>Dividing by z is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Довољно је делити са z</translation>
     </message>
     <message>
         <source>This has the sign for the wrong side of the eye: in front of it {0} is negative, and {1} is the result for a film *behind* the hole. A plane in front of the eye has {2} and an upright image; only a film behind it, at {3}, has it upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је предзнак за погрешну страну камере: испред ње је {0} негативно, а {1} је резултат за филм *иза* рупе. Раван испред камере има {2} и усправну слику; само филм иза ње, на {3}, има је наопачке.</translation>
     </message>
     <message>
         <source>Near enlarges</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван увећава</translation>
     </message>
     <message>
         <source>This multiplies the picture by {0}. The image on the near plane does grow with {1}, but so does the window round it. {2} does not contain {3}: near only decides what is cut.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се слика множи са {0}. Слика на предњој равни заиста расте са {1}, али расте и прозор око ње. {2} не садржи {3}: предња раван одлучује само о томе шта се одсеца.</translation>
     </message>
     <message>
         <source>near 1</source>
-        <translation type="unfinished">предња раван 1</translation>
+        <translation>предња раван 1</translation>
     </message>
     <message>
         <source>near 2</source>
-        <translation type="unfinished">предња раван 2</translation>
+        <translation>предња раван 2</translation>
     </message>
     <message>
         <source>Near is a z, so it is negative</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван је z, дакле негативна</translation>
     </message>
     <message>
         <source>This uses a negative number where a length belongs. Near, far and the distance of a picture plane are lengths from the eye, and positive; the planes are at negative {0}, and the formulas already contain that minus.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је негативан број употребљен тамо где треба дужина. Предња раван, задња раван и растојање равни слике су дужине од камере, и позитивне; равни су на негативном {0}, а формуле тај минус већ садрже.</translation>
     </message>
     <message>
         <source>n and f may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>n и f могу да замене места</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}, which changes the sign of {2} and of everything divided by it. The near plane would then be at {3}, where the far plane belongs, and all depths would run backwards.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су {0} и {1} замењени, што мења предзнак за {2} и за све што се тиме дели. Предња раван би тада била у {3}, где припада задња, и све дубине би ишле уназад.</translation>
     </message>
     <message>
         <source>A window to the right moves the picture right</source>
-        <translation type="unfinished"></translation>
+        <translation>Прозор удесно помера слику удесно</translation>
     </message>
     <message>
         <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се слика помера на исту страну као прозор. Прозор уоквирује оно што видите: ако је његова средина десно од осе, оса се појављује лево од средине слике, у {0}. У матрици је тамо плус јер се то поље множи са {1}, што је негативно.</translation>
     </message>
     <message>
         <source>Cameras turn as eyes do</source>
-        <translation type="unfinished"></translation>
+        <translation>Камере се окрећу као очи</translation>
     </message>
     <message>
         <source>This toes the two cameras in, because eyes turn to what they look at. But each turned camera divides by the depth along its own axis, so points at the sides are not equally high in both pictures, and no pair of eyes can look up with one eye and down with the other: both cameras look straight ahead, and their windows move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су две камере закренуте ка средини, јер се очи окрећу ка ономе што гледају. Али свака окренута камера дели дубином дуж сопствене осе, па тачке са стране нису на обе слике на истој висини, а ниједан пар очију не може једним оком да гледа нагоре, а другим надоле: обе камере гледају право напред, а померају се њихови прозори.</translation>
     </message>
     <message>
         <source>Far is always small</source>
-        <translation type="unfinished"></translation>
+        <translation>Далеко је увек мало</translation>
     </message>
     <message>
         <source>This divides by the depth, although the projectors are parallel. A parallel lens divides every point by 1, so equal heights stay equal at every depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се дели дубином, иако су зраци пројекције паралелни. Паралелни објектив сваку тачку дели са 1, па једнаке висине остају једнаке на свакој дубини.</translation>
     </message>
     <message>
         <source>Clip is NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Одсецање је NDC</translation>
     </message>
     <message>
         <source>This stops at the clip coordinates. The division by {0} is still to come, {1} and {2}; it makes far things small.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се стало код координата одсецања. Дељење са {0} тек следи, {1} и {2}; оно чини далеке ствари малим.</translation>
     </message>
     <message>
         <source>z needs no divide</source>
-        <translation type="unfinished"></translation>
+        <translation>z не треба делити</translation>
     </message>
     <message>
         <source>This stops before the division. The depth is divided by {0} like {1} and {2}: only then does far come to 1, and only then do straight lines stay straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се стало пре дељења. Дубина се дели са {0} као {1} и {2}: само тако задња раван долази у 1, и само тако праве остају праве.</translation>
     </message>
     <message>
         <source>Depth is the distance to the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>Дубина је растојање до камере</translation>
     </message>
     <message>
         <source>This measures straight from the eye to the point. Depth is measured along the axis only, because near and far are planes, not spheres: a point at the side is farther away than it is deep.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се мери право од камере до тачке. Дубина се мери само дуж осе, јер су предња и задња раван равни, а не сфере: тачка са стране је даља него што је дубока.</translation>
     </message>
     <message>
         <source>Depth runs evenly</source>
-        <translation type="unfinished"></translation>
+        <translation>Дубина тече равномерно</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. But {0} changes with one over the depth, so the cube is filled fast at first: its middle is less than twice as deep as near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је дубина равномерно распоређена између предње и задње равни. Али {0} се мења са реципрочном вредношћу дубине, па се коцка у почетку брзо пуни: њена средина је на мање од двоструке дубине предње равни.</translation>
     </message>
     <message>
         <source>Near stays where it is in the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван у пирамиди остаје где јесте</translation>
     </message>
     <message>
         <source>This leaves the near plane at {0}. On the way into the canonical pyramid everything is divided by {1}, so far comes to {2} and near to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је предња раван остављена на {0}. На путу у стандардну пирамиду све се дели са {1}, па задња раван долази у {2}, а предња у {3}.</translation>
     </message>
     <message>
         <source>NDC starts at 0</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC почиње од 0</translation>
     </message>
     <message>
         <source>This takes an NDC coordinate for a share from 0 to 1. It runs from {0} to {1} with 0 in the middle, so first add 1 and then halve: {2} and depth {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је NDC координата узета за део од 0 до 1. Она иде од {0} до {1}, са 0 у средини, па прво додајте 1, а онда преполовите: {2} и дубина {3}.</translation>
     </message>
     <message>
         <source>Pixel rows count up</source>
-        <translation type="unfinished"></translation>
+        <translation>Редови пиксела броје се нагоре</translation>
     </message>
     <message>
         <source>This counts the rows of pixels upwards, like {0}. The image begins at its upper left corner and its rows count downwards: the higher a point is, the smaller is its row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се редови пиксела броје нагоре, као {0}. Слика почиње у горњем левом углу, а њени редови се броје надоле: што је тачка виша, то је њен ред мањи.</translation>
     </message>
     <message>
         <source>Pixel 100 is at 100</source>
-        <translation type="unfinished"></translation>
+        <translation>Пиксел 100 је на 100</translation>
     </message>
     <message>
         <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је број пиксела узет за положај његовог средишта. Пиксел {0} досеже од {1} до {2}, па му је средиште у {3}, дакле {4}: крајња средишта четири пиксела су у {5}, а не у {6}.</translation>
     </message>
     <message>
         <source>k makes up the difference</source>
-        <translation type="unfinished"></translation>
+        <translation>k надокнађује разлику</translation>
     </message>
     <message>
         <source>This adds the whole missing length at one end and again at the other. Both ends get the same share, so each gets half of what is missing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се цела дужина која недостаје додаје на једном крају, па још једном на другом. Оба краја добијају једнак део, дакле сваки половину онога што недостаје.</translation>
     </message>
     <message>
         <source>stretched</source>
-        <translation type="unfinished">растегнуто</translation>
+        <translation>растегнуто</translation>
     </message>
     <message>
         <source>variant X</source>
-        <translation type="unfinished">варијанта X</translation>
+        <translation>варијанта X</translation>
     </message>
     <message>
         <source>X adjusts x</source>
-        <translation type="unfinished"></translation>
+        <translation>X прилагођава x</translation>
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије размеру слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
-        <translation type="unfinished">варијанта Y</translation>
+        <translation>варијанта Y</translation>
     </message>
     <message>
         <source>The slant grows with alpha</source>
-        <translation type="unfinished"></translation>
+        <translation>Косина расте са углом алфа</translation>
     </message>
     <message>
         <source>This takes {0} for the slant. {1} is the angle between the projectors and the picture, so at 90° they meet it head-on and nothing is shifted. The formula is {2}; at 80° the shift is only 0.18 for each unit of depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0} узето за косину. {1} је угао између зрака пројекције и слике, па је на 90° они секу под правим углом и ништа се не помера. Формула је {2}; на 80° помак је само 0.18 за сваку јединицу дубине.</translation>
     </message>
     <message>
         <source>Half the scale, half the slant</source>
-        <translation type="unfinished"></translation>
+        <translation>Половина размере, половина косине</translation>
     </message>
     <message>
         <source>This assumes that the angle is proportional to the scale. The scale is the cotangent of the angle, {0}, so a cabinet drawing with {1} has {2}, not 67.5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се претпоставља да је угао сразмеран размери. Размера је котангенс угла, {0}, па цртеж кабинет са {1} има {2}, а не 67.5°.</translation>
     </message>
     <message>
         <source>Infinity is very far</source>
-        <translation type="unfinished"></translation>
+        <translation>Бесконачно је врло далеко</translation>
     </message>
     <message>
         <source>This takes a point that is very far away for the point at infinity. A direction has {0} and no starting point, so its image depends on the direction alone, {1}; every point on the way there falls short of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је тачка која је врло далеко узета за бесконачно далеку тачку. Смер има {0} и нема почетну тачку, па његова слика зависи само од смера, {1}; свака тачка на путу до тамо не стиже до ње.</translation>
     </message>
     <message>
         <source>A box has three</source>
-        <translation type="unfinished"></translation>
+        <translation>Кутија их има три</translation>
     </message>
     <message>
         <source>This counts the directions of the box. Only a direction that is not parallel to the picture has a vanishing point, {0}; edges that are parallel to the picture stay parallel in it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су пребројани смерови кутије. Тачку недогледа има само смер који није паралелан слици, {0}; ивице паралелне слици остају на њој паралелне.</translation>
     </message>
     <message>
         <source>Join the two images</source>
-        <translation type="unfinished"></translation>
+        <translation>Спојите две слике</translation>
     </message>
     <message>
         <source>This divides both ends and joins the results. An end behind the eye has {0}, and its image is mirrored. The right image of the segment runs through infinity, not between the two, so cut the segment in front of the eye before dividing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се оба краја поделе, па се резултати споје. Крај иза камере има {0}, и његова слика је као у огледалу. Исправна слика дужи пролази кроз бесконачност, а не између њих двеју, па исеците дуж испред камере пре дељења.</translation>
     </message>
     <message>
         <source>The middle of the picture is the middle of the edge</source>
-        <translation type="unfinished"></translation>
+        <translation>Средина слике је средина ивице</translation>
     </message>
     <message>
         <source>This interpolates {0} itself on the screen. There {1} and {2} are linear, so {3}, and the middle of the picture shows a place that is closer to the nearer end.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се на екрану интерполира сама величина {0}. Тамо су линеарни {1} и {2}, па је {3}, и средина слике показује место ближе ближем крају.</translation>
     </message>
     <message>
         <source>A lamp is a sun</source>
-        <translation type="unfinished"></translation>
+        <translation>Лампа је сунце</translation>
     </message>
     <message>
         <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је положај лампе узет за смер заједнички свим зрацима. Од лампе сваки зрак има свој смер, {0}, и сече тло у {1}; само је сунце толико далеко да су сви зраци паралелни.</translation>
     </message>
     <message>
         <source>As sharp behind as before</source>
-        <translation type="unfinished"></translation>
+        <translation>Иза је оштро колико и испред</translation>
     </message>
     <message>
         <source>This puts the far limit as far behind the focus as the near limit is in front of it. The limits are {0} and {1}. Their reciprocals are equally far from {2}, so the sharp range reaches farther behind than in front, and it has no end from {3} on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је даља граница стављена иза фокуса једнако далеко као ближа испред њега. Границе су {0} и {1}. Њихове реципрочне вредности једнако су далеко од {2}, па оштри опсег иза фокуса досеже даље него испред, а од {3} надаље нема краја.</translation>
     </message>
     <message>
         <source>Zooming is walking</source>
-        <translation type="unfinished"></translation>
+        <translation>Зумирање је ходање</translation>
     </message>
     <message>
         <source>This keeps the size ratio of the old place after a walk. A zoom enlarges the whole picture by one factor, but sizes are proportional to one over the distance. Walking therefore changes {0}, the size ratio of a thing and an equal one {1} behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је после ходања задржан однос величина са старог места. Зум целу слику увећава једним чиниоцем, а величине су сразмерне реципрочној вредности растојања. Зато ходање мења {0}, однос величина предмета и једнаког предмета {1} иза њега.</translation>
     </message>
     <message>
         <source>More places than pixels are enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Довољно је више места него пиксела</translation>
     </message>
     <message>
         <source>This counts the places of a coordinate against the pixels of a picture. The places are spread over the whole scene, {0} apart, and a picture may show a small part of it: there the gap between two of 65 536 places can be wider than a pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се места једне координате броје према пикселима слике. Места су распоређена по целој сцени, на размаку {0}, а слика може показивати мали њен део: тамо размак између два од 65 536 места може бити шири од пиксела.</translation>
     </message>
     <message>
         <source>Seven digits, so seven are right</source>
-        <translation type="unfinished"></translation>
+        <translation>Седам цифара, дакле седам тачних</translation>
     </message>
     <message>
         <source>This takes the digits of a coordinate for those of the picture. A float32 keeps 24 bits of the whole number; when eye and vertex, both near 1 000 000, are subtracted, the leading digits go and the rounding stays, so two or three digits are left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су цифре координате узете за цифре слике. float32 чува 24 бита целог броја; када се позиција камере и теме, обоје око 1 000 000, одузму, водеће цифре нестану, а заокруживање остаје, па остају две или три цифре.</translation>
     </message>
     <message>
         <source>An error is the same everywhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Грешка је свуда иста</translation>
     </message>
     <message>
         <source>This takes the error in the scene for the error in the picture. A vertex is stored wrong by a fixed length, but a length is drawn with {0} pixels a unit: twice as near, every error is twice as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је грешка у сцени узета за грешку на слици. Теме је погрешно сачувано за сталну дужину, али дужина се црта са {0} пиксела по јединици: двапут ближе, свака грешка је двапут већа.</translation>
     </message>
     <message>
         <source>Seven digits, so 360 steps keep five</source>
-        <translation type="unfinished"></translation>
+        <translation>Седам цифара, дакле 360 корака задржи пет</translation>
     </message>
     <message>
         <source>This takes the digits of the format for those of the result. How much a step loses depends on what it does: with a fast inverse square root each renormalising is off by 0.17 %, and after one round two digits are left, in float32 and in float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су цифре формата узете за цифре резултата. Колико корак губи, зависи од тога шта чини: са брзим инверзним кореном свако поновно нормирање греши за 0.17 %, и после једног круга остају две цифре, у float32 и у float64.</translation>
     </message>
     <message>
         <source>Renormalising repairs the direction</source>
-        <translation type="unfinished"></translation>
+        <translation>Поновно нормирање поправља смер</translation>
     </message>
     <message>
         <source>This expects of axes that are made orthonormal again that they point where they should. Renormalising knows the lengths, 1, and the angles between the axes, 90°. It does not know where the camera should look, so the drift of the direction stays.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се од поново ортонормираних оса очекује да показују куда треба. Поновно нормирање познаје дужине, 1, и углове између оса, 90°. Не зна куда камера треба да гледа, па заношење смера остаје.</translation>
     </message>
     <message>
         <source>Logarithmic depth is always better</source>
-        <translation type="unfinished"></translation>
+        <translation>Логаритамска дубина је увек боља</translation>
     </message>
     <message>
         <source>This takes a better spread of digits for a better depth. A logarithm at each pixel is right everywhere; at the vertices it is interpolated linearly on the screen, where only {0} is linear. A piece whose far end is {1} times as far as its near end is drawn up to {2} times too far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је бољи распоред цифара узет за бољу дубину. Логаритам у сваком пикселу је свуда тачан; у теменима се он на екрану интерполира линеарно, а тамо је линеарно само {0}. Део чији је даљи крај {1} пута даље од ближег црта се и до {2} пута предалеко.</translation>
     </message>
     <message>
         <source>Fine enough is equal</source>
-        <translation type="unfinished"></translation>
+        <translation>Довољно фино је једнако</translation>
     </message>
     <message>
         <source>This takes a small error for none. Two grids put the same vertex at two places, however many bits they have: more bits make the gap narrower, and from near enough it is seen again. Only a common grid rounds both copies alike.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је мала грешка узета за никакву. Две решетке стављају исто теме на два места, ма колико битова имале: више битова сужава процеп, а довољно изблиза он се опет види. Само заједничка решетка обе копије заокружује једнако.</translation>
     </message>
     <message>
         <source>The inverse undoes exactly</source>
-        <translation type="unfinished"></translation>
+        <translation>Инверз тачно поништава</translation>
     </message>
     <message>
         <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <translation>Овде је инверз на папиру узет за онај у рачунару. Његова поља су заокружена, а тако и сваки производ. Далеко од координатног почетка координате позиције камере су велике, а инверз их множи малом разликом заокружених бројева: float32 промашује тачку за проценте њеног растојања.</translation>
+    </message>
+    <message>
+        <source>First the move, then the turn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale leaves the move alone</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The mirror stands beside the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Scale and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Mirror and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shear and turn may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Turns about two axes may change places</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera turns before it moves</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view comes before the object</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Project first, then look</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The depths are stretched first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box needs no pyramid</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Pixels before the divide</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The divide is done twice</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Clockwise is positive</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moves have the other sign</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale divides</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Any axis will do</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera&apos;s axes are columns of R</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move stands in the last row</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>One factor is enough</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>An inverse keeps the order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The inverse leads there, too</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -392,545 +576,641 @@
     <name>l01-camera-frame</name>
     <message>
         <source>The camera&apos;s own axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Осе саме камере</translation>
     </message>
     <message>
         <source>Which way does n point?</source>
-        <translation type="unfinished"></translation>
+        <translation>Куда показује n?</translation>
     </message>
     <message>
         <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера носи три јединична вектора: {0} удесно, {1} нагоре, и {2} дуж правца погледа. Предавање 001 ставља камеру у {3} и пушта је да гледа дуж осе {4} света; слово F стоји 8 јединица испред. **Свет** показује позицију камере {5}, линију погледа до циља {6} и вектор нагоре {7}. {8} још није ту.</translation>
     </message>
     <message>
         <source>What is {0} of this camera?</source>
-        <translation type="unfinished"></translation>
+        <translation>Колико је {0} ове камере?</translation>
     </message>
     <message>
         <source>(1, 0, 0), the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(1, 0, 0), смер у коме гледа</translation>
     </message>
     <message>
         <source>The camera looks along {0}: {1} runs from the target back to the eye. Look at its arrow: it points away from the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера гледа дуж {0}: {1} иде од циља назад ка позицији камере. Погледајте његову стрелицу: показује од слова F.</translation>
     </message>
     <message>
         <source>(-1, 0, 0), opposite to the direction in which it looks</source>
-        <translation type="unfinished"></translation>
+        <translation>(-1, 0, 0), супротно смеру у коме гледа</translation>
     </message>
     <message>
         <source>(0, 0, -1), as for every camera</source>
-        <translation type="unfinished"></translation>
+        <translation>(0, 0, -1), као код сваке камере</translation>
     </message>
     <message>
         <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
-        <translation type="unfinished"></translation>
+        <translation>То је смер у коме гледа у сопственим координатама, после матрице погледа. У свету она гледа дуж +x. Погледајте {0}: лежи дуж осе x света, а не дуж z.</translation>
     </message>
     <message>
         <source>n runs from the target back to the eye. The camera looks along {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>n иде од циља назад ка позицији камере. Камера гледа дуж {0}.</translation>
     </message>
     <message>
         <source>Eye, target, up: then u, v, n</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере, циљ, вектор нагоре: па u, v, n</translation>
     </message>
     <message>
         <source>The eye {0} is at {1}, the target {2} at the origin, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере {0} је {1}, циљ {2} је координатни почетак, а {3}.</translation>
     </message>
     <message>
         <source>{0}; its length is 3, so {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; дужина му је 3, па је {1}.</translation>
     </message>
     <message>
         <source>{0}; its length is only 0.745, so it is divided too: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; дужина му је само 0.745, па се и он дели: {1}.</translation>
     </message>
     <message>
         <source>{0}; {1} and {2} are unit vectors at a right angle, so {3} needs no division.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}; {1} и {2} су јединични вектори под правим углом, па {3} не треба делити.</translation>
     </message>
     <message>
         <source>In *Camera frame*, **Back** and **Next** build them one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>У панелу *Координатни систем камере* граде их један по један **Назад** и **Даље**.</translation>
     </message>
     <message>
         <source>V is not v</source>
-        <translation type="unfinished"></translation>
+        <translation>V није v</translation>
     </message>
     <message>
         <source>The up vector {0} only says roughly which way is up. Here it is {1}, and the camera looks slightly down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вектор нагоре {0} само приближно каже где је горе. Овде је {1}, а камера гледа мало надоле.</translation>
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Удаљавајте {0} од {1} док угао између њих не буде 30° или више.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
-        <translation type="unfinished"></translation>
+        <translation>v је увек под правим углом према правцу погледа. Шта нагиње правац погледа?</translation>
     </message>
     <message>
         <source>Raise the eye: Elevation in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Подигните камеру: „Елевација” у бочном панелу.</translation>
     </message>
     <message>
         <source>Right: v has the direction of the part of V at a right angle to the line of sight. Only for a camera that looks level are the two the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачно: v има смер компоненте вектора V управне на правац погледа. Само за камеру која гледа водоравно њих двоје је исто.</translation>
     </message>
     <message>
         <source>The length of a cross product</source>
-        <translation type="unfinished"></translation>
+        <translation>Дужина векторског производа</translation>
     </message>
     <message>
         <source>A cross product of two unit vectors has length 1 only if they are at a right angle to each other. {0} and {1} are seldom at a right angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Векторски производ два јединична вектора има дужину 1 само ако су они под правим углом. {0} и {1} су ретко под правим углом.</translation>
     </message>
     <message>
         <source>Eye (2, 3, 6), target at the origin, {0}. How large is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере (2, 3, 6), циљ у координатном почетку, {0}. Колико је {1}?</translation>
     </message>
     <message>
         <source>This takes {0} itself for {1}. Look at the two arrows: {2} is at a right angle to {3}, and {4} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је сам {0} узет за {1}. Погледајте две стрелице: {2} је под правим углом према {3}, а {4} није.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1, because {1} and {2} are not at a right angle. Look at them, and divide by the length before the second product.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је краће од 1, јер {1} и {2} нису под правим углом. Погледајте их, и поделите дужином пре другог производа.</translation>
     </message>
     <message>
         <source>N = (2, 3, 6) is 7 long.</source>
-        <translation type="unfinished"></translation>
+        <translation>N = (2, 3, 6) је дужине 7.</translation>
     </message>
     <message>
         <source>{0}. Its length is not 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Дужина му није 1.</translation>
     </message>
     <message>
         <source>{0} is 0.904 long, so {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је дужине 0.904, па је {1}, и {2}.</translation>
     </message>
     <message>
         <source>The last column of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Последња колона матрице погледа</translation>
     </message>
     <message>
         <source>The view matrix first moves the eye to the origin, then rotates: {0}, where the rows of {1} are {2}, {3}, {4}. Its last column is therefore {5} times minus the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа прво помера позицију камере у координатни почетак, па ротира: {0}, где су врсте матрице {1} вектори {2}, {3}, {4}. Њена последња колона је зато {5} пута минус позиција камере.</translation>
     </message>
     <message>
         <source>The same camera: eye (2, 3, 6), target at the origin. Which number stands in row 3, column 4 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Иста камера: позиција (2, 3, 6), циљ у координатном почетку. Који број стоји у врсти 3, колони 4 матрице погледа?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво ротира, па помера. Помак делује први, па врста {0} множи сва његова три броја. Погледајте координатни систем камере: циљ, координатни почетак света, лежи на оси.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is at the origin, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово ставља камеру на њено место. Матрица погледа помера свет док позиција камере не буде у координатном почетку. Погледајте координатни систем камере: камера је у координатном почетку, а циљ испред ње.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је смер погледа узет за {0}. Погледајте координатни систем камере: {1} показује уназад, па циљ, координатни почетак света, има негативно z.</translation>
     </message>
     <message>
         <source>Row 3 is n. What does it make of the moved origin, {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Врста 3 је n. Шта она прави од помереног координатног почетка, {0}?</translation>
     </message>
     <message>
         <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Координатни почетак света је 7 јединица испред камере, па је његово z тамо {1}.</translation>
     </message>
     <message>
         <source>A camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера за дато n</translation>
     </message>
     <message>
         <source>Now the other way round: find the camera for a given axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сада обрнуто: нађите камеру за дату осу.</translation>
     </message>
     <message>
         <source>Give the camera {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Дајте камери {0}.</translation>
     </message>
     <message>
         <source>n has no height: the camera looks level.</source>
-        <translation type="unfinished"></translation>
+        <translation>n нема висину: камера гледа водоравно.</translation>
     </message>
     <message>
         <source>From the target, go along n to the eye: 6 along x for every 8 along z. Then Elevation is 0 and Azimuth 36.87.</source>
-        <translation type="unfinished"></translation>
+        <translation>Од циља идите дуж n до позиције камере: 6 дуж x на сваких 8 дуж z. Тада је елевација 0, а азимут 36.87.</translation>
     </message>
     <message>
         <source>Right: any eye on the ray from the target along n will do. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачно: одговара свака позиција камере на полуправој из циља дуж n. Растојање није важно.</translation>
     </message>
     <message>
         <source>Back to the camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Назад на камеру у (4, 2, 0)</translation>
     </message>
     <message>
         <source>It is tempting to take {0} as the direction in which the camera looks, {1}. But {2} to the right, {3} up and the third axis must make a right-handed system, so the third one comes out of the picture, towards the reader: {4}. Lecture 001 calls it {5} and writes {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Примамљиво је за {0} узети смер у коме камера гледа, {1}. Али {2} удесно, {3} нагоре и трећа оса морају чинити десни систем, па трећа излази из слике, ка читаоцу: {4}. Предавање 001 је зове {5} и пише {6}.</translation>
     </message>
     <message>
         <source>That is why what is in front of a camera has a *negative* z in its coordinates: the F, 8 units ahead, is at {0}. In *Camera frame*, row 3 of the matrix begins with {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зато оно што је испред камере у њеним координатама има *негативно* z: слово F, 8 јединица испред, је у {0}. У панелу *Координатни систем камере* врста 3 матрице почиње са {1}.</translation>
     </message>
     <message>
         <source>Practise: how upright is v?</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: колико је усправно v?</translation>
     </message>
     <message>
         <source>Eye {0} and target {1} are new each time; {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере {0} и циљ {1} сваки пут су нови; {2}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. How large is {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере је {0}, циљ је у {1}. Колико је {2}?</translation>
     </message>
     <message>
         <source>{0}, divided by its length, is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, подељено својом дужином, је {1}.</translation>
     </message>
     <message>
         <source>{0} is shorter than 1. Divide it by its length before you form {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је краће од 1. Поделите га његовом дужином пре него што образујете {1}.</translation>
     </message>
     <message>
         <source>{0} is {1} long, {2} only {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је дужине {1}, {2} само {3}.</translation>
     </message>
     <message>
         <source>Practise: a row of the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: врста матрице погледа</translation>
     </message>
     <message>
         <source>The view matrix is {0}: {1} moves the eye {2} to the origin, and the rows of {3} are {4}, {5}, {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа је {0}: {1} помера позицију камере {2} у координатни почетак, а врсте матрице {3} су {4}, {5}, {6}.</translation>
     </message>
     <message>
         <source>The eye is at {0}, the target at {1}. Which four numbers are in row 3 of the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере је {0}, циљ је у {1}. Која четири броја стоје у врсти 3 матрице погледа?</translation>
     </message>
     <message>
         <source>This rotates first and then moves. The move acts first, so {0} multiplies all three numbers of {1}. Look at view space: the eye is at the origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво ротира, па помера. Помак делује први, па {0} множи сва три броја од {1}. Погледајте координатни систем камере: камера је у координатном почетку.</translation>
     </message>
     <message>
         <source>This puts the camera in its place. The view matrix moves the world until the eye is at the origin. Look at view space: the eye is there, and the target in front of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово ставља камеру на њено место. Матрица погледа помера свет док позиција камере не буде у координатном почетку. Погледајте координатни систем камере: камера је тамо, а циљ испред ње.</translation>
     </message>
     <message>
         <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, away from the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је смер погледа узет за {0}. Погледајте координатни систем камере: {1} показује уназад, од циља.</translation>
     </message>
     <message>
         <source>{0} is {1} long.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је дужине {1}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} is {1}. What does it make of the moved origin, {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Врста 3 матрице {0} је {1}. Шта она прави од помереног координатног почетка, {2}?</translation>
     </message>
     <message>
         <source>{0} is {1} long. Row 3 begins with {2} and ends with {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је дужине {1}. Врста 3 почиње са {2}, а завршава се са {3}.</translation>
     </message>
     <message>
         <source>Practise: a camera for a given n</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: камера за дато n</translation>
     </message>
     <message>
         <source>Use *Azimuth* and *Elevation* in the dock, drag the eye in **World**, or type its coordinates.</source>
-        <translation type="unfinished"></translation>
+        <translation>Користите *Азимут* и *Елевација* у бочном панелу, превуците позицију камере у приказу **Свет**, или унесите њене координате.</translation>
     </message>
     <message>
         <source>Give the camera an {0} in the direction of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Дајте камери {0} у смеру {1}.</translation>
     </message>
     <message>
         <source>{0} runs from the target to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} иде од циља ка позицији камере.</translation>
     </message>
     <message>
         <source>The tangent of the azimuth is {0}. The tangent of the elevation is {1}, divided by the length of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тангенс азимута је {0}. Тангенс елевације је {1}, подељено дужином од {2}.</translation>
     </message>
     <message>
         <source>The eye is on the ray from the target along {0}: {1}. The distance does not matter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција камере је на полуправој из циља дуж {0}: {1}. Растојање није важно.</translation>
     </message>
     <message>
         <source>Your camera looks in the direction of {0}. Look at its {1}: it points the other way, from the target to the eye.</source>
+        <translation>Ваша камера гледа у смеру {0}. Погледајте њено {1}: показује на другу страну, од циља ка позицији камере.</translation>
+    </message>
+    <message>
+        <source>Practise: build the view matrix</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where is the eye after the view matrix?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix undoes both, the last one first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera was placed by {0}. What is undone first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The move, then the turn, then the tilt.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: an inverse turns the order round.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
     <name>l02-columns</name>
     <message>
-        <source>The columns are the axes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>First rotate, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво ротирајте, па померите</translation>
     </message>
     <message>
         <source>An object has coordinates of its own; {0} takes them to the world. Here {1}: the object is turned by 90° about z, then moved by 3 along x. With column vectors the matrix on the right acts first. In **World** the letter F still stands where it was made.</source>
-        <translation type="unfinished"></translation>
+        <translation>Објекат има сопствене координате; {0} их преводи у свет. Овде је {1}: објекат је окренут за 90° око z, па померен за 3 дуж x. Са векторима-колонама десна матрица делује прва. У приказу **Свет** слово F и даље стоји где је направљено.</translation>
     </message>
     <message>
         <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка објекта (1, 0, 0): колико изнад тла, по y, на крају стоји у свету?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво помера, па окреће, а тиме се окреће и помак. Погледајте тачку 1: тачка објекта би дошла тамо, на висину 4.</translation>
     </message>
     <message>
         <source>The move alone keeps it on the ground, but the turn by 90° takes x to y. Look at point 1: it is where the move alone takes the point, on the ground.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сам помак је оставља на тлу, али окретање за 90° преводи x у y. Погледајте тачку 1: она је тамо где тачку доводи сам помак, на тлу.</translation>
     </message>
     <message>
         <source>The turn takes (1, 0, 0) to (0, 1, 0), and then the move takes that to (3, 1, 0): probe 1 in World.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окретање преводи (1, 0, 0) у (0, 1, 0), а помак затим то у (3, 1, 0): сонда 1 у приказу „Свет”.</translation>
     </message>
     <message>
         <source>Read the matrix by columns</source>
-        <translation type="unfinished"></translation>
+        <translation>Читајте матрицу по колонама</translation>
     </message>
     <message>
         <source>In *Matrices*, world ← object holds the turn and the move:</source>
-        <translation type="unfinished"></translation>
+        <translation>У панелу *Матрице* „свет ← објекат” садржи окретање и помак:</translation>
     </message>
     <message>
         <source>x axis</source>
-        <translation type="unfinished"></translation>
+        <translation>оса x</translation>
     </message>
     <message>
         <source>y axis</source>
-        <translation type="unfinished"></translation>
+        <translation>оса y</translation>
     </message>
     <message>
         <source>z axis</source>
-        <translation type="unfinished"></translation>
+        <translation>оса z</translation>
     </message>
     <message>
         <source>origin</source>
-        <translation type="unfinished"></translation>
+        <translation>почетак</translation>
     </message>
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>An axis straight up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The object is back in its place.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Place the object so that its x axis points straight up: column 1 of world ← object is (0, 1, 0, 0).</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open Object in the dock.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by 90° takes the x axis to y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Right: the column says where the axis points, whatever the other columns are.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A cell of a turn</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A turn about z by the angle {0} takes the x axis to {1}, and the y axis to {2}. Here the letter is turned by 30°.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which number stands in row 2, column 1 of {0}?</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is row 1, column 2. Column 1 is the x axis after the turn. Look at the letter&apos;s own x axis: it rises, so its y is positive.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The sine takes my 30</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This is the sine of 30 radians. 30 degrees are {0} radians. Look at the letter, turned by 30 radians: its x axis points down.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Column 1 is the x axis after the turn. Row 2 is its y.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The x axis rises by sin 30° = 0.5. Row 1, column 2 is {0}, the x of the turned y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка кроз T и R</translation>
     </message>
     <message>
         <source>The letter is turned by 30° about z and then moved by 4 along x: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је окренуто за 30° око z, па померено за 4 дуж x: {0}.</translation>
     </message>
     <message>
         <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Колико је x тачке објекта (2, 1, 0) у свету?</translation>
     </message>
     <message>
         <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво помера, па окреће, а тиме се окреће и помак. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се врсте читају као колоне, као да је слово окренуто за −30°. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
         <source>2 times column 1, plus 1 times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>2 пута колона 1, плус 1 пут колона 2, плус колона 4.</translation>
     </message>
     <message>
         <source>cos 30° = 0.866, sin 30° = 0.5</source>
-        <translation type="unfinished"></translation>
+        <translation>cos 30° = 0.866, sin 30° = 0.5</translation>
     </message>
     <message>
         <source>Where must it move?</source>
-        <translation type="unfinished"></translation>
+        <translation>Куда мора да се помери?</translation>
     </message>
     <message>
         <source>The letter is turned by 90° about z. Probe 1 in **World** is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је окренуто за 90° око z. Сонда 1 у приказу **Свет** је у {0}.</translation>
     </message>
     <message>
         <source>Keep the turn, and move the object so that its point (1, 0, 0) comes to probe 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Задржите окретање и померите објекат тако да његова тачка (1, 0, 0) дође у сонду 1.</translation>
     </message>
     <message>
         <source>Where is the point now, when it is turned but not moved?</source>
-        <translation type="unfinished"></translation>
+        <translation>Где је тачка сада, када је окренута, а није померена?</translation>
     </message>
     <message>
         <source>It is at (0, 1, 0), and it must go to (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Она је у (0, 1, 0), а мора доћи у (2, 3, 0).</translation>
     </message>
     <message>
         <source>Right: column 1 plus column 4 is (2, 3, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачно: колона 1 плус колона 4 је (2, 3, 0).</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Назад на предвиђање</translation>
+        <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object*, **Order** is R T S.</source>
+        <source>Object, world, camera</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>With T R S the letter is rotated in place and then moved, and column 4 is the move as you typed it. With R T S column 4 is the move after the rotation, {0}.</source>
+        <source>Each factor is a place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the world to the camera</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which space does the point have its coordinates at first?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: матрица окретања</translation>
     </message>
     <message>
         <source>The letter is turned about z by an angle {0}. Seen from the tip of z, a positive angle turns it anticlockwise.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је окренуто око z за угао {0}. Гледано са врха осе z, позитиван угао га окреће супротно од казаљке на сату.</translation>
     </message>
     <message>
         <source>Here {0}. Which numbers are in rows 1 and 2, columns 1 and 2 of {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0}. Који бројеви стоје у врстама 1 и 2, колонама 1 и 2 матрице {1}?</translation>
     </message>
     <message>
         <source>This has rows and columns exchanged, which turns the letter the other way. Look at its own axes: they are turned by {0}°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су врсте и колоне замењене, што слово окреће на другу страну. Погледајте његове осе: окренуте су за {0}°.</translation>
     </message>
     <message>
         <source>My degrees are radians</source>
-        <translation type="unfinished"></translation>
+        <translation>Моји степени су радијани</translation>
     </message>
     <message>
         <source>This takes {0}° for {1} radians. Look at the letter, turned by that many radians.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0}° узето као {1} радијана. Погледајте слово окренуто за толико радијана.</translation>
     </message>
     <message>
         <source>Column 1 is the x axis of the turned letter, column 2 its y axis.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 је оса x окренутог слова, колона 2 његова оса y.</translation>
     </message>
     <message>
         <source>Column 1 is where the x axis points after the turn, column 2 where the y axis points.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 је куда после окретања показује оса x, колона 2 куда показује оса y.</translation>
     </message>
     <message>
         <source>Practise: turn, then move</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: окрените, па померите</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је окренуто око z за {0}, па померено дуж x: {1}. Тачка 1 је место на које долази тачка из координатног система слова.</translation>
     </message>
     <message>
         <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0}, а помак је {1} дуж x. Колико је x тачке објекта {2} у свету?</translation>
     </message>
     <message>
         <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се врсте читају као колоне, као да је слово окренуто за {0}°. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
         <source>{0} times column 1, plus {1} times column 2, plus column 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} пута колона 1, плус {1} пута колона 2, плус колона 4.</translation>
     </message>
     <message>
         <source>The x of column 1 is {0}, and the x of column 2 is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>x колоне 1 је {0}, а x колоне 2 је {1}.</translation>
     </message>
     <message>
         <source>First the turn, then the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво окретање, па помак.</translation>
     </message>
     <message>
         <source>Practise: bring a point to its place</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: доведите тачку на место</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је окренуто око z за {0} и још није померено. Његов помак је у одељку *Објекат*, у бочном панелу.</translation>
     </message>
     <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Задржите окретање од {0}° и померите слово тако да његова тачка {1} дође у сонду 1, у {2}.</translation>
     </message>
     <message>
         <source>Where does the turn alone take {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Куда само окретање преводи {0}?</translation>
     </message>
     <message>
         <source>To {0}. The move adds to that.</source>
-        <translation type="unfinished"></translation>
+        <translation>У {0}. Помак се додаје на то.</translation>
     </message>
     <message>
         <source>Column 1 plus column 4 is {0}: {1} {2} and {3} {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 плус колона 4 је {0}: {1} {2} и {3} {4}.</translation>
     </message>
     <message>
         <source>This move is right if it acts before the turn. Look at the letter with the order R T S: only there does it bring the point to probe 1.</source>
+        <translation>Овај помак је тачан ако делује пре окретања. Погледајте слово са редоследом R T S: само тамо он доводи тачку у сонду 1.</translation>
+    </message>
+    <message>
+        <source>Practise: build the chain</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which of the two acts first? It stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the factor on the right acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the turn would bend the right angles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A scale after the move would multiply the move.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 is the move, if the move acts last.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 1 is {0}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -1604,7 +1884,7 @@
     </message>
     <message>
         <source>{0}. For points in front {1} is negative, and so {2} is positive.</source>
-        <translation>{0}. За тачке испред {1} је негативно, па је {2} позитивно.</translation>
+        <translation>{0}. За тачке испред камере {1} је негативно, па је {2} позитивно.</translation>
     </message>
     <message>
         <source>Set the plane</source>
@@ -1636,7 +1916,7 @@
     </message>
     <message>
         <source>This also says what happens to the *picture* when the plane moves: everything grows by the same factor, and nothing moves against the rest.</source>
-        <translation>То говори и шта бива са *сликом* када се раван помера: све расте истим чиниоцем, и ништа се не помера према осталом.</translation>
+        <translation>То говори и шта бива са *сликом* када се раван помера: све расте истим чиниоцем, и ништа се не помера у односу на остало.</translation>
     </message>
     <message>
         <source>Practise: how high is the image?</source>
@@ -2413,7 +2693,7 @@
     </message>
     <message>
         <source>Bent lines would spoil the depth buffer: between the corners of a triangle, depths are interpolated evenly over the pixels. The computed depth would not be the true one, and a surface behind could be drawn in front.</source>
-        <translation>Савијене линије би поквариле бафер дубине: између темена троугла дубине се равномерно интерполирају по пикселима. Израчуната дубина не би била права, и површ која је иза могла би да се нацрта испред.</translation>
+        <translation>Савијене линије би поквариле бафер дубине: између темена троугла дубине се равномерно интерполирају по пикселима. Израчуната дубина не би била стварна, и површ која је иза могла би да се нацрта испред.</translation>
     </message>
     <message>
         <source>Practise: the depth of a point</source>
@@ -2500,254 +2780,322 @@
     <name>l09-pyramid-to-cube</name>
     <message>
         <source>From the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Од пирамиде до коцке</translation>
     </message>
     <message>
         <source>Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Куда иде предња раван?</translation>
     </message>
     <message>
         <source>Every lens has a volume of its own. Lecture 001 brings them all into one pyramid first: {0} moves the far plane to {1} and the sides of the picture to {2}. Here {3} and {4}, and the strip under the large cube is at *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сваки објектив има своју запремину. Предавање 001 их прво све доводи у једну пирамиду: {0} помера задњу раван у {1}, а стране слике у {2}. Овде је {3} и {4}, а трака испод велике коцке је на станици *Камера*.</translation>
     </message>
     <message>
         <source>The strip goes on to *Pyramid*: the far plane moves from {0} to {1}. Where does the near plane go?</source>
-        <translation type="unfinished"></translation>
+        <translation>Трака иде даље на станицу *Пирамида*: задња раван се помера из {0} у {1}. Куда иде предња?</translation>
     </message>
     <message>
         <source>It stays at z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>Остаје на z = −1</translation>
     </message>
     <message>
         <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} дели сваку дубину са {1}, а не само дубину задње равни. Погледајте предњу раван: она је на −0.111, близу камере.</translation>
     </message>
     <message>
         <source>At z = −0.111</source>
-        <translation type="unfinished"></translation>
+        <translation>На z = −0.111</translation>
     </message>
     <message>
         <source>At z = 0, with the eye</source>
-        <translation type="unfinished"></translation>
+        <translation>На z = 0, код камере</translation>
     </message>
     <message>
         <source>{0} is the eye. {1} only scales: a plane that is in front of the eye stays in front of it. Look at near and the eye: they are 0.111 apart.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је позиција камере. {1} само скалира: раван која је испред камере остаје испред ње. Погледајте предњу раван и камеру: на размаку су од 0.111.</translation>
     </message>
     <message>
         <source>{0} only scales. All depths are divided by {1}, so the near plane is at {2}, and the eye stays at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} само скалира. Све дубине се деле са {1}, па је предња раван на {2}, а камера остаје у 0.</translation>
     </message>
     <message>
         <source>The two factors</source>
-        <translation type="unfinished"></translation>
+        <translation>Два чиниоца</translation>
     </message>
     <message>
         <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Матрице* показују ланац у словима предавања и истичу матрицу станице на траци. {0} дели z са {1}: овде {2}.</translation>
     </message>
     <message>
         <source>{0} turns the pyramid into a box. Its third row ends in {1} and {2}, here 1.125 and 0.125, and its last row gives {3}. Try it on both planes:</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} претвара пирамиду у квадар. Њена трећа врста завршава се са {1} и {2}, овде 1.125 и 0.125, а последња врста даје {3}. Испробајте је на обе равни:</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>numerator</source>
-        <translation type="unfinished"></translation>
+        <translation>бројилац</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>z of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>z квадра</translation>
     </message>
     <message>
         <source>c</source>
-        <translation type="unfinished"></translation>
+        <translation>c</translation>
     </message>
     <message>
         <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <translation>{0} преводи 0 … −1 у −1 … 1 за OpenGL: {1}. Кликните на *Пирамида*, *Квадар* и *NDC* испод коцке.</translation>
+    </message>
+    <message>
+        <source>The product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Half-way through the box</source>
-        <translation type="unfinished"></translation>
+        <translation>На пола квадра</translation>
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сонда 1 је закачена за тачку слова F, 7.5 испред камере. {0} у квадру је {1} у NDC; то показује панел „Сонда”.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Доведите тачку 1 на z = −1/2 квадра, предњом и задњом равни, камером, или самом тачком.</translation>
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Са предњом равни на 6 тачка је у свету на пола пута између равни. Где је тада у квадру?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} на дубини {1}, што је ближе {2} него {3}.</translation>
     </message>
     <message>
         <source>The middle of the box is not the middle of the pyramid: the space close behind near fills half of the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Средина квадра није средина пирамиде: простор одмах иза предње равни испуњава половину квадра.</translation>
     </message>
     <message>
         <source>The cells of the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Поља ланца</translation>
     </message>
     <message>
         <source>Compute before you open *Matrices*. In this step {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Рачунајте пре него што отворите *Матрице*. У овом кораку је {0} и {1}.</translation>
     </message>
     <message>
         <source>What is in row 3, column 4 of {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта стоји у врсти 3, колони 4 матрице {0}?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is closer to the eye, at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се узима {0}. На путу у пирамиду свака дубина се дели са {1}. Погледајте предњу раван: ближа је камери, на {2}.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the box: near comes to 0 and far to {2}; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су {0} и {1} замењени. Погледајте квадар: предња раван долази у 0, а задња у {2}; замењене, размениле би места.</translation>
     </message>
     <message>
         <source>{0} with {1}.</source>
-        <translation type="unfinished">{0} са {1}.</translation>
+        <translation>{0} са {1}.</translation>
     </message>
     <message>
         <source>{0}, here 0.5/8.5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, овде 0.5/8.5.</translation>
     </message>
     <message>
         <source>And in row 3, column 3 of the product {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>А у врсти 3, колони 3 производа {0}?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth from 0 … −1 to −1 … 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} делује прва, па стоји десно. Погледајте квадар који она прави: тек тада {1} растеже његову дубину са 0 … −1 на −1 … 1.</translation>
     </message>
     <message>
         <source>This swaps {0} and {1}. Look at the cube: near comes to {2} and far to 1; swapped, they would change places.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су {0} и {1} замењени. Погледајте коцку: предња раван долази у {2}, а задња у 1; замењене, размениле би места.</translation>
     </message>
     <message>
         <source>Third row of {0} times third column of {1}: {2} times one cell, and {3} times another.</source>
-        <translation type="unfinished"></translation>
+        <translation>Трећа врста матрице {0} пута трећа колона матрице {1}: {2} пута једно поље, и {3} пута друго.</translation>
     </message>
     <message>
         <source>{0}. That is {1}, which other lectures derive in one step.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. То је {1}, што друга предавања изводе у једном кораку.</translation>
     </message>
     <message>
         <source>A near plane of your choice</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван по избору</translation>
     </message>
     <message>
         <source>The pyramid keeps its shape for every lens. Only {0} differs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пирамида за сваки објектив задржава облик. Разликује се само {0}.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at z = −0.2 in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Поставите предњу или задњу раван тако да предња у пирамиди буде на z = −0.2.</translation>
     </message>
     <message>
         <source>The title of the large pane shows {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Наслов великог приказа показује {0}.</translation>
     </message>
     <message>
         <source>In {0} only the quotient matters: 1.8 to 9 gives the same pyramid as 1 to 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>У {0} је важан само количник: 1.8 према 9 даје исту пирамиду као 1 према 5.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Назад на предвиђање</translation>
+        <translation>Назад на предвиђање</translation>
     </message>
     <message>
         <source>It is tempting to leave the near plane where it is, at {0}, because the step is about far. But a matrix that scales z moves every depth; if near stayed, it would lie on far. Only the quotient {1} of the two distances remains, and {2} is made of it. Let the strip run from *World* to *NDC* once more: in the pyramid the near plane is 0.111 from the eye, and in the end it is a whole face of the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Примамљиво је предњу раван оставити где јесте, на {0}, јер се у кораку ради о задњој. Али матрица која скалира z помера сваку дубину; када би предња раван остала, лежала би на задњој. Остаје само количник {1} двају растојања, и од њега је састављена {2}. Пустите траку још једном од станице *Свет* до *NDC*: у пирамиди је предња раван на 0.111 од камере, а на крају је цела страна коцке.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: од пирамиде до квадра</translation>
     </message>
     <message>
         <source>{0} takes the pyramid, whose near plane is at {1} and whose far plane is at {2}, to a box from 0 to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} преводи пирамиду, чија је предња раван на {1}, а задња на {2}, у квадар од 0 до {3}.</translation>
     </message>
     <message>
         <source>The near plane is {0} in front of the eye, the far plane {1}. What is in row 3 of {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван је {0} испред камере, задња {1}. Шта стоји у врсти 3 матрице {2}?</translation>
     </message>
     <message>
         <source>This takes {0}. On the way into the pyramid every depth is divided by {1}. Look at near: it is at {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се узима {0}. На путу у пирамиду свака дубина се дели са {1}. Погледајте предњу раван: она је на {2}.</translation>
     </message>
     <message>
         <source>The row ends in {0} and {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Врста се завршава са {0} и {1}.</translation>
     </message>
     <message>
         <source>{0} and {1} with {2}: near comes to 0, and far to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и {1} са {2}: предња раван долази у 0, а задња у {3}.</translation>
     </message>
     <message>
         <source>Practise: from the pyramid to the cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: од пирамиде до коцке</translation>
     </message>
     <message>
         <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} преводи квадар, од 0 до {1}, у дубине од {2} до {3} за OpenGL: {4}, а {5} остаје. {6} долази прва.</translation>
     </message>
     <message>
         <source>With {0} and {1}, what is in rows 3 and 4, columns 3 and 4 of the product {2}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Са {0} и {1}, шта стоји у врстама 3 и 4, колонама 3 и 4 производа {2}?</translation>
     </message>
     <message>
         <source>{0} acts first, so it stands on the right. Look at the box that it makes: only then does {1} stretch its depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} делује прва, па стоји десно. Погледајте квадар који она прави: тек тада {1} растеже његову дубину.</translation>
     </message>
     <message>
         <source>In these rows and columns {0} is {1} above {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>У овим врстама и колонама {0} је {1} изнад {2}.</translation>
     </message>
     <message>
         <source>{0} is {1} above {2} there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је тамо {1} изнад {2}.</translation>
     </message>
     <message>
         <source>Row 3 of {0} takes {1} times row 3 of {2} and {3} times its row 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Врста 3 матрице {0} узима {1} пута врсту 3 матрице {2} и {3} пута њену врсту 4.</translation>
     </message>
     <message>
         <source>Practise: choose the pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: изаберите пирамиду</translation>
     </message>
     <message>
         <source>In the canonical pyramid the far plane is at {0}. The lens decides where the near plane is.</source>
-        <translation type="unfinished"></translation>
+        <translation>У стандардној пирамиди задња раван је на {0}. О томе где је предња одлучује објектив.</translation>
     </message>
     <message>
         <source>Set near or far so that the near plane is at {0} in the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Поставите предњу или задњу раван тако да предња у пирамиди буде на {0}.</translation>
     </message>
     <message>
         <source>All depths are divided by {0} on the way into the pyramid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Све дубине се на путу у пирамиду деле са {0}.</translation>
     </message>
     <message>
         <source>{0}: only the quotient of the two distances matters. If far stays at {1}, near is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: важан је само количник двају растојања. Ако задња раван остане на {1}, предња је на {2}.</translation>
     </message>
     <message>
         <source>This puts near {0} in front of the eye in the world. All depths are divided by {1} on the way into the pyramid. Look at near: it is far too close, at {2}/{3} in the pyramid.</source>
+        <translation>Овде је предња раван у свету стављена {0} испред камере. Све дубине се на путу у пирамиду деле са {1}. Погледајте предњу раван: превише је близу, у пирамиди на {2}/{3}.</translation>
+    </message>
+    <message>
+        <source>Practise: build the product</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Far is at {0}: the scale takes it to minus its factor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens needs points in view space.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3062,7 +3410,7 @@
     </message>
     <message>
         <source>{0} itself is negative here.</source>
-        <translation>Само {0} је овде негативно.</translation>
+        <translation>Овде је {0} и само негативно.</translation>
     </message>
     <message>
         <source>{0}. With {1} it is 0: the projectors are straight then.</source>
@@ -3070,7 +3418,7 @@
     </message>
     <message>
         <source>By how much does H change x of a point 3 units behind the near plane?</source>
-        <translation>За колико H мења x тачке 3 јединице иза предње равни?</translation>
+        <translation>За колико H мења x тачке која је 3 јединице иза предње равни?</translation>
     </message>
     <message>
         <source>What recedes goes to the right</source>
@@ -3138,7 +3486,7 @@
     </message>
     <message>
         <source>Multiply out: how often is z in {0}, and what is left without x and z?</source>
-        <translation>Измножите: колико је пута z у {0}, и шта остаје без x и z?</translation>
+        <translation>Измножите: колико пута {0} садржи z, и шта остаје без x и z?</translation>
     </message>
     <message>
         <source>{0}: points of the near plane stay where they are.</source>
@@ -3476,298 +3824,346 @@
     <name>l13-homogeneous</name>
     <message>
         <source>What w is for</source>
-        <translation type="unfinished"></translation>
+        <translation>Чему служи w</translation>
     </message>
     <message>
         <source>Four numbers for a point</source>
-        <translation type="unfinished"></translation>
+        <translation>Четири броја за тачку</translation>
     </message>
     <message>
         <source>A point can be written with a fourth coordinate, {0}. Many such rows of numbers stand for the same point. With them, matrices can do what they cannot do with three numbers: translate and divide.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка може да се запише са четвртом координатом, {0}. Исту тачку означава много таквих врста бројева. Са њима матрице могу оно што са три броја не могу: да транслирају и да деле.</translation>
     </message>
     <message>
         <source>Which point of space is {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Која је тачка простора {0}?</translation>
     </message>
     <message>
         <source>(2, 4, −6); the 2 is dropped</source>
-        <translation type="unfinished"></translation>
+        <translation>(2, 4, −6); 2 се изоставља</translation>
     </message>
     <message>
         <source>The fourth number is an extra</source>
-        <translation type="unfinished"></translation>
+        <translation>Четврти број је додатак</translation>
     </message>
     <message>
         <source>The fourth number is not an extra: it is the divisor of the other three. Only if {0} can it be dropped. Look at points 1 and 2: {1} is another place than {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Четврти број није додатак: он је делилац осталих трију. Може да се изостави само ако је {0}. Погледајте тачке 1 и 2: {1} је друго место, а не {2}.</translation>
     </message>
     <message>
         <source>None: four numbers are not a point of space</source>
-        <translation type="unfinished"></translation>
+        <translation>Ниједна: четири броја нису тачка простора</translation>
     </message>
     <message>
         <source>They stand for one: divide the first three by the fourth. Many rows of four numbers stand for the same point. Look at point 1: it is the point that they stand for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Означавају једну: поделите прва три четвртим. Много врста од по четири броја означава исту тачку. Погледајте тачку 1: то је тачка коју означавају.</translation>
     </message>
     <message>
         <source>{0} is the point {1}. Type 2, 4, −6 and w = 2 in the Probe panel: it becomes point 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је тачка {1}. Унесите 2, 4, −6 и w = 2 у панелу „Сонда”: постаје тачка 1.</translation>
     </message>
     <message>
         <source>The w of the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w објектива</translation>
     </message>
     <message>
         <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка 1 је у {0} у координатном систему камере. Последња врста матрице објектива је {1}, па је {2}, дубина. У простору одсецања још ништа није подељено:</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>одсецање</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>The matrix keeps straight lines straight. The division by {0}, which is not a matrix, makes far things small. *Probe* shows each in a row of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица чува праве. Дељење са {0}, које није матрица, чини далеке ствари малим. *Сонда* показује свако у посебном реду.</translation>
     </message>
     <message>
         <source>Without a w</source>
-        <translation type="unfinished"></translation>
+        <translation>Без w</translation>
     </message>
     <message>
         <source>If {0}, the division is impossible.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ако је {0}, дељење је немогуће.</translation>
     </message>
     <message>
         <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
-        <translation type="unfinished"></translation>
+        <translation>Померајте камеру, или тачку 1, док w те тачке у простору одсецања не буде 0, са тачношћу од 0.05.</translation>
     </message>
     <message>
         <source>{0} is the depth in front of the eye, here 5.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је дубина испред камере, овде 5.</translation>
     </message>
     <message>
         <source>The distance is 8, and the point is 3 in front of the target.</source>
-        <translation type="unfinished"></translation>
+        <translation>Растојање је 8, а тачка је 3 испред циља.</translation>
     </message>
     <message>
         <source>The point lies beside the eye, in the eye plane: its image is at infinity, in no pixel.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка лежи поред камере, у равни камере: њена слика је у бесконачности, ни у једном пикселу.</translation>
     </message>
     <message>
         <source>Computing with w</source>
-        <translation type="unfinished"></translation>
+        <translation>Рачунање са w</translation>
     </message>
     <message>
         <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свако питање је о тачки {0} после матрице објектива, или о таквој матрици.</translation>
     </message>
     <message>
         <source>A point comes out of the matrix as {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка излази из матрице као {0}. Колико је њено {1} у NDC?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1, which has {1} and {2} in clip space: it is inside the cube, where {3} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је још увек први број у врсти. У NDC се он дели последњим, {0}. Погледајте тачку 1, која у простору одсецања има {1} и {2}: она је унутар коцке, где је {3} највише 1.</translation>
     </message>
     <message>
         <source>w has the sign of z</source>
-        <translation type="unfinished"></translation>
+        <translation>w има предзнак од z</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1, which has {3} and {4} in clip space: it is in the right half of the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>Предзнак се променио: {0} је већ позитивна дубина {1}, па делите самим {2}. Погледајте тачку 1, која у простору одсецања има {3} и {4}: она је у десној половини слике.</translation>
     </message>
     <message>
         <source>NDC is the result of the division.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC је резултат дељења.</translation>
     </message>
     <message>
         <source>{0}. The same w divides y and z.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Исто w дели y и z.</translation>
     </message>
     <message>
         <source>Lecture 000: with {0} in row 4, column 3 the matrix has 1 in row 1, column 1. Multiply the matrix by the {1} that makes row 4, column 3 equal to {2}; let {3}. What is in row 1, column 1 then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Предавање 000: са {0} у врсти 4, колони 3 матрица има 1 у врсти 1, колони 1. Помножите матрицу оним {1} које у врсти 4, колони 3 даје {2}; нека је {3}. Шта тада стоји у врсти 1, колони 1?</translation>
     </message>
     <message>
         <source>One minus is left over</source>
-        <translation type="unfinished"></translation>
+        <translation>Један минус остаје</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} даје {1}, што је позитивно: обе стране имају минус. Погледајте {2} у сцени предавања: {3} је ова дужина.</translation>
     </message>
     <message>
         <source>{0} and {1} take a point to the same point. Multiply every cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и {1} преводе тачку у исту тачку. Помножите свако поље.</translation>
     </message>
     <message>
         <source>{0}. All four resulting coordinates are four times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Све четири добијене координате су четири пута веће, а њихови количници исти.</translation>
     </message>
     <message>
         <source>w = 0 before the lens</source>
-        <translation type="unfinished"></translation>
+        <translation>w = 0 пре објектива</translation>
     </message>
     <message>
         <source>{0} is not a point but a direction: a *point at infinity*. A matrix takes it like any other row, and a translation leaves it unchanged. Here P is at {1} along z: its {2} is 0 in the world, yet it has an image, because its w in clip space is not 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} није тачка, него смер: *бесконачно далека тачка*. Матрица га преводи као и сваку другу врсту, а транслација га не мења. Овде је P у {1} дуж z: њено {2} је у свету 0, а ипак има слику, јер њено w у простору одсецања није 0.</translation>
     </message>
     <message>
         <source>The image is 720 high and the field of view 70°. In which row is the image of the direction {0} in view space? Its {1} is {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слика је висока 720, а видно поље је 70°. У ком је реду слика смера {0} у координатном систему камере? Његово {1} је {2}.</translation>
     </message>
     <message>
         <source>Rows are counted from the top. {0} is positive, so the row is above the middle, 360. Look at the numbers beside the frame: 0 is at the top.</source>
-        <translation type="unfinished"></translation>
+        <translation>Редови се броје одозго. {0} је позитивно, па је ред изнад средине, 360. Погледајте бројеве поред рама: 0 је на врху.</translation>
     </message>
     <message>
         <source>This is a point ten steps along a line in this direction. The point at infinity depends on the direction alone: {0}. Look at P at {1}: it has not reached its vanishing point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је тачка десет корака дуж праве овог смера. Бесконачно далека тачка зависи само од смера: {0}. Погледајте P у {1}: није стигла до своје тачке недогледа.</translation>
     </message>
     <message>
         <source>Row {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ред {0}.</translation>
     </message>
     <message>
         <source>{0}, so row 102.9. All lines in this direction meet there.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, дакле ред 102.9. Све праве овог смера тамо се секу.</translation>
     </message>
     <message>
         <source>Back to the prediction</source>
-        <translation type="unfinished">Назад на предвиђање</translation>
+        <translation>Назад на предвиђање</translation>
     </message>
     <message>
         <source>It is tempting to read the fourth number as an extra and to drop it. But it is the divisor of the other three. {0} and {1} lie on one line through the origin of four-dimensional space, and this line stands for one point. That is why a matrix can divide: it writes the divisor into {2}. And if {3} is 0, the line stands for a direction, not for a point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Примамљиво је четврти број читати као додатак и изоставити га. Али он је делилац осталих трију. {0} и {1} леже на једној правој кроз координатни почетак четвородимензионог простора, и та права означава једну тачку. Зато матрица може да дели: она делилац уписује у {2}. А ако је {3} једнако 0, права означава смер, а не тачку.</translation>
     </message>
     <message>
         <source>Practise: divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: делите</translation>
     </message>
     <message>
         <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка 1 излази из матрице објектива као {0}.</translation>
     </message>
     <message>
         <source>Its row of numbers is {0}. What is its {1} in NDC?</source>
-        <translation type="unfinished"></translation>
+        <translation>Њена врста бројева је {0}. Колико је њено {1} у NDC?</translation>
     </message>
     <message>
         <source>This is still the first number of the row. In NDC it is divided by the last one, {0}. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је још увек први број у врсти. У NDC се он дели последњим, {0}. Погледајте тачку 1 у коцки: њено {1} је између −1 и 1.</translation>
     </message>
     <message>
         <source>The sign has changed: {0} already is the positive depth {1}, so divide by {2} itself. Look at point 1 in the picture: it is on the side that the sign of {3} says.</source>
-        <translation type="unfinished"></translation>
+        <translation>Предзнак се променио: {0} је већ позитивна дубина {1}, па делите самим {2}. Погледајте тачку 1 на слици: она је на страни коју каже предзнак од {3}.</translation>
     </message>
     <message>
         <source>The third number divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Дели трећи број</translation>
     </message>
     <message>
         <source>This divides by the third number of the row. The divisor is the fourth one, {0}, which the matrix made of the depth. Look at point 1 in the cube: its {1} is between −1 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се дели трећим бројем у врсти. Делилац је четврти, {0}, који је матрица направила од дубине. Погледајте тачку 1 у коцки: њено {1} је између −1 и 1.</translation>
     </message>
     <message>
         <source>Which of the four numbers is the divisor?</source>
-        <translation type="unfinished"></translation>
+        <translation>Који је од четири броја делилац?</translation>
     </message>
     <message>
         <source>The same {0} divides the first three numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>Исто {0} дели прва три броја.</translation>
     </message>
     <message>
         <source>Practise: the same matrix, multiplied</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: иста матрица, помножена</translation>
     </message>
     <message>
         <source>Lecture 000 projects onto the plane {0} by a matrix {1} with 1, 1, 1, 0 on its diagonal, {2} in row 4, column 3, and 0 elsewhere. {3} and {4} take every point to the same point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Предавање 000 пројектује на раван {0} матрицом {1} са 1, 1, 1, 0 на дијагонали, {2} у врсти 4, колони 3, и 0 другде. {3} и {4} преводе сваку тачку у исту тачку.</translation>
     </message>
     <message>
         <source>{0}. Which {1} has {2} in row 4, column 3? Give its rows 3 and 4, columns 3 and 4.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Која {1} има {2} у врсти 4, колони 3? Дајте њене врсте 3 и 4, колоне 3 и 4.</translation>
     </message>
     <message>
         <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2}: {3} is this length.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} даје {1}, што је позитивно: обе стране имају минус. Погледајте {2}: {3} је ова дужина.</translation>
     </message>
     <message>
         <source>One cell is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Једно поље је довољно</translation>
     </message>
     <message>
         <source>This changes one cell only. {0} multiplies every cell of the matrix, the ones on the diagonal too. Look at {1}: only for this plane is 1 right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је промењено само једно поље. {0} множи свако поље матрице, и она на дијагонали. Погледајте {1}: само за ову раван је 1 тачно.</translation>
     </message>
     <message>
         <source>The diagonal is divided</source>
-        <translation type="unfinished"></translation>
+        <translation>Дијагонала се дели</translation>
     </message>
     <message>
         <source>This multiplies the diagonal by {0}, but the last row by {1}. All cells have the same factor. Look at {2}: only for this plane are {3} and {4} the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се дијагонала множи са {0}, а последња врста са {1}. Сва поља имају исти чинилац. Погледајте {2}: само за ову раван су {3} и {4} исто.</translation>
     </message>
     <message>
         <source>By what is {0} multiplied to become {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Чиме се множи {0} да постане {1}?</translation>
     </message>
     <message>
         <source>{0}. All four numbers of a point are {1} times as large, and their quotients are the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Сва четири броја тачке су {1} пута већа, а њихови количници исти.</translation>
     </message>
     <message>
         <source>Practise: a direction in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: смер на слици</translation>
     </message>
     <message>
         <source>Lines in one direction of view space run to one point of the picture: the image of {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Праве једног смера координатног система камере иду ка једној тачки слике: слици од {0}.</translation>
     </message>
     <message>
         <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Права почиње у {0} у координатном систему камере и иде дуж {1}. Видно поље је {2}°. Обележите слику бесконачно далеке тачке те праве.</translation>
     </message>
     <message>
         <source>This is a point five steps along the line. At infinity {0}, and the start has no part in the image: only the direction counts. Look at point 1, 60 steps along the line: it has moved on.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је тачка пет корака дуж праве. У бесконачности је {0}, и почетак нема удела у слици: рачуна се само смер. Погледајте тачку 1, 60 корака дуж праве: отишла је даље.</translation>
     </message>
     <message>
         <source>The column is right, but the rows are counted from the top: a direction that leads up ends in the upper half of the picture. Look at point 1, 60 steps along the line.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона је тачна, али редови се броје одозго: смер који води нагоре завршава у горњој половини слике. Погледајте тачку 1, 60 корака дуж праве.</translation>
     </message>
     <message>
         <source>{0}, where *aspect* is 16/9.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, где је *aspect* једнако 16/9.</translation>
     </message>
     <message>
         <source>{0} is the middle of the picture and {1} its right edge; {2} is its top.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је средина слике, а {1} њена десна ивица; {2} је њен врх.</translation>
     </message>
     <message>
         <source>The direction takes the place of a point: {0} and {1} are its clip coordinates divided by their {2}.</source>
+        <translation>Смер заузима место тачке: {0} и {1} су његове координате одсецања подељене својим {2}.</translation>
+    </message>
+    <message>
+        <source>Practise: where the divide belongs</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The viewport needs numbers from −1 to 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Only one division makes them. Which one leaves {0}?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Begin at the letter: which matrix takes its points to the world?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>What acts first stands at the bottom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -4011,7 +4407,7 @@
     </message>
     <message>
         <source>The centre is at {0}, and {1} pixels are 2 wide in {2}.</source>
-        <translation>Средиште је у {0}, а пикселима, њих {1}, одговара ширина 2 по {2}.</translation>
+        <translation>Средиште је у {0}, а ред од {1} пиксела широк је 2 по {2}.</translation>
     </message>
 </context>
 <context>
@@ -4453,19 +4849,19 @@
     </message>
     <message>
         <source>Practise: the right piece</source>
-        <translation>Вежба: прави део</translation>
+        <translation>Вежба: исправан део</translation>
     </message>
     <message>
         <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
-        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A&apos; и B&apos;, као што чини само дељење.</translation>
+        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A&apos; и B&apos;, као што чини дељење само по себи.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
-        <translation>Обележите где права слика дужи AB излази са слике.</translation>
+        <translation>Обележите где исправна слика дужи AB излази са слике.</translation>
     </message>
     <message>
         <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation>Ово је B&apos;, слика као у огледалу за тачку иза камере. Права слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
+        <translation>Ово је B&apos;, слика као у огледалу за тачку иза камере. Исправна слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
     </message>
     <message>
         <source>Through B&apos; and on</source>
@@ -4473,7 +4869,7 @@
     </message>
     <message>
         <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation>Ово иде од A&apos; кроз B&apos; и даље. B&apos; је као у огледалу, па права слика почиње у A&apos; у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
+        <translation>Ово иде од A&apos; кроз B&apos; и даље. B&apos; је као у огледалу, па исправна слика почиње у A&apos; у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
     </message>
     <message>
         <source>It lies on the same line. On which side of A&apos;?</source>
@@ -4481,7 +4877,7 @@
     </message>
     <message>
         <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Почиње у A&apos; и иде од B&apos;. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
+        <translation>Почиње у A&apos; и удаљава се од B&apos;. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4779,7 +5175,7 @@
     </message>
     <message>
         <source>Now the board is drawn *affine*: {0} itself is interpolated, and the checks bend at the diagonal.</source>
-        <translation>Сада се табла црта *афино*: интерполира се само {0}, и шаховница се прелама на дијагонали.</translation>
+        <translation>Сада се табла црта *афино*: интерполира се сама величина {0}, и шаховница се прелама на дијагонали.</translation>
     </message>
     <message>
         <source>Move the camera until the point half-way in the picture of the marked edge is at most 25 % along the edge. Then affine is wrong by a quarter of the edge. The edge must stay beyond the near plane.</source>
@@ -4847,7 +5243,7 @@
     </message>
     <message>
         <source>This mixes {0} itself. In the picture only the divided quantities change evenly: mix {1} and {2}, then divide. Look at the two marks: half-way in the picture is not half-way along the edge.</source>
-        <translation>Овде се меша само {0}. На слици се равномерно мењају само подељене величине: помешајте {1} и {2}, па поделите. Погледајте две ознаке: пола пута на слици није пола пута дуж ивице.</translation>
+        <translation>Овде се меша сама величина {0}. На слици се равномерно мењају само подељене величине: помешајте {1} и {2}, па поделите. Погледајте две ознаке: пола пута на слици није пола пута дуж ивице.</translation>
     </message>
     <message>
         <source>a/z is a</source>
@@ -4899,7 +5295,7 @@
     </message>
     <message>
         <source>The place {0} of the way along the rod itself is deeper: {1}.</source>
-        <translation>Место на {0} пута дуж самог штапа је дубље: {1}.</translation>
+        <translation>Место на делу {0} пута дуж самог штапа је дубље: {1}.</translation>
     </message>
     <message>
         <source>Practise: the middle of a rod</source>
@@ -5209,7 +5605,7 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Предавање снима мачку објективом од 29 mm са 30 cm, и од 105 mm. На филму је предмет {0} пута своје праве величине, па задржава величину ако је</translation>
+        <translation>Предавање снима мачку објективом од 29 mm са 30 cm, и од 105 mm. На филму је предмет {0} пута своје стварне величине, па задржава величину ако је</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
@@ -5253,7 +5649,7 @@
     </message>
     <message>
         <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
-        <translation>Овде је видни угао узет за величину. На филму је висина статуе сразмерна жижној даљини кроз растојање, са {0}; угао није сразмеран са {1}. Погледајте две фотографије: 105 mm је 3.62 пута 29 mm, и са 3.62 пута већег растојања глава је једнако висока.</translation>
+        <translation>Овде је видни угао узет за величину. На филму је висина статуе сразмерна жижној даљини подељеној растојањем, дакле са {0}; угао није сразмеран са {1}. Погледајте две фотографије: 105 mm је 3.62 пута 29 mm, и са 3.62 пута већег растојања глава је једнако висока.</translation>
     </message>
     <message>
         <source>The image on the film is as large as before. What happened to {0}?</source>
@@ -5954,11 +6350,11 @@
     </message>
     <message>
         <source>The straight way counts</source>
-        <translation>Рачуна се прави пут</translation>
+        <translation>Рачуна се пут право до тачке</translation>
     </message>
     <message>
         <source>This subtracts far from the straight distance to the point. Far is a plane across the direction of view: only how far the point is ahead counts. Look from above at far = {0}: it goes through point 1, however far that is to the side.</source>
-        <translation>Овде се растојање задње равни одузима од правог растојања до тачке. Задња раван је раван попреко на смер погледа: рачуна се само колико је тачка испред. Погледајте одозго задњу раван на {0}: пролази кроз тачку 1, ма колико она била у страну.</translation>
+        <translation>Овде се растојање задње равни одузима од растојања право до тачке. Задња раван је раван попреко на смер погледа: рачуна се само колико је тачка испред. Погледајте одозго задњу раван на {0}: пролази кроз тачку 1, ма колико она била у страну.</translation>
     </message>
     <message>
         <source>The view from above shows the far plane. Which distance to it does the drive shorten?</source>
@@ -6515,7 +6911,7 @@
     </message>
     <message>
         <source>A camera turns by 1° a frame: each frame multiplies its axes by the same matrix, in float32, and every product is rounded. After 360 frames it should be home. It is off by 0.003 pixels. In **Image** this is drawn 20 000 times as large, beside the pale true picture.</source>
-        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истом матрицом, у float32, и сваки производ се заокружује. После 360 кадрова требало би да буде тамо где је почела. Одступа за 0.003 пиксела. У приказу **Слика** то је нацртано 20 000 пута веће, поред бледе праве слике.</translation>
+        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истом матрицом, у float32, и сваки производ се заокружује. После 360 кадрова требало би да буде тамо где је почела. Одступа за 0.003 пиксела. У приказу **Слика** то је нацртано 20 000 пута веће, поред бледе тачне слике.</translation>
     </message>
     <message>
         <source>Now the axes are made orthonormal every tenth frame, with a fast inverse square root that is off by up to 0.18 %. The numbers are still float32. How far off is the picture after one round?</source>
@@ -6838,7 +7234,7 @@
     </message>
     <message>
         <source>This takes half the distance, 50.5, for the true place. Half-way on the screen is much nearer: there {0} is half-way, and {1}. Look at the diagram: drawn is never nearer than true.</source>
-        <translation>Овде је за право место узета половина растојања, 50.5. Пола пута на екрану је много ближе: тамо је {0} на пола пута, и {1}. Погледајте дијаграм: нацртано никада није ближе од правог.</translation>
+        <translation>Овде је за стварно место узета половина растојања, 50.5. Пола пута на екрану је много ближе: тамо је {0} на пола пута, и {1}. Погледајте дијаграм: нацртано никада није ближе од стварног.</translation>
     </message>
     <message>
         <source>This would be right if {0} were linear on the screen. Only {1} is. Look at the foundation: the floor is drawn behind it.</source>
@@ -6910,7 +7306,7 @@
     </message>
     <message>
         <source>A step is the box over {0}: with 4 bits more it is 16 times as short.</source>
-        <translation>Корак је оквир кроз {0}: са 4 бита више он је 16 пута краћи.</translation>
+        <translation>Корак је ширина оквира подељена са {0}: са 4 бита више он је 16 пута краћи.</translation>
     </message>
     <message>
         <source>Half a step, and half a step</source>
@@ -7042,7 +7438,7 @@
     </message>
     <message>
         <source>This takes half the distance for the true place. Half-way on the screen {0} is half-way, and {1} is much nearer. Look at the foundation: the floor is drawn behind it, not before it.</source>
-        <translation>Овде је за право место узета половина растојања. На пола пута на екрану {0} је на пола пута, и {1} је много ближе. Погледајте темељ: под се црта иза њега, а не испред њега.</translation>
+        <translation>Овде је за стварно место узета половина растојања. На пола пута на екрану {0} је на пола пута, и {1} је много ближе. Погледајте темељ: под се црта иза њега, а не испред њега.</translation>
     </message>
     <message>
         <source>It lies at near</source>
@@ -7050,7 +7446,7 @@
     </message>
     <message>
         <source>This is where it is drawn, over near. But it lies farther away than near: {0} is half-way between {1} and {2}. Look at the diagram: half-way on the screen is a little to the right of near.</source>
-        <translation>Ово је место где се црта, кроз предњу раван. Али под лежи даље од предње равни: {0} је на пола пута између {1} и {2}. Погледајте дијаграм: пола пута на екрану је мало десно од предње равни.</translation>
+        <translation>Ово је место где се црта, подељено растојањем предње равни. Али под лежи даље од предње равни: {0} је на пола пута између {1} и {2}. Погледајте дијаграм: пола пута на екрану је мало десно од предње равни.</translation>
     </message>
     <message>
         <source>It is drawn at {0}, half-way between the logarithms.</source>
@@ -7109,1458 +7505,1482 @@
     <name>talk-000</name>
     <message>
         <source>Normalised coordinates and the perspective projection</source>
-        <translation type="unfinished"></translation>
+        <translation>Нормализоване координате и перспективна пројекција</translation>
     </message>
     <message>
         <source>From similar triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>Из сличности троуглова</translation>
     </message>
     <message>
         <source>A point {0} in front of the camera comes to the plane at the distance {1} from the eye:</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка {0} испред камере долази на раван на растојању {1} од камере:</translation>
     </message>
     <message>
         <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
-        <translation type="unfinished"></translation>
+        <translation>P је на дубини 5. Раван се помера са d = 1 на d = 2. Колико је пута сада P&apos; више?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Површина слике порасте 4 пута. Висина и ширина су сразмерне са d.</translation>
     </message>
     <message>
         <source>Both triangles have a corner at the eye, and P is 5 deep, measured from there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Оба троугла имају теме код камере, и P је на дубини 5, мерено одатле.</translation>
     </message>
     <message>
         <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свет са стране: прво именујте два троугла, од камере до P и од камере до P&apos;. Са слике прочитајте -z = 5, y = 2 и {0}. Нека студенти гласају, па нека се модел помери. После тога превуците „Растојање равни d” надоле испод 0: филм камере опскуре, и слика се преокреће. Ово је изведено раније у курсу; не задржавајте се.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Исто као матрица</translation>
     </message>
     <message>
         <source>{0} goes to {1}, and divided by the last number to {2} (2):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} иде у {1}, а подељено последњим бројем у {2} (2):</translation>
     </message>
     <message>
         <source>The matrix is in the dock too, with numbers: -1/d = -0.5. Under it P = (2, 2, -5) becomes (2, 2, -5, 2.5). Divide aloud: 0.8, 0.8, -2. Stress that all projection is in the last row, and that -z/d is positive for what is in front. Drag d and watch the one cell that changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица је и у бочном панелу, са бројевима: -1/d = -0.5. Под њом P = (2, 2, -5) постаје (2, 2, -5, 2.5). Делите наглас: 0.8, 0.8, -2. Нагласите да је цела пројекција у последњој врсти, и да је -z/d позитивно за оно што је испред. Превуците d и гледајте једино поље које се мења.</translation>
     </message>
     <message>
         <source>A and λA are one transformation</source>
-        <translation type="unfinished"></translation>
+        <translation>A и λA су једна трансформација</translation>
     </message>
     <message>
         <source>Multiply every cell by {0}: the last number becomes {1}, and the quotients stay the same (3).</source>
-        <translation type="unfinished"></translation>
+        <translation>Помножите свако поље са {0}: последњи број постаје {1}, а количници остају исти (3).</translation>
     </message>
     <message>
         <source>last row</source>
-        <translation type="unfinished"></translation>
+        <translation>последња врста</translation>
     </message>
     <message>
         <source>of P = (2, 2, −5)</source>
-        <translation type="unfinished"></translation>
+        <translation>од P = (2, 2, −5)</translation>
     </message>
     <message>
         <source>divided</source>
-        <translation type="unfinished"></translation>
+        <translation>подељено</translation>
     </message>
     <message>
         <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>Питајте чиме се још може множити: било којим λ осим 0. Дакле последња врста може бити и 0 0 -1 0, ма колико било d, и w&apos; = -z је сама дубина. У прозору -z = 5 стоји у бочном панелу, а као дужина испод слике. Све касније матрице предавања имају ову последњу врсту.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
-        <translation type="unfinished"></translation>
+        <translation>WebGL: d је растојање предње равни</translation>
     </message>
     <message>
         <source>The scene is projected onto the near plane {0}, so {1} (4). **World** shows the picture on it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сцена се пројектује на предњу раван {0}, па је {1} (4). **Свет** показује слику на њој.</translation>
     </message>
     <message>
         <source>Show the small F on the near plane in World: same projectors as before, and the plane is one of the walls of the frustum. Drag Near: the picture on the plane grows with it, and so does the plane; in Image nothing changes, until near cuts into the F. Near is a distance and positive; the plane is at {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Покажите у свету мало слово F на предњој равни: исти зраци пројекције као пре, а раван је једна од страна зарубљене пирамиде. Превуците „Предња раван”: слика на равни расте са њом, а расте и раван; у приказу „Слика” се ништа не мења док предња раван не засече слово F. Предња раван је растојање и позитивна; сама раван је на {0}.</translation>
     </message>
     <message>
         <source>A segment to [-1, 1]</source>
-        <translation type="unfinished"></translation>
+        <translation>Дуж у [-1, 1]</translation>
     </message>
     <message>
         <source>The orthographic projection drops {0}; only {1} must become {2} (5). Here it is {3}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ортографска пројекција изоставља {0}; само {1} мора постати {2} (5). Овде је {3}:</translation>
     </message>
     <message>
         <source>Try three values on the board: x = -3 gives -1, x = 5 gives 1, x = 1, the middle, gives 0. Point to the denominators of the two fractions: they differ in sign. In NDC the box has become the cube; the F lies left of the middle, because the axis came to -0.25. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Испробајте на табли три вредности: x = -3 даје -1, x = 5 даје 1, x = 1, средина, даје 0. Покажите имениоце двају разломака: разликују се по предзнаку. У NDC је квадар постао коцка; слово F лежи лево од средине, јер је оса дошла у -0.25. Превуците „Лево” и „Десно”.</translation>
     </message>
     <message>
         <source>The same for {0} and {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>Исто за {0} и {1}</translation>
     </message>
     <message>
         <source>Put {0} into (5) and write everything over {1} (6); likewise for {2} (8):</source>
-        <translation type="unfinished"></translation>
+        <translation>Уврстите {0} у (5) и напишите све са имениоцем {1} (6); исто и за {2} (8):</translation>
     </message>
     <message>
         <source>The window moves to [-1, 3]. Which {0} has probe 1, straight ahead?</source>
-        <translation type="unfinished"></translation>
+        <translation>Прозор се помера на [-1, 3]. Које {0} има сонда 1, право испред?</translation>
     </message>
     <message>
         <source>Only in a window that reaches equally far to both sides is the axis in the middle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Оса је у средини само у прозору који на обе стране досеже једнако далеко.</translation>
     </message>
     <message>
         <source>This moves the picture with its window. Look at the window that has moved to the left: only then is probe 1 at {0}.</source>
-        <translation type="unfinished">Овде се слика помера са својим прозором. Погледајте прозор померен улево: само тада је сонда 1 у {0}.</translation>
+        <translation>Овде се слика помера са својим прозором. Погледајте прозор померен улево: само тада је сонда 1 у {0}.</translation>
     </message>
     <message>
         <source>{0}, and {1}.</source>
-        <translation type="unfinished">{0}, и {1}.</translation>
+        <translation>{0}, и {1}.</translation>
     </message>
     <message>
         <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Изведите (6) на табли, ред по ред. Трик је помножити други разломак са -z/-z, тако да све има један именилац: то ће бити w&apos;. Са њим се окреће и предзнак. Затим гласање: многи кажу +0.5, јер прозор иде удесно. После тога превуците „Лево” и „Десно” и пратите сонду 1 у приказу „Слика”.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Афино z савија праве</translation>
     </message>
     <message>
         <source>With {0} the third homogeneous number would be {1} (9)-(11): no matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са {0} трећи хомогени број био би {1} (9)-(11): то није матрица.</translation>
     </message>
     <message>
         <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
-        <translation type="unfinished"></translation>
+        <translation>P прилази, на трећину дубине тачке Q. Шта {0} прави од PQ?</translation>
     </message>
     <message>
         <source>A straight segment</source>
-        <translation type="unfinished"></translation>
+        <translation>Праву дуж</translation>
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation type="unfinished"></translation>
+        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
-        <translation type="unfinished">Лук</translation>
+        <translation>Лук</translation>
     </message>
     <message>
         <source>{0} and {1} are divided by {2}, {3} is not.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и {1} се деле са {2}, {3} не.</translation>
     </message>
     <message>
         <source>Go through (9), (10), (11): the same point three times, then all times -z. Nothing in the last line but -Az² - Bz is new. NDC shows both: A z + B is the bow, -A - B/z the straight line. After the vote drag P in World. Near and far change the bow too: try Near 0.3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прођите кроз (9), (10), (11): трипут иста тачка, па све пута -z. У последњем реду ново је само -Az² - Bz. NDC показује обоје: A z + B је лук, -A - B/z права. После гласања превуците P у свету. И предња и задња раван мењају лук: пробајте предњу раван на 0.3.</translation>
     </message>
     <message>
         <source>What the depth buffer does with z</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта бафер дубине ради са z</translation>
     </message>
     <message>
         <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Између темена троугла {0} се равномерно интерполира по пикселима, и побеђује мања вредност. Ако су линије савијене, или је кодова премало, црта се погрешна површ.</translation>
     </message>
     <message>
         <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Реците шта је лоше код савијене линије: вредност интерполирана у пикселу није дубина онога што је тамо. Овде се види друга невоља: бафер од 16 бита, предња раван на 0.01, површ 2 је 0.25 иза површи 1, и 64 % пиксела је погрешно. Питајте шта помаже. Задња раван са 200 на 60: 63 %. Предња раван са 0.01 на 0.1: ниједан. Већина вредности лежи одмах иза предње равни.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>
-        <translation type="unfinished"></translation>
+        <translation>Мало битова за теме</translation>
     </message>
     <message>
         <source>With {0} bits over a side {1} a coordinate is off by up to {2}: in pixels the more, the nearer.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са {0} бита на страни {1} координата одступа до {2}: у пикселима тим више што је ближа.</translation>
     </message>
     <message>
         <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Дубине нису једини бројеви са мало битова. 8 бита по координати: 3 бајта по темену, и одступање до 0.5 пиксела на слици од 320 пута 240. Стрелице су 50 пута дуже од грешака. Изаберите 12 и 16 бита: сваки бит преполови грешку. Затим преполовите растојање: свака грешка је двапут дужа. Колико је битова довољно, зависи од тога где стојите; лекција „Колико је битова потребно слици?”.</translation>
     </message>
     <message>
         <source>{0} instead</source>
-        <translation type="unfinished"></translation>
+        <translation>Уместо тога {0}</translation>
     </message>
     <message>
         <source>Divided by {0} as well, {1} stays linear in homogeneous coordinates (12). Near must come to -1, far to 1:</source>
-        <translation type="unfinished"></translation>
+        <translation>Пошто се и {1} подели са {0}, оно остаје линеарно у хомогеним координатама (12). Предња раван мора доћи у -1, задња у 1:</translation>
     </message>
     <message>
         <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation type="unfinished"></translation>
+        <translation>Решите две једначине на табли: {0} и {1}. Затим NDC: стубови у свету стоје на размаку 6, а у коцки се гомилају ка задњој равни. Са предњом равни на 9 и задњом на 41 средина коцке, z&apos; = 0, на дубини је од само 14.8. Редослед је сачуван, и праве остају праве; то је све што је баферу дубине потребно.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Цела матрица</translation>
     </message>
     <message>
         <source>{0}, and the six numbers of the frustum (13):</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, и шест бројева зарубљене пирамиде (13):</translation>
     </message>
     <message>
         <source>Rows 1 and 2 are (6) and (8), row 3 is (12), row 4 is the division. In World left and right are written at the near plane. Ask for the cells with x from -1 to 3, near 2, far 19: 1 and 0.5 in row 1, -21/17 and -76/17 in row 3. Matrices in the drawer has them, and lights up what a control changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Врсте 1 и 2 су (6) и (8), врста 3 је (12), врста 4 је дељење. У свету су лево и десно исписани на предњој равни. Тражите поља за x од -1 до 3, предњу раван 2, задњу 19: 1 и 0.5 у врсти 1, -21/17 и -76/17 у врсти 3. Има их панел „Матрице” доле, и у њему засветли оно што контрола мења.</translation>
     </message>
     <message>
         <source>Stretched</source>
-        <translation type="unfinished"></translation>
+        <translation>Растегнуто</translation>
     </message>
     <message>
         <source>The window is {0}, but the canvas {1} is square. (13) does not prevent this: the letter is twice as high as it should be.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прозор је {0}, али је платно {1} квадратно. (13) то не спречава: слово је двапут више него што треба.</translation>
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC не зна за размеру: коцка је коцка. Растезање настаје тамо где [-1, 1] постају пиксели, различитим чиниоцима за x и y. Да би кругови били округли, прозор мора имати размеру платна: {0}.</translation>
     </message>
     <message>
         <source>Variant X: y is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Варијанта X: прилагођава се y</translation>
     </message>
     <message>
         <source>Image changes, the fields stay: Top still says 1, and the program calls the projection with {0} and {1}. Ask why there is a 2 under the fraction: k is put on at both ends. X is what is kept; students often read it as what is changed.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Слика” се мења, поља остају: „Горе” и даље каже 1, а програм пројекцију позива са {0} и {1}. Питајте зашто је под разломком 2: k се додаје на оба краја. X је оно што се задржава; студенти то често читају као оно што се мења.</translation>
     </message>
     <message>
         <source>Variant Y: x is adjusted</source>
-        <translation type="unfinished"></translation>
+        <translation>Варијанта Y: прилагођава се x</translation>
     </message>
     <message>
         <source>X</source>
-        <translation type="unfinished"></translation>
+        <translation>X</translation>
     </message>
     <message>
         <source>Y</source>
-        <translation type="unfinished"></translation>
+        <translation>Y</translation>
     </message>
     <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је k негативно: прозор постаје ужи, x од -1 до 1, а слово F је веће. Последњи ред материјала има {0} за {1}; мора бити {2}. Питајте коју варијанту програм треба да узме када се прозор ручно сузи: са X сцена задржава ширину, са Y висину.</translation>
     </message>
 </context>
 <context>
     <name>talk-001</name>
     <message>
         <source>The synthetic camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Синтетичка камера</translation>
     </message>
     <message>
         <source>Eye, monitor, phone</source>
-        <translation type="unfinished"></translation>
+        <translation>Око, монитор, телефон</translation>
     </message>
     <message>
         <source>How much of the world is in a picture? The eye sees 120°, without the blurred rim. A monitor fills 25° to 30°, a phone 5°.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колики је део света на слици? Око види 120°, без замућеног руба. Монитор испуњава 25° до 30°, телефон 5°.</translation>
     </message>
     <message>
         <source>eye 120°</source>
-        <translation type="unfinished"></translation>
+        <translation>људско око 120°</translation>
     </message>
     <message>
         <source>monitor 30°</source>
-        <translation type="unfinished"></translation>
+        <translation>монитор 30°</translation>
     </message>
     <message>
         <source>phone 5°</source>
-        <translation type="unfinished"></translation>
+        <translation>телефон 5°</translation>
     </message>
     <message>
         <source>A camera takes a 3-D scene and puts it onto film or pixels; the synthetic camera imitates that. The three pictures hold the head at one size: the eye has to go very near, the phone far away. Read the angles under More numbers. Ask which picture looks natural, and from which distance one would have to look at it on the wall.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера узима 3D сцену и смешта је на филм или у пикселе; синтетичка камера то опонаша. Три слике држе главу на једној величини: око мора прићи врло близу, телефон далеко. Углове прочитајте под „Још бројева”. Питајте која слика изгледа природно, и са ког би се растојања морала гледати на зиду.</translation>
     </message>
     <message>
         <source>The view volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Запремина погледа</translation>
     </message>
     <message>
         <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
-        <translation type="unfinished"></translation>
+        <translation>Црта се само оно што лежи у запремини: у купи ока, у пирамиди око ње, или у квадру, погледу са веома велике удаљености.</translation>
     </message>
     <message>
         <source>Begin with the cone: what an eye sees. Then choose Pyramid under View volume: pictures are rectangles, so the cone is cut off by four planes. Then Box. The letters are test points; grey ones lie outside. Ask before each change which come in and which go. The volume is given by its shape and its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Почните са купом: оним што види око. Затим под „Запремина погледа” изаберите пирамиду: слике су правоугаоници, па је купа одсечена са четири равни. Затим квадар. Слова су тест тачке; сива леже изван. Пре сваке промене питајте које улазе, а које излазе. Запремина је одређена обликом и положајем.</translation>
     </message>
     <message>
         <source>In, out, crossing</source>
-        <translation type="unfinished"></translation>
+        <translation>Унутра, изван, на граници</translation>
     </message>
     <message>
         <source>What is wholly outside is dropped. What crosses a plane is cut, plane by plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Што је цело изван, одбацује се. Што раван пресеца, сече се, раван по раван.</translation>
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Картице које су целе унутра, изван, и на граници. Померајте равни клизачем: предња, задња, лева, десна, доња, горња; свака додаје темена где ивица кроз њу пролази. Зашто не пиксел по пиксел? Изоставити целе троуглове је јефтино, изоставити фрагменте је скупо. У бочном панелу: темена пре и после, и колико је картица цело.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта права камера још има</translation>
     </message>
     <message>
         <source>A real camera has a focal distance, and a depth of field in front of it and behind it. The synthetic camera has neither: everything is sharp.</source>
-        <translation type="unfinished"></translation>
+        <translation>Права камера има растојање фокуса и дубину видног поља испред и иза њега. Синтетичка камера нема ни једно ни друго: све је оштро.</translation>
     </message>
     <message>
         <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Параметри камере: позиција, два вектора, два угла, две равни. Права има и растојање фокуса и бленду. Овде објектив од 50 mm на f/1, фокусиран на 5 m: оштро од 4.720 до 5.316 m, уоквирени стуб. Превуците растојање фокуса на 10 m; затим поставите N на 16. Питајте одакле је надаље све далеко оштро: од хиперфокалног растојања.</translation>
     </message>
     <message>
         <source>Camera obscura</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера опскура</translation>
     </message>
     <message>
         <source>A dark box with a hole: {0}, upside down. The synthetic camera has its plane in front of the hole.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мрачна кутија са рупом: {0}, наопачке. Синтетичка камера има раван испред рупе.</translation>
     </message>
     <message>
         <source>The F is 5 high, the film 4 behind the hole. The F goes from 9 to 18. How high is its image?</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово F је високо 5, филм је 4 иза рупе. Слово F иде са 9 на 18. Колико је висока његова слика?</translation>
     </message>
     <message>
         <source>This measures from the film, 18 + 4. Both triangles have their corner in the hole. Look at {0} and {1}: both begin there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се мери од филма, 18 + 4. Оба троугла имају теме у рупи. Погледајте {0} и {1}: оба почињу тамо.</translation>
     </message>
     <message>
         <source>1.11, upright</source>
-        <translation type="unfinished"></translation>
+        <translation>1.11, усправно</translation>
     </message>
     <message>
         <source>This is the image in front of the hole. Look at the film behind it: the light has crossed in the hole, so the image is upside down.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је слика испред рупе. Погледајте филм иза ње: светлост се у рупи укрстила, па је слика наопачке.</translation>
     </message>
     <message>
         <source>Twice as far, half as high: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Двапут даље, упола ниже: {0}.</translation>
     </message>
     <message>
         <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Светлост се у рупи укршта, па је слика на филму наопачке и са замењеним лево и десно; камеру опскуру су користили сликари. Упоредите оба филма: једнако велики, разликује се само предзнак. Центар пројекције је рупа; за нас је то позиција камере P, а раван је између ње и објекта. Гласајте, па покажите; превуците и d.</translation>
     </message>
     <message>
         <source>Position, look, up</source>
-        <translation type="unfinished"></translation>
+        <translation>Позиција, вектор погледа, вектор нагоре</translation>
     </message>
     <message>
         <source>{0} is the position of the camera, {1} its direction, and {2} says how it is turned about that.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је позиција камере, {1} њен смер, а {2} каже како је око њега окренута.</translation>
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation type="unfinished"></translation>
+        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте у панелу „Нагоре од погледа”: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
     </message>
     <message>
         <source>The angles of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Углови видног поља</translation>
     </message>
     <message>
         <source>{0} and {1}, or one of them and the aspect. A narrow angle is almost a parallel view, a wide one exaggerates.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и {1}, или један од њих и однос ширине и висине. Узак угао је скоро паралелан поглед, широк преувеличава.</translation>
     </message>
     <message>
         <source>The picture is 16:9 and {0} is 60°. How wide is {1}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Слика је 16:9, а {0} је 60°. Колико је широк {1}?</translation>
     </message>
     <message>
         <source>60°, one angle does for both</source>
-        <translation type="unfinished"></translation>
+        <translation>60°, исти угао важи за оба смера</translation>
     </message>
     <message>
         <source>{0}. From above half of it is written at the eye: 45.75°.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Одозго је код камере исписана половина: 45.75°.</translation>
     </message>
     <message>
         <source>From the side {0} is written at the eye. Vote first; then the world is seen from above, with {1} at the eye and the half width on the far plane, f tan of it. Make the image 720 x 720 under Image and depth range: both angles are 60. A photographer does this when choosing a lens. Keep window and picture at one aspect, or everything is stretched.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са стране је код камере исписан {0}. Прво гласајте; затим се свет види одозго, са {1} код камере и половином ширине на задњој равни, f пута тангенс тог угла. Под „Слика и опсег дубине” поставите слику на 720 x 720: оба угла су 60. То ради фотограф када бира објектив. Држите прозор и слику на истом односу ширине и висине, иначе се све растеже.</translation>
     </message>
     <message>
         <source>29 mm and 105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm и 105 mm</translation>
     </message>
     <message>
         <source>With 29 mm from 30 cm and with 105 mm from 108.6 cm the head is equally large. With 105 mm from 360 cm it is 0.30 times as large.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са 29 mm са 30 cm и са 105 mm са 108.6 cm глава је једнако велика. Са 105 mm са 360 cm велика је 0.30 пута толико.</translation>
     </message>
     <message>
         <source>From 30 cm to 108.6 cm, the head kept at its size: what of the background?</source>
-        <translation type="unfinished"></translation>
+        <translation>Са 30 cm на 108.6 cm, уз исту величину главе: шта бива са позадином?</translation>
     </message>
     <message>
         <source>it stays as it was</source>
-        <translation type="unfinished"></translation>
+        <translation>остаје каква је била</translation>
     </message>
     <message>
         <source>it grows, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>расте у односу на главу</translation>
     </message>
     <message>
         <source>it shrinks, against the head</source>
-        <translation type="unfinished"></translation>
+        <translation>смањује се у односу на главу</translation>
     </message>
     <message>
         <source>From 30 cm it was smaller than it is now: the nearer, the larger the difference.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са 30 cm била је мања него што је сада: што ближе, то је разлика већа.</translation>
     </message>
     <message>
         <source>29 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>29 mm</translation>
     </message>
     <message>
         <source>105 mm</source>
-        <translation type="unfinished"></translation>
+        <translation>105 mm</translation>
     </message>
     <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
-        <translation type="unfinished"></translation>
+        <translation>20 cm иза главе велика је 0.6 пута колико глава са 30 cm, а 0.84 пута са 108.6 cm.</translation>
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају у односу на главу. Вративши се на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
-        <translation type="unfinished"></translation>
+        <translation>Зашто предња и задња раван?</translation>
     </message>
     <message>
         <source>Four rays run to infinity. Two planes across the axis cut them off, at the distances {0} and {1} from {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Четири зрака иду у бесконачност. Две равни попреко на осу их одсецају, на растојањима {0} и {1} од {2}.</translation>
     </message>
     <message>
         <source>Near: what is too close hides all the rest, a speck of dust at the eye; what is behind the camera would come out upside down; and the depth buffer needs it. Far: what is far away costs time, and many parts fall into one pixel. Drag both through the F and see in the image what goes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња: оно што је преблизу заклања све остало, као зрно прашине уз око; оно што је иза камере испало би наопачке; а потребна је и баферу дубине. Задња: оно што је далеко кошта време, и много делова пада у један пиксел. Провуците обе кроз слово F и погледајте на слици шта нестаје.</translation>
     </message>
     <message>
         <source>Depth has finitely many steps</source>
-        <translation type="unfinished"></translation>
+        <translation>Дубина има коначно много корака</translation>
     </message>
     <message>
         <source>The nearer the near plane, the more of the depth values are used up just behind it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Што је предња раван ближа, то се више вредности дубине потроши одмах иза ње.</translation>
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта од овога двога уклања пруге?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
-        <translation type="unfinished"></translation>
+        <translation>предња раван са 0.1 на 1</translation>
     </message>
     <message>
         <source>far from 100 to 50</source>
-        <translation type="unfinished"></translation>
+        <translation>задња раван са 100 на 50</translation>
     </message>
     <message>
         <source>{0} is small already, so half of far hardly changes {1}. Look at the stripes: they stay.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је већ мало, па упола ближа задња раван једва мења {1}. Погледајте пруге: остају.</translation>
     </message>
     <message>
         <source>neither of them</source>
-        <translation type="unfinished"></translation>
+        <translation>ни једно ни друго</translation>
     </message>
     <message>
         <source>One of them has a large effect on the gap, {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Једно од тога има велик утицај на размак, {0}.</translation>
     </message>
     <message>
         <source>The gap is proportional to {0}, and {1} is small already.</source>
-        <translation type="unfinished"></translation>
+        <translation>Размак је сразмеран са {0}, а {1} је већ мало.</translation>
     </message>
     <message>
         <source>Two surfaces 0.05 apart, 16 bits. Where both get the same code the hidden one comes through. Vote, then show; afterwards put near back to 0.1 and try far 50: nothing is won. 24 bits do it as well. Rule: near as far out as the scene allows. Do not set near to 0 to be on the safe side.</source>
-        <translation type="unfinished"></translation>
+        <translation>Две површи на размаку 0.05, 16 бита. Где обе добију исти код, пробија скривена. Гласајте, па покажите; после тога вратите предњу раван на 0.1 и пробајте задњу на 50: ништа се не добија. Помаже и 24 бита. Правило: предња раван толико далеко колико сцена дозвољава. Не стављајте је на 0 за сваки случај.</translation>
     </message>
     <message>
         <source>Popping</source>
-        <translation type="unfinished"></translation>
+        <translation>Искакање</translation>
     </message>
     <message>
         <source>As you drive, things appear at the far plane out of nothing. Fog used to hide this; now distant things have fewer vertices, so far can be farther.</source>
-        <translation type="unfinished"></translation>
+        <translation>Док се возите, ствари се на задњој равни појављују ни из чега. Некада је то скривала магла; данас далеке ствари имају мање темена, па задња раван може бити даље.</translation>
     </message>
     <message>
         <source>Play Position and let them look at the end of the avenue: four trees a second. Choose linear fog, end it at 66: 12 per cent of the contrast are left where they pop. Then switch Level of detail on, and move far out: vertices drawn, with and without. Far is a plane, so trees at the side come at the same depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пустите „Позиција” и нека студенти гледају крај алеје: четири стабла у секунди. Изаберите линеарну маглу, завршите је на 66: тамо где искачу остаје 12 процената контраста. Затим укључите „Ниво детаљности” и одмакните задњу раван: нацртана темена, са њим и без њега. Задња раван је раван, па дрвеће са стране долази на истој дубини.</translation>
     </message>
     <message>
         <source>The parallel volume</source>
-        <translation type="unfinished"></translation>
+        <translation>Паралелна запремина</translation>
     </message>
     <message>
         <source>Width and height take the place of the angles. Things are drawn equally large at every distance.</source>
-        <translation type="unfinished"></translation>
+        <translation>Место углова заузимају ширина и висина. Ствари се на сваком растојању цртају једнако велике.</translation>
     </message>
     <message>
         <source>Posts of one height, one behind the other. Change the lens to perspective and back. The box is simpler to clip against and to test, and no divide is needed: forget z. That is why the perspective volume is brought into this shape in the end. A box need not be upright: oblique is a parallelepiped.</source>
-        <translation type="unfinished"></translation>
+        <translation>Стубови једне висине, један иза другог. Промените објектив у перспективни и назад. Према квадру је једноставније одсецати и испитивати, и дељење није потребно: заборавите z. Зато се перспективна запремина на крају доводи у тај облик. Не мора бити квадар: код косе пројекције то је паралелепипед.</translation>
     </message>
     <message>
         <source>A camera at (4, 2, 0)</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера у (4, 2, 0)</translation>
     </message>
     <message>
         <source>It looks along {0}. To put it at the origin, looking along {1}, move the world by {2}, then rotate it about {3} by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Гледа дуж {0}. Да дође у координатни почетак и гледа дуж {1}, померите свет за {2}, па га заротирајте око {3} за {4}.</translation>
     </message>
     <message>
         <source>Which is this camera&apos;s {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Које је {0} ове камере?</translation>
     </message>
     <message>
         <source>That would be the {0} of a camera that looks along {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>То би било {0} камере која гледа дуж {1}.</translation>
     </message>
     <message>
         <source>{0} is opposite to the view direction: the third row begins with −1.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је супротно смеру погледа: трећа врста почиње са −1.</translation>
     </message>
     <message>
         <source>The camera stays, the world is moved the opposite way: inverse transformations. The F has been put in front of the camera. In Matrices, view from world, press its factors open: rotation times translation, the translation at the right, so it acts first. On View of the strip the eye is the origin. Vote on w before you show it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера стоји, а свет се помера супротно: инверзне трансформације. Слово F је стављено испред камере. У панелу „Матрице”, код „камера ← свет”, отворите чиниоце: ротација пута транслација, транслација десно, па делује прва. На станици „Камера” траке камера је у координатном почетку. Гласајте о w пре него што га покажете.</translation>
     </message>
     <message>
         <source>u, v, w</source>
-        <translation type="unfinished"></translation>
+        <translation>u, v, w</translation>
     </message>
     <message>
         <source>{0}, {1} is {2} without its component along {3}, normalised, and {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} је {2} без своје компоненте дуж {3}, нормирано, а {4}.</translation>
     </message>
     <message>
         <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>„Координатни систем камере” гради га корак по корак: w, u, v. Програм прво узима u као up × w, па v као w × u; то је исто v као у предавању: up минус његова пројекција на w, нормирано. R има u, v, w као колоне; камера се помера инверзом, а то је транспонована матрица: u, v, w као врсте.</translation>
     </message>
     <message>
         <source>A, B, C and the canonical pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>A, B, C и стандардна пирамида</translation>
     </message>
     <message>
         <source>{0}, {1}, {2} go to {3}, {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}, {2} иду у {3}, {4}, {5}.</translation>
     </message>
     <message>
         <source>{0}, {1}: where is near in the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}: где је предња раван у пирамиди?</translation>
     </message>
     <message>
         <source>z = −1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −1</translation>
     </message>
     <message>
         <source>z = −0.1</source>
-        <translation type="unfinished"></translation>
+        <translation>z = −0.1</translation>
     </message>
     <message>
         <source>z = 0</source>
-        <translation type="unfinished"></translation>
+        <translation>z = 0</translation>
     </message>
     <message>
         <source>Then it would be in the eye. It comes to 0 in the next step, in the box.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тада би била у позицији камере. У 0 долази у следећем кораку, у квадру.</translation>
     </message>
     <message>
         <source>All is divided by {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Све се дели са {0}.</translation>
     </message>
     <message>
         <source>An affine transformation is fixed by four points: P, A, B, C. Here f = 10, {0} is 0.8 and {1} is 0.45, so B is 8 to the side and C 4.5 up. {2} = scale, rotation, translation: move P to the origin, turn u, v, w onto x, y, z, divide by f tan, f tan, f. The slide has the scale alone, for the view matrix has turned and moved before. Vote on the near plane, then the pyramid comes: distances along every ray from P are divided by f, too. Show the formulas in Matrices.</source>
-        <translation type="unfinished"></translation>
+        <translation>Афину трансформацију одређују четири тачке: P, A, B, C. Овде је f = 10, {0} је 0.8, а {1} је 0.45, па је B 8 у страну, а C 4.5 нагоре. {2} = скалирање, ротација, транслација: померите P у координатни почетак, окрените u, v, w на x, y, z, поделите са f tan, f tan, f. На слајду је само скалирање, јер је матрица погледа пре тога окренула и померила. Гласајте о предњој равни, па долази пирамида: и растојања дуж сваког зрака из P деле се са f. Покажите формуле у панелу „Матрице”.</translation>
     </message>
     <message>
         <source>From pyramid to box to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Од пирамиде преко квадра до коцке</translation>
     </message>
     <message>
         <source>{0} opens the pyramid between {1} and {2}, {3} brings {4} to {5}: {6}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} отвара пирамиду између {1} и {2}, {3} доводи {4} у {5}: {6}.</translation>
     </message>
     <message>
         <source>Drag the strip slowly from Pyramid to Box: the rays to the origin turn into parallels to z, the order of depths is kept, straight lines stay straight. Check a corner: (-c, -c, c) goes to (1, 1, 0). Then NDC: {0} for OpenGL. Here w is 1 at far. Matrices multiplies by f, so that w is the distance and the product is the usual projection matrix; the picture is the same. Now clipping is against x, y, z = 1 and -1, for every camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Полако вуците траку од станице „Пирамида” до станице „Квадар”: зраци ка координатном почетку постају паралелни са z, редослед дубина је сачуван, праве остају праве. Проверите једно теме: (-c, -c, c) иде у (1, 1, 0). Затим NDC: {0} за OpenGL. Овде је w једнако 1 на задњој равни. „Матрице” множе са f, тако да је w растојање, а производ уобичајена матрица пројекције; слика је иста. Сада се одсеца према x, y, z = 1 и -1, за сваку камеру.</translation>
     </message>
 </context>
 <context>
     <name>talk-002</name>
     <message>
         <source>Projections, from the box to the shadow</source>
-        <translation type="unfinished"></translation>
+        <translation>Пројекције, од квадра до сенке</translation>
     </message>
     <message>
         <source>Planar projections</source>
-        <translation type="unfinished"></translation>
+        <translation>Равнинске пројекције</translation>
     </message>
     <message>
         <source>A planar geometric projection takes points of space to a plane along straight lines. The lines are parallel, or they meet in one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Равнинска геометријска пројекција преноси тачке простора на раван дуж правих. Праве су паралелне, или се секу у једној тачки.</translation>
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометријска, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>
-        <translation type="unfinished"></translation>
+        <translation>Ортографска: изоставите z</translation>
     </message>
     <message>
         <source>{0}. The screen is not infinite, so a clipping box bounds what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Екран није бесконачан, па квадар одсецања ограничава оно што се црта.</translation>
     </message>
     <message>
         <source>Of two equally high posts one is twice as far away as the other. How high does a box draw the far one, relative to the near one?</source>
-        <translation type="unfinished"></translation>
+        <translation>Од два једнако висока стуба један је двапут даље од другог. Колико високо квадар црта даљи, у односу на ближи?</translation>
     </message>
     <message>
         <source>1, equally high</source>
-        <translation type="unfinished"></translation>
+        <translation>1, једнако високо</translation>
     </message>
     <message>
         <source>0.5, half as high</source>
-        <translation type="unfinished"></translation>
+        <translation>0.5, упола ниже</translation>
     </message>
     <message>
         <source>The projectors are parallel: x and y do not depend on z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зраци пројекције су паралелни: x и y не зависе од z.</translation>
     </message>
     <message>
         <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Почните са квадром и именујте његових шест равни: лева, десна, горња, доња, предња, задња. Вратите се једном на пирамиду помоћу „Запремина погледа” у сцени, и нека студенти кажу које тест тачке долазе, а које одлазе: B има места у квадру, C нема. Затим питање, дизањем руку. Стубови се цртају једнако високи; бројеви кажу који је који. Промените „Предња раван” и „Задња раван”: мења се оно што се одсеца, а ниједна величина.</translation>
     </message>
     <message>
         <source>Normalised: the matrix of the box</source>
-        <translation type="unfinished"></translation>
+        <translation>Нормализовано: матрица квадра</translation>
     </message>
     <message>
         <source>The clipping box becomes {0}. z is kept, because it decides what hides what.</source>
-        <translation type="unfinished"></translation>
+        <translation>Квадар одсецања постаје {0}. z се задржава, јер одлучује шта шта заклања.</translation>
     </message>
     <message>
         <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Напишите {0} на табли: померите средину у 0, па скалирајте. У панелу „Матрице” пребаците „Поља” на „Формуле”: производ има оба члана. {1} и {2} су у овом предавању негативни, а z&apos; је на предњој равни 1. Где је средина квадра? У {3}, па је слово F лево од средине. Тачке на екран долазе са {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
-        <translation type="unfinished"></translation>
+        <translation>Коси зраци пројекције: H</translation>
     </message>
     <message>
         <source>{0}. From the side it is the same with {1} and {2}: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. Са стране је исто, са {1} и {2}: {3}.</translation>
     </message>
     <message>
         <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation type="unfinished"></translation>
+        <translation>Одозго: камера је лево, предња раван је линија на 5, а танке линије су зраци пројекције. Теме у x црта се у x&apos;. Паралелни су, али предњу раван секу под {0}: јединица иза ње пада за јединицу даље дуж u. То ради смицање, H; тачке предње равни остају. Мењајте α: на 90° зраци су управни на предњу раван. На 90° за оба угла H је 1, а цртеж ортографски.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
-        <translation type="unfinished"></translation>
+        <translation>Исправљени коси паралелепипед</translation>
     </message>
     <message>
         <source>{0} makes the clipping box straight and shears the object; its image stays. The rest is known: {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} исправља запремину одсецања, а објекат смиче; његова слика остаје. Остало је познато: {1}.</translation>
     </message>
     <message>
         <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
-        <translation type="unfinished"></translation>
+        <translation>Зраци пројекције цртежа кавалјер секу слику под 45°. Под којим углом је секу зраци цртежа кабинет, размера 1/2?</translation>
     </message>
     <message>
         <source>The cotangent of the angle is the scale: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Котангенс угла је размера: {0}.</translation>
     </message>
     <message>
         <source>World from above has the slanted box with a cube in it. After H and {0} the box is the NDC cube, and the object is sheared. Which faces keep their shape? Those parallel to the picture. Then vote, and show. Open Matrices: H, {1} and their product stand side by side. Read from right to left: H first, which knows the slant alone, then {2}, which knows the box alone. In OpenGL it is glOrtho and one more matrix, multiplied from the right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свет одозго има коси паралелепипед са коцком у њему. После H и {0} паралелепипед је NDC коцка, а објекат је смакнут. Које стране задржавају облик? Оне паралелне слици. Затим гласајте, и покажите. Отворите „Матрице”: H, {1} и њихов производ стоје један поред другог. Читајте здесна налево: прво H, која познаје само косину, па {2}, која познаје само квадар. У OpenGL то је glOrtho и још једна матрица, помножена здесна.</translation>
     </message>
     <message>
         <source>Homogeneous coordinates</source>
-        <translation type="unfinished"></translation>
+        <translation>Хомогене координате</translation>
     </message>
     <message>
         <source>{0} is the point {1}. With {2} it is not a point of space but a point at infinity.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је тачка {1}. Са {2} то није тачка простора, него бесконачно далека тачка.</translation>
     </message>
     <message>
         <source>Until now w was 1 all the time. One point of space has infinitely many rows {0}: a line through the origin. Drag t towards 1: P runs along its edge, w goes to 0, and its image comes to rest in {1}. At 1 there is no longer a point of space, but there is still an image. Go on beyond 1: P comes from the other side. This is what makes perspective a matrix.</source>
-        <translation type="unfinished"></translation>
+        <translation>Досад је w све време било 1. Једна тачка простора има бесконачно много врста {0}: праву кроз координатни почетак. Превуците t ка 1: P иде дуж своје ивице, w тежи 0, а њена слика се смирује у {1}. На 1 више нема тачке простора, али слика и даље постоји. Идите преко 1: P долази са друге стране. То је оно што перспективу чини матрицом.</translation>
     </message>
     <message>
         <source>Camera obscura, and ours</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера опскура, и наша</translation>
     </message>
     <message>
         <source>The film is behind a hole, so the image is upside down. We put the plane in front of the centre of projection.</source>
-        <translation type="unfinished"></translation>
+        <translation>Филм је иза рупе, па је слика наопачке. Ми раван стављамо испред центра пројекције.</translation>
     </message>
     <message>
         <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пратите праву од врха слова F кроз рупу: она стиже на филм доле. Права камера тамо има сочиво, а геометрија је иста. Наша има раван испред центра: иста величина, усправно. Померајте филм: висина иде са њим. Прочитајте обе висине испод контрола сцене: једнаке су до на предзнак.</translation>
     </message>
     <message>
         <source>Onto the plane {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>На раван {0}</translation>
     </message>
     <message>
         <source>{0} with {1}: two triangles share the corner at the eye. As a row: {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} са {1}: два троугла деле теме код камере. Као врста: {2}.</translation>
     </message>
     <message>
         <source>The two triangles of the side view: eye to the plane, eye to P. Both heights over both lengths. The lecture writes {0} for {1}, from above; from the side it is {2}. The plane is drawn with its distance d; here {3}, so {4} is positive in front. A 3 by 3 matrix cannot divide by z. Four coordinates can: the last row writes {5} into w, and the dividing comes afterwards. Move d behind the eye: camera obscura again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Два троугла погледа са стране: од камере до равни, од камере до P. Обе висине поделите обема дужинама. Предавање пише {0} за {1}, одозго; са стране је то {2}. Раван је нацртана са својим растојањем d; овде је {3}, па је {4} испред позитивно. Матрица 3 пута 3 не може да дели са z. Четири координате могу: последња врста уписује {5} у w, а дељење долази после. Померите d иза камере: опет камера опскура.</translation>
     </message>
     <message>
         <source>Frustum to cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Од зарубљене пирамиде до коцке</translation>
     </message>
     <message>
         <source>The visible part of space is now a frustum. It must become the same cube as before.</source>
-        <translation type="unfinished"></translation>
+        <translation>Видљиви део простора сада је зарубљена пирамида. Мора постати иста коцка као пре.</translation>
     </message>
     <message>
         <source>The trick of the box once more: make it the cube, then leave z out. Let the strip run, slowly, from View over Pyramid and Box to NDC, and back. Ask what has become of straight lines: they are straight at every place of the strip. What has become of the F? The part nearer to the eye has grown. For x and y that is easily said: after dividing, the window is scaled to −1 to 1. z is the problem.</source>
-        <translation type="unfinished"></translation>
+        <translation>Још једном трик са квадром: направите од ње коцку, па изоставите z. Пустите траку да полако иде од станице „Камера” преко станица „Пирамида” и „Квадар” до NDC, и назад. Питајте шта је било са правама: остају праве на сваком месту траке. А са словом F? Део ближи камери је порастао. За x и y се то лако каже: после дељења прозор се скалира на −1 до 1. Невоља је z.</translation>
     </message>
     <message>
         <source>What becomes of z?</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта бива са z?</translation>
     </message>
     <message>
         <source>x and y are divided by z. May we simply keep z, only scaled and shifted?</source>
-        <translation type="unfinished"></translation>
+        <translation>x и y се деле са z. Смемо ли z једноставно да задржимо, само скалирано и померено?</translation>
     </message>
     <message>
         <source>x and y are divided, {0}. What is PQ in the cube?</source>
-        <translation type="unfinished"></translation>
+        <translation>x и y се деле, {0}. Шта је PQ у коцки?</translation>
     </message>
     <message>
         <source>Straight: every step keeps lines</source>
-        <translation type="unfinished"></translation>
+        <translation>Права дуж: сваки корак чува праве</translation>
     </message>
     <message>
         <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation type="unfinished"></translation>
+        <translation>x и y се деле са z, а z&apos; не: тај корак не чува праве. Погледајте лук између P и Q.</translation>
     </message>
     <message>
         <source>Bent</source>
-        <translation type="unfinished"></translation>
+        <translation>Савијена дуж</translation>
     </message>
     <message>
         <source>Only with {0} do all three change with 1/z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Само са {0} све три се мењају са 1/z.</translation>
     </message>
     <message>
         <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нека гласају пре него што се види коцка. Затим покажите: лук, његову тетиву, и одступање у процентима дужине. Права поред њега је A + B/z. Превуците P ка камери, и лук расте. Зашто је то важно? Оно што лежи између крајева интерполира се, и праве се одсецају као праве. Са B &lt; 0 редослед дубина је сачуван у предзнацима овог предавања. Предња раван је 1, задња −1: две једначине за A и B.</translation>
     </message>
     <message>
         <source>The matrix of perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица перспективе</translation>
     </message>
     <message>
         <source>{0}, and the last row is {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, а последња врста је {1}.</translation>
     </message>
     <message>
         <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} је линеарно: матрица. Зато чува праве. У панелу „Матрице” погледајте „одсецање ← камера” са избором „Формуле”: у овим словима w је z, негативно испред камере. Матрица у OpenGL је ова пута −1, са обрнутим z&apos;, јер су тамо равни позитивна растојања. Бројеви: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
-        <translation type="unfinished"></translation>
+        <translation>Прозор ван осе</translation>
     </message>
     <message>
         <source>The window is not in the middle: {0} makes the slanted frustum straight first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прозор није у средини: {0} прво исправља накошену зарубљену пирамиду.</translation>
     </message>
     <message>
         <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зид од екрана, или камера поред средине свог екрана. Превуците „Камера десно од средине”: слика на прозору остаје исправна из те позиције. Опет H, са котангенсима од средине прозора. Омашка у предавању: са w = z трећа колона има минус, {0}. Проверите на тачки у средини прозора, која мора доћи у x&apos; = 0. glFrustum прима шест бројева, gluPerspective четири.</translation>
     </message>
     <message>
         <source>Field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Видно поље</translation>
     </message>
     <message>
         <source>30° is a common angle. A wide angle draws near things much larger than far ones; a narrow angle is close to an orthographic picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>30° је уобичајен угао. Широк угао црта ближе ствари много веће од даљих; узак је близак ортографској слици.</translation>
     </message>
     <message>
         <source>Three cameras, each as far away as it must be for the same size of the F: 95°, 30°, 7.5°. The first is what the lecture calls fish-eye, the last is nearly orthographic: look at the upright edges and at the top. Sizes are proportional to the tangent of half the angle. The angle alone only enlarges; the distance changes the perspective.</source>
-        <translation type="unfinished"></translation>
+        <translation>Три камере, свака онолико далеко колико мора за исту величину слова F: 95°, 30°, 7.5°. Прва је оно што предавање зове рибље око, последња је скоро ортографска: погледајте усправне ивице и врх. Величине су сразмерне тангенсу половине угла. Сам угао само увећава; растојање мења перспективу.</translation>
     </message>
     <message>
         <source>Divide, then pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>Поделите, па у пикселе</translation>
     </message>
     <message>
         <source>{0}, then {1}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, па {1}</translation>
     </message>
     <message>
         <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Једна тачка кроз све фазе, ред по ред: свет, камера, одсецање, дељење, NDC, пиксели. Ширина и висина су од екрана, у пикселима; предавање пише w и h, али w је овде четврта координата. Координатни почетак екрана је горњи леви угао, отуда 1 - y. Превуците тачку 1 на слици у горњи леви угао и прочитајте њен ред NDC: −1 и 1. То је била трансформација темена; одсецање и растеризација долазе после ње.</translation>
     </message>
     <message>
         <source>Halfway in the picture</source>
-        <translation type="unfinished"></translation>
+        <translation>Пола пута на слици</translation>
     </message>
     <message>
         <source>Linear on the screen is not linear in the world: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Линеарно на екрану није линеарно у свету: {0}</translation>
     </message>
     <message>
         <source>The same board twice: once texture coordinates are interpolated as they are, once a/z and 1/z are, and then divided. Where is the middle of an edge whose ends are 2 and 8 away? A fifth of the way, seen from the near end. Colours forgive it, textures do not. Divide the board into more parts: the error goes down with their size, which is how old games hid it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Иста табла двапут: једном се координате текстуре интерполирају какве јесу, једном a/z и 1/z, па се деле. Где је средина ивице чији су крајеви на 2 и 8? На петини пута, гледано од ближег краја. Боје то опраштају, текстуре не. Поделите таблу на више делова: грешка опада са њиховом величином, а тако су је старе игре скривале.</translation>
     </message>
     <message>
         <source>What a console of 1996 saved</source>
-        <translation type="unfinished"></translation>
+        <translation>Шта је уштедела конзола из 1996</translation>
     </message>
     <message>
         <source>Whole pixels for the vertices, no divide for the texture: quick, and seen at once.</source>
-        <translation type="unfinished"></translation>
+        <translation>Цели пиксели за темена, без дељења за текстуру: брзо, и одмах се види.</translation>
     </message>
     <message>
         <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слика названа „јефтино”: темена на целим пикселима, 1/w из мале табеле, a/z замењено са a. Стрелице иду од места где темену припада да буде до места где је нацртано, 20 пута дуже. Полако окрећите камеру помоћу „Азимут”: темена скачу, а шаховница се прелама на дијагонали сваког квадрата. Друга слика је тачна. Ниједно теме не одступа више од пола пиксела у ширину и пола пиксела у висину; види се то што суседи скачу у различитим тренуцима.</translation>
     </message>
     <message>
         <source>Shadows</source>
-        <translation type="unfinished"></translation>
+        <translation>Сенке</translation>
     </message>
     <message>
         <source>A shadow is a projection from the lamp onto the ground: a matrix {0}, and {1}. Draw the object once more under it, in black.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сенка је пројекција из лампе на тло: матрица {0}, и {1}. Нацртајте објекат под њом још једном, црном бојом.</translation>
     </message>
     <message>
         <source>The lamp is the centre of projection, the ground is the plane. No depth has to be kept, so the simplest matrix will do: More numbers has S. Draw the ground, draw the object, then in black the object under S. Drag the lamp lower, then choose Sun: the projection becomes a parallel one, w = 1. Close: orthographic, oblique and perspective are all matrices in homogeneous coordinates. Next time: clipping and hidden faces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Лампа је центар пројекције, тло је раван. Дубину не треба чувати, па је довољна најједноставнија матрица: S је под „Још бројева”. Нацртајте тло, нацртајте објекат, па црном бојом објекат под S. Превуците лампу ниже, затим изаберите „Сунце”: пројекција постаје паралелна, w = 1. За крај: ортографска, коса и перспективна све су матрице у хомогеним координатама. Следећи пут: одсецање и скривене стране.</translation>
     </message>
 </context>
 <context>
     <name>talk-003</name>
     <message>
         <source>Coordinate systems and transformations</source>
-        <translation type="unfinished"></translation>
+        <translation>Координатни системи и трансформације</translation>
     </message>
     <message>
         <source>Three spaces</source>
-        <translation type="unfinished"></translation>
+        <translation>Три простора</translation>
     </message>
     <message>
         <source>Object space is where a thing is made, world space where it is placed, camera space where it is seen from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Координатни систем објекта је где се предмет прави, координатни систем света где се распоређује, а координатни систем камере одакле се посматра.</translation>
     </message>
     <message>
         <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свет: средина решетке је координатни почетак света; мале осе код слова F су његове сопствене, померене за 3 дуж x и за -1 дуж z, и окренуте око y; u, v, n код камере припадају камери. Свако од три питања, прављење, распоређивање, посматрање, има свој координатни систем, да би се на свако могло одговорити без осталих. Сва три су десна. Ухватите слово F за његов координатни почетак и померите га.</translation>
     </message>
     <message>
         <source>Columns are axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Колоне су осе</translation>
     </message>
     <message>
         <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
-        <translation type="unfinished"></translation>
+        <translation>Колоне 1 до 3 матрице {0} су осе објекта како их види свет; колона 4 је његов координатни почетак:</translation>
     </message>
     <message>
         <source>The object is turned by 90° about z, then moved by 3 along x. How high in y is its point (1, 0, 0) then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Објекат је окренут за 90° око z, па померен за 3 дуж x. Колико је тада по y висока његова тачка (1, 0, 0)?</translation>
     </message>
     <message>
         <source>The move does not raise it, but the rotation takes x to y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Помак је не подиже, али ротација преводи x у y.</translation>
     </message>
     <message>
         <source>Column 1 is (0, 1, 0), column 4 is (3, 0, 0), and together they are (3, 1, 0).</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 је (0, 1, 0), колона 4 је (3, 0, 0), а заједно су (3, 1, 0).</translation>
     </message>
     <message>
         <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
-        <translation type="unfinished"></translation>
+        <translation>Врста x производа је збир са табле: колико свака оса објекта досеже дуж осе x света, пута координата. Читана по колонама каже више: колона 1 је куда показује оса x објекта. После гласања отворите „Матрице” и прођите колоне матрице „свет ← објекат”; у приказу „Свет” засветли оса. Затим окрените објекат ручно, за његов прстен.</translation>
     </message>
     <message>
         <source>From the object to the camera</source>
+        <translation>Од објекта до камере</translation>
+    </message>
+    <message>
+        <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} is built the same way: its columns are the axes of the world as the camera sees them.</source>
+        <source>Exchange the two matrices: {0}. Where is the letter then?</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from World to View: everything moves, nothing changes its place against the rest. Its rows are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Both matrices are multiplied once, not for every vertex.</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In the same place, but seen from elsewhere</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>Одсецање, дељење, NDC</translation>
     </message>
     <message>
         <source>First multiply by {0}, then divide by {1}. Probe 1 is at {2} in camera space, and {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво помножите са {0}, па поделите са {1}. Сонда 1 је у {2} у координатном систему камере, и {3}.</translation>
     </message>
     <message>
         <source>x</source>
-        <translation type="unfinished"></translation>
+        <translation>x</translation>
     </message>
     <message>
         <source>y</source>
-        <translation type="unfinished"></translation>
+        <translation>y</translation>
     </message>
     <message>
         <source>z</source>
-        <translation type="unfinished"></translation>
+        <translation>z</translation>
     </message>
     <message>
         <source>w</source>
-        <translation type="unfinished"></translation>
+        <translation>w</translation>
     </message>
     <message>
         <source>clip</source>
-        <translation type="unfinished"></translation>
+        <translation>одсецање</translation>
     </message>
     <message>
         <source>NDC</source>
-        <translation type="unfinished"></translation>
+        <translation>NDC</translation>
     </message>
     <message>
         <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
-        <translation type="unfinished"></translation>
+        <translation>Два корака: матрица, и дељење које ниједна матрица не може. w је 5, дубина тачке. Табела је из панела „Сонда”; у NDC је тачка у коцки. Материјал коцку назива простором одсецања; овде је „одсецање” оно што је пре дељења. z коцке иде од читаоца: NDC је леви систем, а систем камере десни. Превуците сонду 1 у приказу „Слика”.</translation>
     </message>
     <message>
         <source>The view frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Видљив простор</translation>
     </message>
     <message>
         <source>Six numbers: near and far, and left, right, bottom and top of the window on the near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Шест бројева: предња и задња раван, и лево, десно, доле и горе за прозор на предњој равни.</translation>
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свет: пирамида без врха. Што је унутра, црта се, и све то иде у коцку. Превуците предњу раван, задњу раван и један угао за њихове ручице. Овде је прозор симетричан, и његова четири броја долазе од једног угла и размере слике: то је следећи корак.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>
-        <translation type="unfinished"></translation>
+        <translation>Видна поља и e</translation>
     </message>
     <message>
         <source>At {0} the picture reaches {1} in x and {2} in y, {3}; at near {4}, {5}.</source>
-        <translation type="unfinished"></translation>
+        <translation>На {0} слика досеже {1} по x и {2} по y, {3}; на предњој равни {4}, {5}.</translation>
     </message>
     <message>
         <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation type="unfinished"></translation>
+        <translation>β је сада 60°, а слика 16:9. Колико је α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>
-        <translation type="unfinished"></translation>
+        <translation>tan(α/2) = 16/9 · tan 30° = 1.026</translation>
     </message>
     <message>
         <source>Draw the triangle eye, axis, edge: half the angle is in it. World is seen from above, with half of α at the eye. After the vote: 91.5°, not 106.7°. The tangents of the half angles are in the ratio 16 to 9, not the angles. The wider, the worse: type 120°, multiplied it would be 213°. More of the lens has Focal length e and the focal length of a 35-mm camera. β is not α, unless the picture is square.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нацртајте троугао камера, оса, ивица: у њему је половина угла. Свет се види одозго, са половином угла α код камере. После гласања: 91.5°, а не 106.7°. У односу 16 према 9 су тангенси половина углова, а не углови. Што шире, то горе: унесите 120°, помножено то би било 213°. „Још о објективу” има „Жижна даљина e” и жижну даљину фотоапарата за филм од 35 mm. β није α, осим ако је слика квадратна.</translation>
     </message>
     <message>
         <source>Onto the near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>На предњу раван</translation>
     </message>
     <message>
         <source>By similar triangles, with the plane at {0}:</source>
-        <translation type="unfinished"></translation>
+        <translation>По сличности троуглова, са равни на {0}:</translation>
     </message>
     <message>
         <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свет са стране: раван је предња раван, d = n = 2. P је на дубини 5 и висини 2, P&apos; је на висини 0.8. Обе координате иду са 1/(-z), па је {0}, дужина испод слике, а последња врста је 0 0 -1 0. Минус је ту јер оно што се види има негативно z. Одозго је исто за x.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
-        <translation type="unfinished"></translation>
+        <translation>[l, r] и [b, t]</translation>
     </message>
     <message>
         <source>{0}, and likewise for y with b and t.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, и исто тако за y са b и t.</translation>
     </message>
     <message>
         <source>Check the ends: {0} gives {1}, {2} gives 1. In the proportion of the handout read {3} and (t - b). Probe 1 is straight ahead, x = 0; only the second fraction is left, and with l = -1, r = 3 it puts it at -0.5. The plus is right: it is multiplied by z, which is negative. Drag Left and Right.</source>
-        <translation type="unfinished"></translation>
+        <translation>Проверите крајеве: {0} даје {1}, {2} даје 1. У пропорцији из материјала читајте {3} и (t - b). Сонда 1 је право испред, x = 0; остаје само други разломак, и са l = -1, r = 3 он је доводи у -0.5. Плус је исправан: множи се са z, које је негативно. Превуците „Лево” и „Десно”.</translation>
     </message>
     <message>
         <source>A and B</source>
-        <translation type="unfinished"></translation>
+        <translation>A и B</translation>
     </message>
     <message>
         <source>z does not depend on x and y: {0}, {1} at near and {2} at far:</source>
-        <translation type="unfinished"></translation>
+        <translation>z не зависи од x и y: {0}, {1} на предњој равни и {2} на задњој:</translation>
     </message>
     <message>
         <source>Near is 1, far is 9. A point is 5 deep, halfway between them. Where is it in the cube, as {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван је 1, а задња 9. Тачка је на дубини 5, на пола пута између њих. Где је у коцки, као {0}?</translation>
     </message>
     <message>
         <source>This spreads the depth evenly between near and far. Look at the F in the cube: most of the depth lies close to far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је дубина равномерно распоређена између предње и задње равни. Погледајте слово F у коцки: већина дубине лежи близу задње равни.</translation>
     </message>
     <message>
         <source>This is {0}, before the division by {1}. Look at the point: it lies inside the cube, so {2} is at most 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је {0}, пре дељења са {1}. Погледајте тачку: лежи унутар коцке, па је {2} највише 1.</translation>
     </message>
     <message>
         <source>{0}, {1}, and {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}, и {2}.</translation>
     </message>
     <message>
         <source>Solve for A and B with the two conditions. Why not just scale? Because then lines would be bent; the reason that the lecture gives is the next part: 1/z is what is linear on the screen. The vote: most say 0, the middle. Show the crowding: half of the cube is used up at 2nf/(n + f) = 1.8.</source>
-        <translation type="unfinished"></translation>
+        <translation>Решите по A и B помоћу два услова. Зашто не само скалирати? Зато што би се праве тада савиле; разлог који даје предавање је следећи део: на екрану је линеарно 1/z. Гласање: већина каже 0, средина. Покажите гомилање: половина коцке се потроши до 2nf/(n + f) = 1.8.</translation>
     </message>
     <message>
         <source>The matrix of glFrustum</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица glFrustum</translation>
     </message>
     <message>
         <source>Rows 1 and 2 come from the window, row 3 from {0} and {1}; row 4 divides. Framed is what {2} changes.</source>
-        <translation type="unfinished"></translation>
+        <translation>Врсте 1 и 2 долазе од прозора, врста 3 од {0} и {1}; врста 4 дели. Уоквирено је оно што мења {2}.</translation>
     </message>
     <message>
         <source>All of it has been derived: rows 1 and 2 from the window, row 3 from A and B, row 4 from the division. With the numbers here row 1 is 1, 0, 0.5, 0. For a symmetric window the two shears are 0, and 2n/(r - l) is e.</source>
-        <translation type="unfinished"></translation>
+        <translation>Све је изведено: врсте 1 и 2 од прозора, врста 3 од A и B, врста 4 од дељења. Са овдашњим бројевима врста 1 је 1, 0, 0.5, 0. За симетричан прозор два смицања су 0, а 2n/(r - l) је e.</translation>
     </message>
     <message>
         <source>1/z is linear on the screen</source>
-        <translation type="unfinished"></translation>
+        <translation>1/z је на екрану линеарно</translation>
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation type="unfinished"></translation>
+        <translation>Ивица иде од дубине {0} до {1}. Њена тачка на делу {2} пута на екрану, овде {3}, има дубину {4}:</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слика: пола пута дуж обележене ивице на екрану и пола пута дуж ње у свету два су места. Прво је само на 30 % пута од ближег краја. На табли: дубине 2 и 8, t = 1/2, па је 1/z = (1/2 + 1/8)/2 и z = 3.2, а не 5. Зашто: права {0} и зрак кроз {1} секу се где је {2}. p и 1/z стоје у линеарној једначини, и то је све.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
-        <translation type="unfinished"></translation>
+        <translation>Атрибути: a/z</translation>
     </message>
     <message>
         <source>Colours and texture coordinates are linear along the edge in space, so {0} is linear on the screen too:</source>
-        <translation type="unfinished"></translation>
+        <translation>Боје и координате текстуре су дуж ивице у простору линеарне, па је и {0} на екрану линеарно:</translation>
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation type="unfinished"></translation>
+        <translation>Афино: текстура се прелама дуж дијагонале, где се два троугла сусрећу. Исправно: интерполирају се a/z и 1/z, па се у сваком пикселу деле. Са дубинама 2 и 8 и a од 0 до 1, средина има a = 0.2, а не 0.5. Мењајте „Азимут”: гледано право спреда, оба су једнака. „Делова по страници” чини грешку мањом, а не нулом.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
-        <translation type="unfinished"></translation>
+        <translation>Ортографски квадар</translation>
     </message>
     <message>
         <source>A box becomes a cube without a division: scale by {0} and {1}, and move the middle to 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Квадар постаје коцка без дељења: скалирајте са {0} и {1}, и померите средину у 0.</translation>
     </message>
     <message>
         <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
-        <translation type="unfinished"></translation>
+        <translation>Квадар је на свакој дубини једнако широк: w је 1. Прво поље у материјалу има 2n/(r - l), што је омашка: овде се ништа не доводи на предњу раван, па n нема. Помаци сада стоје у колони 4, а не у колони 3, јер се не множе са z. Упоредите са матрицом зарубљене пирамиде, у кораку 10.</translation>
     </message>
     <message>
         <source>To pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>До пиксела</translation>
     </message>
     <message>
         <source>{0} and, as rows count down, {1}. Probe 1: {2} to {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и, пошто се редови броје надоле, {1}. Сонда 1: {2} у {3}.</translation>
     </message>
     <message>
         <source>The same probe as before, now to the end: 1280 by 720, origin at the upper left. Ask for the corners of the cube: (-1, 1) is (0, 0), (1, -1) is (1280, 720). y turns over here and nowhere else. Sum up the chain: object, world, camera, clip, NDC, pixels; Probe in the drawer has all of it for one point.</source>
-        <translation type="unfinished"></translation>
+        <translation>Иста сонда као пре, сада до краја: 1280 пута 720, координатни почетак горе лево. Питајте за углове коцке: (-1, 1) је (0, 0), (1, -1) је (1280, 720). y се преокреће овде и нигде другде. Сажмите ланац: објекат, свет, камера, одсецање, NDC, пиксели; „Сонда” доле има све то за једну тачку.</translation>
     </message>
 </context>
 <context>
     <name>talk-004</name>
     <message>
         <source>A camera for the letter F</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера за слово F</translation>
     </message>
     <message>
         <source>The camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Осе камере</translation>
     </message>
     <message>
         <source>{0}, {1} is the origin, {2}. What is {3}?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1} је координатни почетак, {2}. Колико је {3}?</translation>
     </message>
     <message>
         <source>1: {0} is up, so {1} is up</source>
-        <translation type="unfinished"></translation>
+        <translation>1: {0} је нагоре, па је и {1} нагоре</translation>
     </message>
     <message>
         <source>{0} and {1}, so {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} и {1}, па је {2}.</translation>
     </message>
     <message>
         <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Градите га корак по корак у панелу „Координатни систем камере”: позиција камере и циљ, па N, n, U, u, v. N показује уназад, од циља ка позицији камере: камера гледа дуж {0}. Три јединична вектора, сваки под правим углом према осталима, десни систем. Станите пре v и нека гласају: n је (0, 9, 3) кроз своју дужину, 9.49. Затим покажите v: нагиње се далеко од V. А ако је V паралелно са N? Померајте „Нагоре од погледа” ка крају клизача: |V × n| тежи 0, а са њим и U.</translation>
     </message>
     <message>
         <source>The camera in the world</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера у свету</translation>
     </message>
     <message>
         <source>The camera is at {0}, and has {1}. It is to stand in the origin, with them along {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера је у {0}, и има {1}. Треба да стоји у координатном почетку, са њима дуж {2}.</translation>
     </message>
     <message>
         <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y и z припадају свету и стоје у следећа два корака; u, v и n припадају камери. Питајте која два покрета их доводе заједно, и којим редом.</translation>
     </message>
     <message>
         <source>First P</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво P</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and the whole scene with it. Nothing turns: {1} keep their directions.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} помера позицију камере у координатни почетак, а са њом и целу сцену. Ништа се не окреће: {1} задржавају своје смерове.</translation>
     </message>
     <message>
         <source>Go on, and watch the camera come to the axes; back on the strip and once more. Nothing changes its shape, and nothing its place against the rest.</source>
-        <translation type="unfinished"></translation>
+        <translation>Идите даље и гледајте како камера долази на осе; траком назад, и још једном. Ништа не мења облик, нити свој положај према осталом.</translation>
     </message>
     <message>
         <source>Then R</source>
-        <translation type="unfinished"></translation>
+        <translation>Затим R</translation>
     </message>
     <message>
         <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ротира око координатног почетка док {1} не легну дуж {2}, у предавању {3}.</translation>
     </message>
     <message>
         <source>The camera looks along {0} now. R is hard to write down; its inverse is easy: the columns of {1} are u, v, n. R is orthogonal, so its inverse is its transpose, and its rows are u, v, n. Unfold the factors of view ← world: rotation and translation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера сада гледа дуж {0}. R је тешко написати; њен инверз је лак: колоне од {1} су u, v, n. R је ортогонална, па је њен инверз транспонована матрица, и њене врсте су u, v, n. Расклопите чиниоце код „камера ← свет”: ротација и транслација.</translation>
     </message>
     <message>
         <source>R times P</source>
-        <translation type="unfinished"></translation>
+        <translation>R пута P</translation>
     </message>
     <message>
         <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, из система света (GKS) у систем камере (KSK); {1} делује прва.</translation>
     </message>
     <message>
         <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, {1}. Који број стоји у врсти 3 последње колоне матрице {2}?</translation>
     </message>
     <message>
         <source>−8: the eye&apos;s z with a minus</source>
-        <translation type="unfinished"></translation>
+        <translation>−8: z позиције камере са минусом</translation>
     </message>
     <message>
         <source>8: the eye&apos;s z</source>
-        <translation type="unfinished"></translation>
+        <translation>8: z позиције камере</translation>
     </message>
     <message>
         <source>{0}. {1} acts first, so {2} rotates the translation, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}. {1} делује прва, па {2} ротира и транслацију.</translation>
     </message>
     <message>
         <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Измножите на табли: последња колона је минус позиција камере дуж u, v и n. Обрнутим редом последња колона била би минус позиција камере. Померају се сви објекти, а камера после тога стоји; како су они међусобно распоређени, то се не мења. GKS је систем света, KSK систем камере.</translation>
     </message>
     <message>
         <source>Why transform at all?</source>
-        <translation type="unfinished"></translation>
+        <translation>Чему уопште трансформација?</translation>
     </message>
     <message>
         <source>A point behind the camera has {0}. A nearer point has a larger (less negative) z. Here point 1 has −7.5, point 2 has −12, point 3 has 2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка иза камере има {0}. Ближа тачка има веће (мање негативно) z. Овде тачка 1 има −7.5, тачка 2 има −12, тачка 3 има 2.</translation>
     </message>
     <message>
         <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
-        <translation type="unfinished"></translation>
+        <translation>Три тачке, и њихово z у систему камере (има их панел „Сонда”). Која је иза камере? Која коју заклања? По једно поређење за свако питање. У координатама света за иста питања сваки пут треба камера. Раван пројектовања је сада управна на осу z, и ортогонална пројекција гласи: изоставите z. Перспектива је још једно дељење.</translation>
     </message>
     <message>
         <source>The letter F on its grid</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово F на својој решетки</translation>
     </message>
     <message>
         <source>Eight cubes on the xz plane, drawn by orthogonal projection: {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Осам коцки на равни xz, нацртано ортогоналном пројекцијом: {0}</translation>
     </message>
     <message>
         <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је класа Ortho из задатка: свака линија решетке и свака ивица коцки пролази кроз R P, а z се заборавља. Паралелне ивице остају паралелне: покажите три. Мењајте „Азимут”: слово се окреће, ништа не расте нити се смањује са растојањем. Задатак тражи само линије; овде су стране попуњене, да се види шта је испред.</translation>
     </message>
     <message>
         <source>Round the F</source>
-        <translation type="unfinished"></translation>
+        <translation>Око слова F</translation>
     </message>
     <message>
         <source>The camera circles the F. Its height changes smoothly, or in steps.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера кружи око слова F. Њена висина се мења глатко, или у скоковима.</translation>
     </message>
     <message>
         <source>Press Play in the tool bar. Open Animation in the dock: let the height of the eye swing, then go in steps, and set the lowest and highest y. In every picture R and P are computed anew from the three vectors; the F itself does not move. Ask what changes in the World pane: only the camera and its frustum.</source>
-        <translation type="unfinished"></translation>
+        <translation>Притисните „Пусти” на траци са алаткама. Отворите „Анимација” у бочном панелу: нека се висина камере њише, затим нека иде у скоковима, и поставите најмање и највеће y. На свакој слици R и P се рачунају изнова из три вектора; само слово F се не помера. Питајте шта се мења у приказу „Свет”: само камера и њена зарубљена пирамида.</translation>
     </message>
     <message>
         <source>Looking level</source>
-        <translation type="unfinished"></translation>
+        <translation>Водораван поглед</translation>
     </message>
     <message>
         <source>{0}: the camera looks level, and uprights stay parallel in the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: камера гледа водоравно, и усправне ивице на слици остају паралелне.</translation>
     </message>
     <message>
         <source>level</source>
-        <translation type="unfinished">водоравно</translation>
+        <translation>водоравно</translation>
     </message>
     <message>
         <source>looking down</source>
-        <translation type="unfinished">гледа надоле</translation>
+        <translation>гледа надоле</translation>
     </message>
     <message>
         <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
-        <translation type="unfinished"></translation>
+        <translation>У одељку „Анимација” изаберите „Поглед”: „водоравно”, и пустите: висине камере и циља иду заједно. Усправне ивице су сада усправне, на свакој висини; „Свет” показује обе камере. Вратите на „у циљ”: примичу се једна другој. Затим отворите „Још о камери” и поставите вектор нагоре на 1, 1, 0: слика се окреће, слово F не. Важан је само смер вектора V, и то само његов део управан на n.</translation>
     </message>
     <message>
         <source>Perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Перспектива</translation>
     </message>
     <message>
         <source>{0}, by the matrix with {1} in its last row.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, матрицом са {1} у последњој врсти.</translation>
     </message>
     <message>
         <source>Two similar triangles with the camera as their corner. z is negative in front, so {0} is positive. The matrix: 1, 1, 1 and −1/d; it makes {1}, and dividing by the last number gives {2}, {3} and {4}. Any multiple of the matrix does the same. Move the plane distance d: the picture on the plane grows with d.</source>
-        <translation type="unfinished"></translation>
+        <translation>Два слична троугла са теменом у камери. z је испред негативно, па је {0} позитивно. Матрица: 1, 1, 1 и −1/d; она даје {1}, а дељење последњим бројем {2}, {3} и {4}. Сваки умножак матрице чини исто. Померајте растојање равни d: слика на равни расте са d.</translation>
     </message>
     <message>
         <source>To the pixels</source>
-        <translation type="unfinished"></translation>
+        <translation>До пиксела</translation>
     </message>
     <message>
         <source>Natural coordinates to pixel coordinates: scale, then shift. {0} and {1} are the middle of the picture, 640 and 360; {2} is negative, since rows count downwards. With d = 1 and this lens {3}, and {4}. Check with point 1: view x = 1.5, z = −7.5, so {5}, and {6}. The Probe panel has it in the row image px.</source>
-        <translation type="unfinished"></translation>
+        <translation>Од природних координата до координата пиксела: скалирање, па померање. {0} и {1} су средина слике, 640 и 360; {2} је негативно, јер се редови броје надоле. Са d = 1 и овим објективом {3}, и {4}. Проверите на тачки 1: у систему камере x = 1.5, z = −7.5, па је {5}, и {6}. Панел „Сонда” има то у реду „слика px”.</translation>
     </message>
     <message>
         <source>The F in perspective</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово F у перспективи</translation>
     </message>
     <message>
         <source>These are the same lines, divided by their depth. A larger {0} only enlarges the picture.</source>
-        <translation type="unfinished"></translation>
+        <translation>То су исте линије, подељене својом дубином. Веће {0} слику само увећава.</translation>
     </message>
     <message>
         <source>d</source>
-        <translation type="unfinished"></translation>
+        <translation>d</translation>
     </message>
     <message>
         <source>2d</source>
-        <translation type="unfinished"></translation>
+        <translation>2d</translation>
     </message>
     <message>
         <source>Two pictures from the same eye: in the second one d is twice as large, and all is twice as large. In the program it is the field of view that does it: {0} from 1.73 to 3.46. Nothing moves against anything else. Then end the comparison and change Distance: now near parts grow faster than far ones. As long as the camera is on a wide enough circle, all is well.</source>
-        <translation type="unfinished"></translation>
+        <translation>Две слике из исте позиције камере: на другој је d двапут веће, и све је двапут веће. У програму то чини видно поље: {0} са 1.73 на 3.46. Ништа се не помера у односу на друго. Затим завршите поређење и промените „Растојање”: сада ближи делови расту брже од даљих. Докле год је камера на довољно широком кругу, све је у реду.</translation>
     </message>
     <message>
         <source>Too close</source>
-        <translation type="unfinished"></translation>
+        <translation>Преблизу</translation>
     </message>
     <message>
         <source>The camera comes nearer to the F, and lines appear that nobody drew.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера прилази слову F, и појављују се линије које нико није нацртао.</translation>
     </message>
     <message>
         <source>Change Distance to 8 first: a good picture. Then come nearer, slowly. As soon as an edge of the F reaches behind the camera, lines go astray. It is not the distance of the plane that does it: with d as small as you like the picture is right, as long as all is in front. The World pane shows the plane through the eye, marked z = 0. Which edges cross it?</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво промените „Растојање” на 8: добра слика. Затим прилазите, полако. Чим ивица слова F досегне иза камере, линије залутају. Не чини то растојање равни: са колико год малим d слика је исправна, докле год је све испред. Приказ „Свет” показује раван кроз позицију камере, означену са z = 0. Које је ивице секу?</translation>
     </message>
     <message>
         <source>A line broken at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Права прекинута на {0}</translation>
     </message>
     <message>
         <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
-        <translation type="unfinished"></translation>
+        <translation>Пројекција тачку на {0} шаље у бесконачност, а бесконачно далеку тачку праве у коначну тачку: слика је права у два дела.</translation>
     </message>
     <message>
         <source>In the KSK {0}, {1}, and {2}. Which {3} does the image of AB cover?</source>
-        <translation type="unfinished"></translation>
+        <translation>У KSK {0}, {1}, и {2}. Које {3} покрива слика дужи AB?</translation>
     </message>
     <message>
         <source>From 0.5 to −0.5, from one image to the other</source>
-        <translation type="unfinished"></translation>
+        <translation>Од 0.5 до −0.5, од једне слике до друге</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
-        <translation type="unfinished">Од 0.5 до бесконачности</translation>
+        <translation>Од 0.5 до бесконачности</translation>
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ка z = 0 расте без граница.</translation>
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>AB је права дуж и пролази кроз раван z = 0; половина је иза камере. Гласајте, па покажите: ружичасто је слика, наранџасто оно што црта наивни програм; испрекидан је део без слике. У пројективној геометрији права је кружница, затворена својом бесконачно далеком тачком: за то отворите „Објашњење и дијаграми”. Спајање A&apos; и B&apos; узима погрешан лук. А прамен правих кроз једну тачку? Слово F има много паралелних ивица; њихови погрешни делови сви пролазе кроз тачку недогледа тих ивица. Једна реченица предавања каже „раван пројекције” где мисли z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
-        <translation type="unfinished"></translation>
+        <translation>Четири случаја</translation>
     </message>
     <message>
         <source>If both ends are in front, draw. If both are behind, do not draw. Otherwise cut first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ако су оба краја испред, цртајте. Ако су оба иза, не цртајте. Иначе прво исеците.</translation>
     </message>
     <message>
         <source>1 in front</source>
-        <translation type="unfinished"></translation>
+        <translation>1 испред</translation>
     </message>
     <message>
         <source>2 behind</source>
-        <translation type="unfinished"></translation>
+        <translation>2 иза</translation>
     </message>
     <message>
         <source>3 A behind</source>
-        <translation type="unfinished"></translation>
+        <translation>3 A иза</translation>
     </message>
     <message>
         <source>4 B behind</source>
-        <translation type="unfinished"></translation>
+        <translation>4 B иза</translation>
     </message>
     <message>
         <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>Почиње као случај 1, оба краја испред. Превуците B иза равни z = 0: случај 4. Превуците и A иза: случај 2, ништа се не црта. B опет испред: случај 3. Број испод контрола сцене сваки пут именује случај. Програм из задатка мора да памти последњу тачку у координатама камере, као {0}, и тамо где ништа није нацртано.</translation>
     </message>
     <message>
         <source>Cut at {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>Сечење на {0}</translation>
     </message>
     <message>
         <source>{0}, and the point of the line at {1} takes the place of the end behind.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}, а место краја који је иза заузима тачка праве на {1}.</translation>
     </message>
     <message>
         <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
-        <translation type="unfinished"></translation>
+        <translation>Не на 0, где дељење не успева, него мало испред. Три слике: подељено без сечења, исечено на z = −0.01, одсечено. Испрекидан је део дужи AB без слике. Сечење задржава све од AB испред равни, и слика излази из рама. Одсецање задржава оно што је унутар пирамиде, и слика се завршава на раму. У приказу „Слика” једва се разликују: разлика је поред слике, или највише неколико пиксела; „Још бројева” је има као оно што сечење изоставља. Одсецању у хомогеним координатама такав број није потребан: оно пре дељења задржава од {0} до {1}. Тиме је задатак готов: уђите у слово F.</translation>
     </message>
 </context>
 <context>
     <name>tour</name>
     <message>
         <source>Two minutes with a camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Два минута са камером</translation>
     </message>
     <message>
         <source>The near plane</source>
-        <translation type="unfinished"></translation>
+        <translation>Предња раван</translation>
     </message>
     <message>
         <source>In the World pane a camera looks at the letter F. The ochre frame is its near plane.</source>
-        <translation type="unfinished"></translation>
+        <translation>У приказу „Свет” камера гледа у слово F. Окер рам је њена предња раван.</translation>
     </message>
     <message>
         <source>Bring the near plane closer to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Приближите предњу раван камери.</translation>
     </message>
     <message>
         <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation type="unfinished"></translation>
+        <translation>Превуците окер ромб у приказу „Свет” дуж осе, или померите клизач *Предња раван* у бочном панелу улево.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>
-        <translation type="unfinished"></translation>
+        <translation>Слика остаје каква јесте; у NDC коцки све се померило ка задњој равни.</translation>
     </message>
     <message>
         <source>From another side</source>
-        <translation type="unfinished"></translation>
+        <translation>Са неке друге стране</translation>
     </message>
     <message>
         <source>You look at camera, frustum and picture from outside. Nothing changes when you walk round them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Камеру, зарубљену пирамиду и слику гледате споља. Ништа се не мења када их обиђете.</translation>
     </message>
     <message>
         <source>Turn the world: drag beside the frustum, or anywhere with the middle button.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окрените свет: превлачите поред зарубљене пирамиде, или било где средњим дугметом.</translation>
     </message>
     <message>
         <source>On the planes a drag moves near or far. With the keyboard: Tab to the World pane, then arrows. The house in its title brings back the first view.</source>
-        <translation type="unfinished"></translation>
+        <translation>На равнима превлачење помера предњу или задњу раван. Са тастатуре: Tab до приказа „Свет”, па стрелице. Кућица у његовом наслову враћа први поглед.</translation>
     </message>
     <message>
         <source>Only your own view has turned. The image is the camera&apos;s.</source>
-        <translation type="unfinished"></translation>
+        <translation>Окренуо се само ваш поглед. Слика припада камери.</translation>
     </message>
     <message>
         <source>The cube</source>
-        <translation type="unfinished"></translation>
+        <translation>Коцка</translation>
     </message>
     <message>
         <source>Everything between near and far is squeezed into one cube, whatever the lens. That is the NDC cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Све између предње и задње равни сабијено је у једну коцку, ма какав био објектив. То је NDC коцка.</translation>
     </message>
     <message>
         <source>Make the cube the large pane.</source>
-        <translation type="unfinished"></translation>
+        <translation>Нека коцка буде велики приказ.</translation>
     </message>
     <message>
         <source>Double-click its title, *NDC cube*, or press Ctrl+2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Двапут кликните на њен наслов, *NDC коцка*, или притисните Ctrl+2.</translation>
     </message>
     <message>
         <source>The small end of the frustum has become the front face.</source>
-        <translation type="unfinished"></translation>
+        <translation>Мањи крај зарубљене пирамиде постао је предња страна.</translation>
     </message>
     <message>
         <source>On the way there</source>
-        <translation type="unfinished"></translation>
+        <translation>На путу тамо</translation>
     </message>
     <message>
         <source>Each matrix on the way is a stop of the strip below the cube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свака матрица на путу је једна станица траке испод коцке.</translation>
     </message>
     <message>
         <source>Go back to an earlier stop of the strip, and forwards again if you like.</source>
-        <translation type="unfinished"></translation>
+        <translation>Вратите се на неку ранију станицу траке, и ако желите поново напред.</translation>
     </message>
     <message>
         <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Превуците клизач траке улево, или притисните *Камера*, *Пирамида* или *Квадар*; када је у фокусу, померају га стрелице.</translation>
     </message>
     <message>
         <source>Lines stay straight all the way.</source>
-        <translation type="unfinished"></translation>
+        <translation>Праве све време остају праве.</translation>
     </message>
     <message>
         <source>The field of view</source>
-        <translation type="unfinished"></translation>
+        <translation>Видно поље</translation>
     </message>
     <message>
         <source>How much of the world does the picture show?</source>
-        <translation type="unfinished"></translation>
+        <translation>Колики део света слика показује?</translation>
     </message>
     <message>
         <source>Change the field of view.</source>
-        <translation type="unfinished"></translation>
+        <translation>Промените видно поље.</translation>
     </message>
     <message>
         <source>Move the slider *Field of view* in the dock, or type a number and press Enter.</source>
-        <translation type="unfinished"></translation>
+        <translation>Померите клизач *Видно поље* у бочном панелу, или унесите број и притисните Enter.</translation>
     </message>
     <message>
         <source>The wider the angle, the more of the world you see, and the smaller everything is.</source>
-        <translation type="unfinished"></translation>
+        <translation>Што је угао шири, то више света видите, и све је мање.</translation>
     </message>
     <message>
         <source>Another lens</source>
-        <translation type="unfinished"></translation>
+        <translation>Други објектив</translation>
     </message>
     <message>
         <source>The rays of a parallel lens do not meet in an eye: what is far away is drawn as large as what is near.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зраци паралелног објектива се не секу у позицији камере: што је далеко, црта се велико као и оно што је близу.</translation>
     </message>
     <message>
         <source>Choose the orthographic lens.</source>
-        <translation type="unfinished"></translation>
+        <translation>Изаберите ортографски објектив.</translation>
     </message>
     <message>
         <source>*Lens*, in the dock, is a list: choose *orthographic* in it. From the keyboard press Tab until it has the focus, then Down until it is *orthographic*.</source>
-        <translation type="unfinished"></translation>
+        <translation>*Објектив*, у бочном панелу, је списак: изаберите у њему *ортографски*. Са тастатуре притискајте Tab док не дође у фокус, па стрелицу надоле док не буде *ортографски*.</translation>
     </message>
     <message>
         <source>The frustum is a box. The list at the top left has a scene for each topic of the lectures.</source>
-        <translation type="unfinished"></translation>
+        <translation>Зарубљена пирамида је сада квадар. Списак горе лево има сцену за сваку тему из предавања.</translation>
     </message>
 </context>
 </TS>

@@ -37,7 +37,7 @@
     </message>
     <message>
         <source>&amp;Close the lesson</source>
-        <translation>Su&amp;lge õppetund</translation>
+        <translation>Sul&amp;ge õppetund</translation>
     </message>
     <message>
         <source>&amp;Controls</source>
@@ -45,7 +45,7 @@
     </message>
     <message>
         <source>&amp;Conventions</source>
-        <translation>Ko&amp;kkulepped</translation>
+        <translation>K&amp;okkulepped</translation>
     </message>
     <message>
         <source>&amp;Copy picture</source>
@@ -77,7 +77,7 @@
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation>Täis&amp;ekraan</translation>
+        <translation>Täisek&amp;raan</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>&amp;Abi</translation>
+        <translation>A&amp;bi</translation>
     </message>
     <message>
         <source>&amp;Hint</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>&amp;Layers</source>
-        <translation>&amp;Kihid</translation>
+        <translation>Ki&amp;hid</translation>
     </message>
     <message>
         <source>&amp;Lessons</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>&amp;Open a lesson…</source>
-        <translation>Ava õ&amp;ppetund…</translation>
+        <translation>Ava &amp;õppetund…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>&amp;Lähtesta paanide oma vaated</translation>
+        <translation>L&amp;ähtesta paanide oma vaated</translation>
     </message>
     <message>
         <source>&amp;Review</source>
@@ -193,7 +193,7 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Nagu &amp;süsteemis</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -201,7 +201,7 @@
     </message>
     <message>
         <source>Back to &amp;all panes</source>
-        <translation>Tagasi &amp;kõigi paanide juurde</translation>
+        <translation>&amp;Tagasi kõigi paanide juurde</translation>
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
@@ -209,15 +209,15 @@
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
-        <translation>Kontrolli õpp&amp;etundi</translation>
+        <translation>K&amp;ontrolli õppetundi</translation>
     </message>
     <message>
         <source>Co&amp;ntrols of the slide</source>
-        <translation>Slaidi &amp;juhtelemendid</translation>
+        <translation>Slai&amp;di juhtelemendid</translation>
     </message>
     <message>
         <source>Compare s&amp;ide by side or overlaid</source>
-        <translation>&amp;Võrdle kõrvuti või ülestikku</translation>
+        <translation>Võrdle kõrvuti või &amp;ülestikku</translation>
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
-        <translation>Jätka tes&amp;ti</translation>
+        <translation>Jätka test&amp;i</translation>
     </message>
     <message>
         <source>Help</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>Kee&amp;l</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>&amp;Maailma vaatepunkt</translation>
+        <translation>Maailma v&amp;aatepunkt</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -309,7 +309,7 @@
     </message>
     <message>
         <source>O&amp;verview…</source>
-        <translation>Ü&amp;levaade…</translation>
+        <translation>Üle&amp;vaade…</translation>
     </message>
     <message>
         <source>Open</source>
@@ -333,7 +333,7 @@
     </message>
     <message>
         <source>P&amp;en</source>
-        <translation>P&amp;liiats</translation>
+        <translation>&amp;Pliiats</translation>
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
@@ -381,7 +381,7 @@
     </message>
     <message>
         <source>Reset &amp;all</source>
-        <translation>Läh&amp;testa kõik</translation>
+        <translation>&amp;Lähtesta kõik</translation>
     </message>
     <message>
         <source>Reset camera, lens, image and settings to how the scene opens</source>
@@ -583,15 +583,15 @@
     </message>
     <message>
         <source>The camera is straight below the target and cannot look level.</source>
-        <translation>Kaamera on otse sihtpunkti all ja ei saa horisontaalselt vaadata.</translation>
+        <translation>Kaamera on otse sihtpunkti all ega saa horisontaalselt vaadata.</translation>
     </message>
     <message>
         <source>The camera stands straight above the target and cannot look level.</source>
-        <translation>Kaamera on otse sihtpunkti kohal ja ei saa horisontaalselt vaadata.</translation>
+        <translation>Kaamera on otse sihtpunkti kohal ega saa horisontaalselt vaadata.</translation>
     </message>
     <message>
         <source>The camera is at the target and cannot look at it.</source>
-        <translation>Kaamera on sihtpunktis ja ei saa seda vaadata.</translation>
+        <translation>Kaamera on sihtpunktis ega saa seda vaadata.</translation>
     </message>
     <message>
         <source>The camera would look along its own up vector.</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Esita vastus</translation>
+        <translation>Esita vast&amp;us</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -634,7 +634,7 @@
     </message>
     <message>
         <source>Your answer is kept until the end.</source>
-        <translation>Teie vastus hoitakse lõpuni alles.</translation>
+        <translation>Teie vastust hoitakse lõpuni alles.</translation>
     </message>
     <message>
         <source>Hint {0}:</source>
@@ -674,15 +674,15 @@
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Näitab olekut, kus see näha on (Alt+W)</translation>
+        <translation>Näitab olekut, kus see näha on (Alt+D)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
-        <translation>Näita s&amp;eda</translation>
+        <translation>Näita se&amp;da</translation>
     </message>
     <message>
         <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
-        <translation>Näitab pilti teie arvuga mudeli arvu pildi kõrval (Alt+M)</translation>
+        <translation>Näitab teie arvuga pilti mudeli arvuga pildi kõrval (Alt+M)</translation>
     </message>
     <message>
         <source>Your idea beside the &amp;model</source>
@@ -709,7 +709,7 @@
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
-        <translation>Kaamera telje {0} komponent maailma {1}-sihis: see liidab suurusele {2} suuruse {1}, korrutatud arvuga {3}.</translation>
+        <translation>Kaamera telje {0} komponent maailma {1}-sihis: see liidab suurusele {2} arvuga {3} korrutatud suuruse {1}.</translation>
     </message>
     <message>
         <source>The {0} of the eye, where view space has its origin.</source>
@@ -725,7 +725,7 @@
     </message>
     <message>
         <source>It leaves the scale of {0} unchanged.</source>
-        <translation>See ei muuda mastaapi: {0}.</translation>
+        <translation>See jätab suuruse {0} mastaabi samaks.</translation>
     </message>
     <message>
         <source>It scales {0} by {2}, which reverses its direction.</source>
@@ -733,7 +733,7 @@
     </message>
     <message>
         <source>It adds {2} times {1} to {0}: a shear.</source>
-        <translation>See liidab suurusele {0} suuruse {1}, korrutatud arvuga {2}: kaldnihe.</translation>
+        <translation>See liidab suurusele {0} arvuga {2} korrutatud suuruse {1}: kaldnihe.</translation>
     </message>
     <message>
         <source>{0} does not depend on {1}.</source>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>It adds {1} times {0} to w, the divisor.</source>
-        <translation>See liidab jagajale w suuruse {0}, korrutatud arvuga {1}.</translation>
+        <translation>See liidab jagajale w arvuga {1} korrutatud suuruse {0}.</translation>
     </message>
     <message>
         <source>w does not depend on {0}.</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Näita &amp;uuesti</translation>
+        <translation>&amp;Näita uuesti</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -917,7 +917,7 @@
     </message>
     <message>
         <source>different shapes: side by side, at equal heights</source>
-        <translation>erinev kuju: kõrvuti, ühekõrgused</translation>
+        <translation>eri kujuga: kõrvuti, ühekõrgustena</translation>
     </message>
 </context>
 <context>
@@ -967,7 +967,7 @@
     </message>
     <message>
         <source>No camera has the typed view matrix: undo, or choose a lens.</source>
-        <translation>Ühelgi kaameral ei ole sisestatud vaatemaatriksit: võtke tagasi või valige objektiiv.</translation>
+        <translation>Sisestatud vaatemaatriks ei sobi ühelegi kaamerale: võtke tagasi või valige objektiiv.</translation>
     </message>
     <message>
         <source>animation play walk turn</source>
@@ -1096,11 +1096,11 @@
     </message>
     <message>
         <source>canonical parallel</source>
-        <translation>kanoonilistes paralleelsetes</translation>
+        <translation>kanoonilise paralleelse ruumi</translation>
     </message>
     <message>
         <source>canonical perspective</source>
-        <translation>kanoonilistes perspektiivsetes</translation>
+        <translation>kanoonilise perspektiivse ruumi</translation>
     </message>
     <message>
         <source>image</source>
@@ -1112,7 +1112,7 @@
     </message>
     <message>
         <source>view</source>
-        <translation>vaate</translation>
+        <translation>kaamerafreimi</translation>
     </message>
     <message>
         <source>world</source>
@@ -1187,11 +1187,11 @@
     <name>EquationSlide</name>
     <message>
         <source>turns</source>
-        <translation>pööret</translation>
+        <translation>pöörab</translation>
     </message>
     <message>
         <source>moves</source>
-        <translation>liigutust</translation>
+        <translation>nihutab</translation>
     </message>
 </context>
 <context>
@@ -1284,7 +1284,7 @@
     </message>
     <message>
         <source>Be&amp;gin</source>
-        <translation>&amp;Alusta</translation>
+        <translation>Al&amp;usta</translation>
     </message>
     <message>
         <source>Draw the numbers, and show their state</source>
@@ -1391,7 +1391,7 @@
     </message>
     <message>
         <source>C&amp;olours</source>
-        <translation>Vär&amp;vid</translation>
+        <translation>Vä&amp;rvid</translation>
     </message>
     <message>
         <source>What becomes of lines behind faces, in SVG, PDF and TEX</source>
@@ -1435,11 +1435,11 @@
     </message>
     <message>
         <source>&amp;Background</source>
-        <translation>&amp;Taust</translation>
+        <translation>Tau&amp;st</translation>
     </message>
     <message>
         <source>C&amp;rop to the content</source>
-        <translation>Kä&amp;rbi sisu järgi</translation>
+        <translation>Kär&amp;bi sisu järgi</translation>
     </message>
     <message>
         <source>Leaves a margin of 2 mm around what is drawn</source>
@@ -1945,7 +1945,7 @@
     </message>
     <message>
         <source>Turns the camera about its view direction; clockwise as the photographer sees it.</source>
-        <translation>Pöörab kaamerat ümber vaate suuna; fotograafi poolt nähes päripäeva.</translation>
+        <translation>Pöörab kaamerat ümber vaate suuna; fotograafi poolt vaadates päripäeva.</translation>
     </message>
     <message>
         <source>Turns the object about an axis through the origin of the tiles to its left.</source>
@@ -2164,7 +2164,7 @@
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
-        <translation>„Võta tagasi“ toob tagasi salvestamata muudatused: {0}.</translation>
+        <translation>„Võta tagasi“ toob dokumendi {0} salvestamata muudatused tagasi.</translation>
     </message>
     <message>
         <source>Where is the mesh {0} of this picture?</source>
@@ -2184,11 +2184,11 @@
     </message>
     <message>
         <source>Save over it?</source>
-        <translation>Kas salvestada selle peale?</translation>
+        <translation>Kas kirjutada see üle?</translation>
     </message>
     <message>
         <source>Save &amp;over it</source>
-        <translation>Salvesta &amp;peale</translation>
+        <translation>Kirjuta &amp;üle</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
@@ -2350,7 +2350,7 @@
 An error in {3} is {2} times as large in u and v.</source>
         <translation>Nurk {3} ja vaate suuna vahel: {0}°
 |{3} × {4}| = {1}
-Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
+Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Up is only {0}° from the line of sight: up × n is nearly 0, and an error of {1}° in up turns the picture by up to {2}°.</source>
@@ -2358,7 +2358,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>No camera has the typed view matrix: these are the numbers of the previous camera. Undo, or choose a lens.</source>
-        <translation>Ühelgi kaameral ei ole sisestatud vaatemaatriksit: need on eelmise kaamera arvud. Võtke tagasi või valige objektiiv.</translation>
+        <translation>Sisestatud vaatemaatriks ei sobi ühelegi kaamerale: need on eelmise kaamera arvud. Võtke tagasi või valige objektiiv.</translation>
     </message>
     <message>
         <source>Backwards, from the target to the eye, of length 1: the camera looks along −{n}.</source>
@@ -2459,7 +2459,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>At the target, a 24-bit depth buffer cannot tell any two surfaces apart</source>
-        <translation>Sihtpunkti kaugusel ei erista 24-bitine sügavuspuhver ühtki kahte pinda</translation>
+        <translation>Sihtpunkti kaugusel ei erista 24-bitine sügavuspuhver üht pinda teisest</translation>
     </message>
     <message>
         <source>At the target, a 24-bit depth buffer separates only surfaces at least {0} apart</source>
@@ -2467,7 +2467,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>In float64 few decimals would be certain, {0} of a pixel and {1} of the depth: the numbers are computed exactly</source>
-        <translation>float64-s oleks vähe kümnendkohti kindlad, {0} piksli ja {1} sügavuse puhul: arvud arvutatakse täpselt</translation>
+        <translation>float64-s oleks kindlaid kümnendkohti vähe, pikslil {0} ja sügavusel {1}: arvud arvutatakse täpselt</translation>
     </message>
     <message>
         <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
@@ -2518,7 +2518,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
-        <translation>Vihje; {Alt+W} näitab, miks vastus on vale</translation>
+        <translation>Vihje; {Alt+D} näitab, miks vastus on vale</translation>
     </message>
     <message>
         <source>A lamp, a point, also in the cube and the image</source>
@@ -3469,7 +3469,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>&amp;Close</source>
-        <translation>&amp;Sulge</translation>
+        <translation>Sul&amp;ge</translation>
     </message>
     <message>
         <source>Back to step {0}</source>
@@ -3489,7 +3489,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>&amp;Mark the test now</source>
-        <translation>Hinda &amp;testi nüüd</translation>
+        <translation>&amp;Hinda testi nüüd</translation>
     </message>
     <message>
         <source>End the test</source>
@@ -3911,7 +3911,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Take letters of your own from a file, letters.toml</source>
-        <translation>Võtke oma tähed failist letters.toml</translation>
+        <translation>Võtab teie oma tähed failist letters.toml</translation>
     </message>
     <message>
         <source>Letters of a file</source>
@@ -4292,11 +4292,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>eye 1 000 from the origin</source>
-        <translation>silm 1 000 alguspunktist</translation>
+        <translation>silm 1 000 ühikut alguspunktist</translation>
     </message>
     <message>
         <source>eye 1 from the origin</source>
-        <translation>silm 1 alguspunktist</translation>
+        <translation>silm 1 ühik alguspunktist</translation>
     </message>
     <message>
         <source>eye first</source>
@@ -4817,6 +4817,13 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
 </context>
 <context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NumberAnswerView</name>
     <message>
         <source>Answer: {0}</source>
@@ -4878,7 +4885,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>muuda dokumendi väärtust, näiteks lens.far=inf; võib korrata; nimed on {0} ja stseeni sätte jaoks settings.NAME</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4898,7 +4905,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>käsud, igaühel oma --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4994,7 +5001,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5071,6 +5078,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
         <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
+    </message>
+    <message>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <translation>käskudel check ja print: telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: õppetunni omad)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -5195,6 +5206,13 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
         <translation>kirjuta tabelid üksteise järel; FILE nagu valikul --json</translation>
+    </message>
+</context>
+<context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Esimesena mõjub kõige alumine lüli.</translation>
     </message>
 </context>
 <context>
@@ -5612,7 +5630,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Keep this probe: the next click makes another one</source>
-        <translation>Hoia see sond alles: järgmine klõps teeb uue</translation>
+        <translation>Hoiab selle sondi alles: järgmine klõps teeb uue</translation>
     </message>
     <message>
         <source>Pin</source>
@@ -5620,7 +5638,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Remove this probe (Esc)</source>
-        <translation>Eemalda see sond (Esc)</translation>
+        <translation>Eemaldab selle sondi (Esc)</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -5632,7 +5650,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Remove all probes</source>
-        <translation>Eemalda kõik sondid</translation>
+        <translation>Eemaldab kõik sondid</translation>
     </message>
     <message>
         <source>Click a point in any pane to follow it from the world to its pixel; click an empty place in the image for the ray of that pixel.</source>
@@ -5688,6 +5706,37 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
 </context>
 <context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Loobu</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Sulge</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Salvesta</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>More numbers</source>
@@ -5732,8 +5781,16 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Filmi kaadrid on ühe suurusega: jätke crop ja width ära.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Kõik märgid on vastupidised.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5750,6 +5807,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Vastus on liiga väike, umbes {0} korda.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5792,12 +5853,24 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Arvud on õiged, aga read {0} ja {1} on vahetuses.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Vale on märk ja vale on ka suurus.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Suurus on õige, aga märk on vale.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -5817,7 +5890,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>asks for a part that {0} does not have</source>
-        <translation>küsib osa, mida seal ei ole: {0}</translation>
+        <translation>küsib osa, mida {0} ei sisalda</translation>
     </message>
     <message>
         <source>begins a block that is not closed: a line ``` must end it</source>
@@ -5853,7 +5926,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>can be read as {0} numbers with decimal commas or as {1} numbers: write decimal points</source>
-        <translation>võib lugeda komakohtadega arvudeks ({0}) või arvudeks ({1}): kasutage komakohtadeks punkti</translation>
+        <translation>võib lugeda nii, et kümnendkomaga arve on {0}, või nii, et arve on {1}: kasutage kümnendpunkti</translation>
     </message>
     <message>
         <source>cannot be moved in the scene {0}, whose objects are fixed</source>
@@ -5909,7 +5982,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>cloud: must have 1 to {1} points, and {0} were given.</source>
-        <translation>punktipilv: punktide arv peab olema 1 kuni {1}, aga anti {0}.</translation>
+        <translation>cloud: punktide arv peab olema 1 kuni {1}, aga anti {0}.</translation>
     </message>
     <message>
         <source>comes with the program and cannot be changed: copy it, and open the copy</source>
@@ -5941,7 +6014,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>finds no numbers that suit, for seed {0}; the last ones were refused: {1}</source>
-        <translation>ei leia sobivaid arve, algarv {0}; viimased lükati tagasi: {1}</translation>
+        <translation>ei leia sobivaid arve, seemnearv {0}; viimased lükati tagasi: {1}</translation>
     </message>
     <message>
         <source>fps = {0}: must be from 1 to {1}.</source>
@@ -6058,6 +6131,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>has the title of a step, but no line --- above it</source>
         <translation>on sammu pealkiri, aga selle kohal ei ole rida ---</translation>
+    </message>
+    <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6261,7 +6338,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>on liiga lähedal ({0}) tasandile, mis on silmast sama kaugel kui lähitasand</translation>
+        <translation>on arvule {0} liiga lähedal, kui tasand on silmast sama kaugel kui lähitasand</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
@@ -6713,7 +6790,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must be {0} coordinates, separated by spaces</source>
-        <translation>peab olema tühikutega eraldatud koordinaadid, arvuga {0}</translation>
+        <translation>peab olema {0} koordinaati, eraldatud tühikutega</translation>
     </message>
     <message>
         <source>must be {0} finite numbers</source>
@@ -6733,7 +6810,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must begin with a seed, a whole number from 1 to {0}</source>
-        <translation>peab algama algarvuga, täisarv 1 kuni {0}</translation>
+        <translation>peab algama seemnearvuga, mis on täisarv 1 kuni {0}</translation>
     </message>
     <message>
         <source>must begin with “- [x]” if it is right, else “- [ ]”</source>
@@ -6761,7 +6838,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must have a left 3 x 3 block with an inverse: the camera is at infinity, as a parallel one is</source>
-        <translation>vasakul 3 x 3 plokil peab olema pöördmaatriks: kaamera on lõpmatuses, nagu paralleelne kaamera</translation>
+        <translation>vasakpoolsel 3 x 3 plokil peab olema pöördmaatriks: kaamera on lõpmatuses, nagu paralleelne kaamera</translation>
     </message>
     <message>
         <source>must have a product with numbers up to {0} only</source>
@@ -6802,6 +6879,10 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     <message>
         <source>must have numbers up to {0} in size only</source>
         <translation>arvud tohivad olla suuruselt ainult kuni {0}</translation>
+    </message>
+    <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -6953,7 +7034,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>varies more than {0} numbers</source>
-        <translation>muudab arve, mille arv on suurem kui {0}</translation>
+        <translation>muudab rohkem kui {0} arvu</translation>
     </message>
     <message>
         <source>varies {0} twice</source>
@@ -7538,6 +7619,85 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
 </context>
 <context>
+    <name>Spoken</name>
+    <message>
+        <source>at least</source>
+        <translation>vähemalt</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>ülimalt</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>kraadi</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation>võrdub</translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation>lõpmatus</translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation>on umbes</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>ei võrdu</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>miinus</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>jagatud</translation>
+    </message>
+    <message>
+        <source>phi</source>
+        <translation>fii</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>pluss</translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation>pluss-miinus</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>primm</translation>
+    </message>
+    <message>
+        <source>root of</source>
+        <translation>ruutjuur</translation>
+    </message>
+    <message>
+        <source>sum of</source>
+        <translation>summa</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>korda</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>nool</translation>
+    </message>
+    <message>
+        <source>to the power</source>
+        <translation>astmes</translation>
+    </message>
+    <message>
+        <source>vector</source>
+        <translation>vektor</translation>
+    </message>
+</context>
+<context>
     <name>Stage</name>
     <message>
         <source>the scene&apos;s objects are given in world coordinates</source>
@@ -7751,11 +7911,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>24 topics of the lectures, to work through alone</source>
-        <translation>Loengute 24 teemat, et need üksi läbi töötada</translation>
+        <translation>Loengute 24 teemat iseseisvaks läbitöötamiseks</translation>
     </message>
     <message>
         <source>The five lectures, to present to a class</source>
-        <translation>Viis loengut, et neid klassile esitleda</translation>
+        <translation>Viis loengut klassile esitlemiseks</translation>
     </message>
     <message>
         <source>Lessons</source>
@@ -7923,15 +8083,15 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>Ava see &amp;ettekande esitlemisel</translation>
+        <translation>Ava see ettekande esit&amp;lemisel</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
-        <translation>&amp;Lisa see olek sammuna…</translation>
+        <translation>Lisa p&amp;raegune olek sammuna…</translation>
     </message>
     <message>
         <source>A new talk fro&amp;m here…</source>
-        <translation>Uus ettekanne &amp;siit…</translation>
+        <translation>Uus ettekanne siit e&amp;dasi…</translation>
     </message>
 </context>
 <context>
@@ -7942,11 +8102,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>{0} is not in its folder any more, and no step was added: put the file back, or choose “A new talk from here” in the Lessons menu.</source>
-        <translation>{0} ei ole enam oma kaustas ja sammu ei lisatud: pange fail tagasi või valige menüüst Õppetunnid „Uus ettekanne siit“.</translation>
+        <translation>{0} ei ole enam oma kaustas ja sammu ei lisatud: pange fail tagasi või valige menüüst Õppetunnid „Uus ettekanne siit edasi“.</translation>
     </message>
     <message>
         <source>Added as step {0} of {1}</source>
-        <translation>Lisatud: samm {0} / {1}</translation>
+        <translation>Lisatud sammuna {0} faili {1}</translation>
     </message>
     <message>
         <source>Talks and lessons (*.md)</source>
@@ -7954,7 +8114,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A new talk from here</source>
-        <translation>Uus ettekanne siit</translation>
+        <translation>Uus ettekanne siit edasi</translation>
     </message>
 </context>
 <context>
@@ -8004,7 +8164,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Esita vastus</translation>
+        <translation>Esita vast&amp;us</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -8016,11 +8176,11 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Näitab olekut, kus see näha on (Alt+W)</translation>
+        <translation>Näitab olekut, kus see näha on (Alt+D)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
-        <translation>Näita s&amp;eda</translation>
+        <translation>Näita se&amp;da</translation>
     </message>
     <message>
         <source>Done.</source>
@@ -8127,20 +8287,27 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
         <translation>Kas see lüli on korrutises</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Vii korrutises vasakule: mõjub hiljem</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Vii paremale: mõjub varem</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Eemalda see</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>telg</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Kas see lüli on korrutises</translation>
     </message>
 </context>
 <context>
@@ -8423,7 +8590,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Choose half floats, products alone.</source>
-        <translation>Valige poolujuk, ainult korrutised.</translation>
+        <translation>Valige pooltäpsed ujukomaarvud, ainult korrutised.</translation>
     </message>
     <message>
         <source>Choose the box: which come, which go?</source>
@@ -8695,7 +8862,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Focal distance s</source>
-        <translation>Fookuse kaugus s</translation>
+        <translation>Teravustamiskaugus s</translation>
     </message>
     <message>
         <source>Focus on the post at 10 m.</source>
@@ -8747,7 +8914,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>From which distance on does P stand still?</source>
-        <translation>Mis kaugusest alates P seisab?</translation>
+        <translation>Mis kaugusest alates P paigal püsib?</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -8779,7 +8946,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Half-way on the screen is not half-way in the world: along an edge 1/w is linear on the screen, and so is s/w, but s is not. If a texture is interpolated linearly (affine), it bends at the diagonal of every quadrangle. Smaller triangles hide this. Twice as many parts leave more than a quarter of the error while they are few, and a quarter in the limit.</source>
-        <translation>Poolel teel ekraanil ei ole poolel teel maailmas: piki serva on ekraanil lineaarne 1/w ja samuti s/w, aga mitte s. Kui tekstuuri interpoleeritakse lineaarselt (afiinselt), murdub see iga nelinurga diagonaalil. Väiksemad kolmnurgad peidavad seda. Kui osi on vähe, jätab kaks korda suurem osade arv alles rohkem kui neljandiku veast, piiril neljandiku.</translation>
+        <translation>Poolel teel ekraanil ei ole poolel teel maailmas: piki serva on ekraanil lineaarne 1/w ja samuti s/w, aga mitte s. Kui tekstuuri interpoleeritakse lineaarselt (afiinselt), murdub see iga nelinurga diagonaalil. Väiksemad kolmnurgad peidavad seda. Kui osi on vähe, jätab kaks korda suurem osade arv alles rohkem kui neljandiku veast, piirjuhul täpselt neljandiku.</translation>
     </message>
     <message>
         <source>Hardware</source>
@@ -9291,7 +9458,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The synthetic camera has a point as its lens, and its whole picture is sharp. A real lens draws only points at the focal distance as points, and all others as discs. Between the two limits the discs are no larger than the circle of confusion and pass for points: sharp posts are outlined. The picture is the average of pinhole pictures from all over the lens, and becomes finer while nothing changes. One world unit is 1 m.</source>
-        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid fookuse kaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
+        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
     </message>
     <message>
         <source>Toe the cameras in: is P still level?</source>
@@ -9375,7 +9542,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Walk round it: drag the azimuth.</source>
-        <translation>Kõndige ringi ümber: lohistage asimuuti.</translation>
+        <translation>Kõndige selle ümber: lohistage asimuuti.</translation>
     </message>
     <message>
         <source>Way back</source>
@@ -9919,7 +10086,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation>poolujuk</translation>
+        <translation>pooltäpsed ujukomaarvud</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
@@ -10339,7 +10506,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
-        <translation>kahe ruudustiku sammud</translation>
+        <translation>kahe ruudustiku astmed</translation>
     </message>
     <message>
         <source>stretch</source>
@@ -10423,7 +10590,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the eye lies in the seam, or the seam behind it: its picture has no width</source>
-        <translation>silm on õmblusel või õmblus selle taga: selle kujutisel ei ole laiust</translation>
+        <translation>silm on õmblusel või on õmblus selle taga: selle kujutisel ei ole laiust</translation>
     </message>
     <message>
         <source>the far plane is at infinity: nothing pops in</source>
@@ -10435,7 +10602,7 @@ Vektori {3} viga on telgedes u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the focal distance {0} m is not beyond the focal length {1} m: nothing so close has an image</source>
-        <translation>fookuse kaugus {0} m ei ole suurem kui fookuskaugus {1} m: nii lähedasel asjal kujutist ei ole</translation>
+        <translation>teravustamiskaugus {0} m ei ole suurem kui fookuskaugus {1} m: nii lähedasel asjal kujutist ei ole</translation>
     </message>
     <message>
         <source>the image on the plane</source>

@@ -41,7 +41,7 @@
     </message>
     <message>
         <source>&amp;Controls</source>
-        <translation>Kon&amp;trole</translation>
+        <translation>&amp;Kontrole</translation>
     </message>
     <message>
         <source>&amp;Conventions</source>
@@ -49,7 +49,7 @@
     </message>
     <message>
         <source>&amp;Copy picture</source>
-        <translation>Kopiraj &amp;sliku</translation>
+        <translation>&amp;Kopiraj sliku</translation>
     </message>
     <message>
         <source>&amp;Edit</source>
@@ -73,7 +73,7 @@
     </message>
     <message>
         <source>&amp;Frustum</source>
-        <translation>K&amp;rnja piramida</translation>
+        <translation>Krnja p&amp;iramida</translation>
     </message>
     <message>
         <source>&amp;Full screen</source>
@@ -89,7 +89,7 @@
     </message>
     <message>
         <source>&amp;Help</source>
-        <translation>Po&amp;moć</translation>
+        <translation>Pomo&amp;ć</translation>
     </message>
     <message>
         <source>&amp;Hint</source>
@@ -109,7 +109,7 @@
     </message>
     <message>
         <source>&amp;Lessons</source>
-        <translation>&amp;Lekcije</translation>
+        <translation>Lek&amp;cije</translation>
     </message>
     <message>
         <source>&amp;Next step</source>
@@ -117,7 +117,7 @@
     </message>
     <message>
         <source>&amp;Open a lesson…</source>
-        <translation>O&amp;tvori lekciju…</translation>
+        <translation>&amp;Otvori lekciju…</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -141,15 +141,15 @@
     </message>
     <message>
         <source>&amp;Redo</source>
-        <translation>&amp;Ponovi</translation>
+        <translation>Pono&amp;vi</translation>
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>&amp;Vrati poglede okana</translation>
+        <translation>Vrati po&amp;glede okana</translation>
     </message>
     <message>
         <source>&amp;Review</source>
-        <translation>Po&amp;navljanje</translation>
+        <translation>Ponavljan&amp;je</translation>
     </message>
     <message>
         <source>&amp;Save</source>
@@ -161,11 +161,11 @@
     </message>
     <message>
         <source>&amp;Show cost</source>
-        <translation>&amp;Prikaži trošak</translation>
+        <translation>P&amp;rikaži trošak</translation>
     </message>
     <message>
         <source>&amp;Show the step again</source>
-        <translation>Ponovno p&amp;okaži korak</translation>
+        <translation>Ponovno po&amp;kaži korak</translation>
     </message>
     <message>
         <source>&amp;Start card</source>
@@ -189,11 +189,11 @@
     </message>
     <message>
         <source>Along the a&amp;xis</source>
-        <translation>Duž o&amp;si</translation>
+        <translation>Duž &amp;osi</translation>
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Kao u s&amp;ustavu</translation>
     </message>
     <message>
         <source>As the system</source>
@@ -201,27 +201,27 @@
     </message>
     <message>
         <source>Back to &amp;all panes</source>
-        <translation>Natrag na s&amp;va okna</translation>
+        <translation>&amp;Natrag na sva okna</translation>
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
-        <translation>Počni lekciju iz&amp;nova</translation>
+        <translation>Počni lekciju iznov&amp;a</translation>
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
-        <translation>Provje&amp;ri lekciju</translation>
+        <translation>Pro&amp;vjeri lekciju</translation>
     </message>
     <message>
         <source>Co&amp;ntrols of the slide</source>
-        <translation>&amp;Kontrole slajda</translation>
+        <translation>Kontrole sla&amp;jda</translation>
     </message>
     <message>
         <source>Compare s&amp;ide by side or overlaid</source>
-        <translation>Usporedi &amp;jedno uz drugo ili preklopljeno</translation>
+        <translation>Usporedi je&amp;dno uz drugo ili preklopljeno</translation>
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
-        <translation>Usporedi &amp;s ovom slikom</translation>
+        <translation>Usporedi s &amp;ovom slikom</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -273,7 +273,7 @@
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
-        <translation>Nastavi t&amp;est</translation>
+        <translation>Nas&amp;tavi test</translation>
     </message>
     <message>
         <source>Help</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jezik</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>Pogled na &amp;svijet</translation>
+        <translation>Pogled n&amp;a svijet</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -337,7 +337,7 @@
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
-        <translation>Po&amp;kazivač u svim oknima</translation>
+        <translation>Pokaziva&amp;č u svim oknima</translation>
     </message>
     <message>
         <source>Panes in col&amp;umns</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Reduce &amp;motion</source>
-        <translation>Manje &amp;kretanja</translation>
+        <translation>&amp;Manje kretanja</translation>
     </message>
     <message>
         <source>Remove the &amp;probe</source>
@@ -429,7 +429,7 @@
     </message>
     <message>
         <source>Test &amp;yourself…</source>
-        <translation>Provjerite s&amp;ebe…</translation>
+        <translation>Provjerite znanj&amp;e…</translation>
     </message>
     <message>
         <source>The scenes as pictures, lessons, talks, and recent files</source>
@@ -449,7 +449,7 @@
     </message>
     <message>
         <source>What a renderer gives up to be fast: trades as pictures, measured</source>
-        <translation>Čega se program za crtanje odriče radi brzine: kompromisi u slikama, izmjereni</translation>
+        <translation>Čega se program za iscrtavanje odriče radi brzine: kompromisi u slikama, izmjereni</translation>
     </message>
     <message>
         <source>What you did not solve alone comes back after 1, 3 and 7 days</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Predaj</translation>
+        <translation>P&amp;redaj</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -622,7 +622,7 @@
     </message>
     <message>
         <source>Chec&amp;k</source>
-        <translation>Provje&amp;ri</translation>
+        <translation>Provj&amp;eri</translation>
     </message>
     <message>
         <source>Enter</source>
@@ -646,7 +646,7 @@
     </message>
     <message>
         <source>Show the right answer, and why it is right (Alt+A)</source>
-        <translation>Prikazuje točan odgovor i zašto je točan (Alt+A)</translation>
+        <translation>Prikazuje točan odgovor i zašto je točan (Alt+G)</translation>
     </message>
     <message>
         <source>Show the &amp;answer</source>
@@ -674,7 +674,7 @@
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Prikazuje stanje u kojem se to vidi (Alt+W)</translation>
+        <translation>Prikazuje stanje u kojem se to vidi (Alt+K)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
@@ -807,7 +807,7 @@
     <name>ChoiceView</name>
     <message>
         <source>&amp;Commit</source>
-        <translation>&amp;Potvrdi</translation>
+        <translation>Po&amp;tvrdi</translation>
     </message>
     <message>
         <source>This is my prediction (Enter)</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Pokaži &amp;ponovno</translation>
+        <translation>Pokaži p&amp;onovno</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -1285,7 +1285,7 @@
     </message>
     <message>
         <source>Be&amp;gin</source>
-        <translation>Poč&amp;ni</translation>
+        <translation>Počn&amp;i</translation>
     </message>
     <message>
         <source>Draw the numbers, and show their state</source>
@@ -1874,7 +1874,7 @@
     </message>
     <message>
         <source>Roll</source>
-        <translation>Nagib</translation>
+        <translation>Zakret</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -2351,7 +2351,7 @@
 An error in {3} is {2} times as large in u and v.</source>
         <translation>Kut između {3} i smjera gledanja: {0}°
 |{3} × {4}| = {1}
-Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
+Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Up is only {0}° from the line of sight: up × n is nearly 0, and an error of {1}° in up turns the picture by up to {2}°.</source>
@@ -2519,7 +2519,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
-        <translation>Savjet; {Alt+W} pokazuje zašto je odgovor netočan</translation>
+        <translation>Savjet; {Alt+K} pokazuje zašto je odgovor netočan</translation>
     </message>
     <message>
         <source>A lamp, a point, also in the cube and the image</source>
@@ -2791,7 +2791,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Pomiče duž smjera gledanja; i za plohu, gdje scena ima njihove kontrole</translation>
+        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, hvata ih se i za samu plohu</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -3047,7 +3047,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{Alt+I}</source>
-        <translation>{Alt+I}</translation>
+        <translation>{Alt+A}</translation>
     </message>
     <message>
         <source>{Alt+Right}</source>
@@ -3154,7 +3154,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>Hiding</name>
     <message>
         <source>Hidden until the exercise is answered</source>
-        <translation>Skriveno dok se vježba ne odgovori</translation>
+        <translation>Skriveno dok se na vježbu ne odgovori</translation>
     </message>
     <message>
         <source>Closed during a test</source>
@@ -3328,7 +3328,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>No scale factors: things farther away are drawn smaller.</source>
-        <translation>Nema faktora mjerila: udaljenije se crta manjim.</translation>
+        <translation>Nema faktora mjerila: ono što je dalje crta se manjim.</translation>
     </message>
     <message>
         <source>A unit would be drawn {0} long along x, {1} along y, {2} along z.</source>
@@ -3410,7 +3410,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Show the next hint (Alt+I)</source>
-        <translation>Prikazuje sljedeći savjet (Alt+I)</translation>
+        <translation>Prikazuje sljedeći savjet (Alt+A)</translation>
     </message>
     <message>
         <source>Next step ({0})</source>
@@ -3434,11 +3434,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation>&amp;Dalje</translation>
+        <translation>Da&amp;lje</translation>
     </message>
     <message>
         <source>Do&amp;ne</source>
-        <translation>&amp;Gotovo</translation>
+        <translation>Goto&amp;vo</translation>
     </message>
     <message>
         <source>Make your prediction first: choose one, then Commit.</source>
@@ -3490,7 +3490,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Mark the test now</source>
-        <translation>&amp;Ocijeni test sada</translation>
+        <translation>Oci&amp;jeni test sada</translation>
     </message>
     <message>
         <source>End the test</source>
@@ -3692,7 +3692,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>The hint (Alt+I) says how to begin.</source>
-        <translation>Savjet (Alt+I) kaže kako početi.</translation>
+        <translation>Savjet (Alt+A) kaže kako početi.</translation>
     </message>
     <message>
         <source>Wrong</source>
@@ -4057,7 +4057,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Depth gap over the distance</source>
-        <translation>Razmak dubina kroz udaljenost</translation>
+        <translation>Razmak dubina ovisno o udaljenosti</translation>
     </message>
     <message>
         <source>Detail</source>
@@ -4720,7 +4720,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>What errors are drawn over: time, or bytes, the same on every machine</source>
-        <translation>Nad čime se crtaju pogreške: nad vremenom ili nad bajtovima, koji su isti na svakom računalu</translation>
+        <translation>U ovisnosti o čemu se crtaju pogreške: o vremenu ili o bajtovima, koji su isti na svakom računalu</translation>
     </message>
     <message>
         <source>Time</source>
@@ -4818,6 +4818,13 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
 </context>
 <context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NumberAnswerView</name>
     <message>
         <source>Answer: {0}</source>
@@ -4863,11 +4870,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation>izlaganje ili lekcija, ili ime jednog od onih koja dolaze s programom, npr. 001 ili L5</translation>
+        <translation>izlaganje ili lekcija, ili ime jednog od priloženih uz program, npr. 001 ili L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation>nakon --convention (zadano: oni tog programa)</translation>
+        <translation>nakon --convention (zadano: ono što taj program koristi)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
@@ -4879,7 +4886,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4887,7 +4894,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: oni koji dolaze s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
+        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
@@ -4899,7 +4906,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>naredbe, svaka s vlastitim --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4931,7 +4938,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
-        <translation>crta pogreške nad vremenom ili nad bajtovima, koji su isti na svakom računalu</translation>
+        <translation>crta pogreške u ovisnosti o vremenu ili o bajtovima, koji su isti na svakom računalu</translation>
     </message>
     <message>
         <source>draw every step of a talk, or print it with its notes</source>
@@ -4995,7 +5002,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5035,7 +5042,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
-        <translation>mjeri, na ovom računalu, koliko točnosti stoji brzina</translation>
+        <translation>mjeri, na ovom računalu, koliko se točnosti gubi radi brzine</translation>
     </message>
     <message>
         <source>of --batch with a folder or a lesson: what to write (default: png)</source>
@@ -5074,6 +5081,10 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
         <translation>uz pokretnu sliku: koliko kadrova u sekundi (zadano: 25)</translation>
     </message>
     <message>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <translation>uz check i print: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz lekcije)</translation>
+    </message>
+    <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
         <translation>uz print: teme ili datoteke lekcija čije vježbe čine test</translation>
     </message>
@@ -5099,7 +5110,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>za grafikon, kao za sliku; uz zadanu veličinu njega ili njegovih slova ispod nema bilježaka</translation>
+        <translation>za grafikon, kao za sliku; ako se zada njegova veličina ili veličina slova, ispod nema napomena</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -5199,6 +5210,13 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
 </context>
 <context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Pločica na dnu djeluje prva.</translation>
+    </message>
+</context>
+<context>
     <name>Overview</name>
     <message>
         <source>Overview of what you practised</source>
@@ -5222,7 +5240,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Test &amp;yourself…</source>
-        <translation>Provjerite s&amp;ebe…</translation>
+        <translation>Provjerite znanj&amp;e…</translation>
     </message>
     <message>
         <source>&amp;Export…</source>
@@ -5690,6 +5708,37 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
 </context>
 <context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Odustani</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Zatvori</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Spremi</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>More numbers</source>
@@ -5734,8 +5783,16 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
         <translation>Kadrovi filma imaju istu veličinu: izostavite crop i width.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Svi su predznaci obrnuti.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5752,6 +5809,10 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Premalo je, za faktor oko {0}.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5794,12 +5855,24 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
         <translation>Brojevi su točni, ali su retci {0} i {1} zamijenjeni.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Predznak je pogrešan, a i veličina.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Veličina je točna, ali je predznak pogrešan.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6062,6 +6135,10 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
         <translation>ima naslov koraka, ali bez retka --- iznad sebe</translation>
     </message>
     <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
         <translation>ima premalo varijanti, oko {0}; treba ih bar {1}</translation>
     </message>
@@ -6123,79 +6200,79 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation>je oblak točaka druge vrste ({0}): pretvorite ga u .ply; naredba „project --points” čita tablicu x, y, z</translation>
+        <translation>sadrži oblak točaka druge vrste ({0}): pretvorite ga u .ply; naredba „project --points” čita tablicu x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation>je dokument i nema pogled {0}</translation>
+        <translation>kao dokument nema pogled {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation>je datoteka programa {0}, koja se ne čita: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
+        <translation>ne čita se, jer je datoteka programa {0}: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation>je mapa, a ne datoteka</translation>
+        <translation>nije datoteka, nego mapa</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation>je objektiv s distorzijom, a ovdje pravci ostaju ravni: ispravite distorziju slika i koristite kameru novih</translation>
+        <translation>opisuje objektiv s distorzijom, a ovdje pravci ostaju ravni: ispravite distorziju slika i koristite kameru novih</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation>je slika bez dokumenta programa Frustum Lab u sebi</translation>
+        <translation>nema u slici dokument programa Frustum Lab</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation>je nakošenost piksela, koja mora biti 0: prozor objektiva je pravokutnik</translation>
+        <translation>znači nakošenost piksela, koja mora biti 0: prozor objektiva je pravokutnik</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation>je transponirana K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
+        <translation>predstavlja transponiranu K, s cx i cy u posljednjem retku: zamijenite retke i stupce</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
-        <translation>beskonačno je daleko, pa je smjer, a ne točka</translation>
+        <translation>leži u beskonačnosti, pa je smjer, a ne točka</translation>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation>je binarno: zapišite tekst naredbom colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
+        <translation>ima binarni sadržaj: zapišite tekst naredbom colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation>oštećeno je ili prekinuto: tekst od retka {0}, stupca {1} nadalje nije JSON</translation>
+        <translation>ima oštećen ili prekinut sadržaj: tekst od retka {0}, stupca {1} nadalje nije JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation>oštećeno je i ne može se preimenovati: {0}</translation>
+        <translation>ima oštećen sadržaj i ne može se preimenovati: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
-        <translation>ispunjeno je prije nego što student išta učini</translation>
+        <translation>ispunjava se prije nego što student išta učini</translation>
     </message>
     <message>
         <source>is empty</source>
-        <translation>prazno je</translation>
+        <translation>nema sadržaja</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation>zadano je dvaput</translation>
+        <translation>pojavljuje se dvaput</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
-        <translation>dano je u pikselima slike čija veličina nije poznata, a nije ni {0} x {1}: postavite image.width i image.height ili dodajte image_width i image_height u datoteku</translation>
+        <translation>vrijedi u pikselima slike čija veličina nije poznata, a nije ni {0} x {1}: postavite image.width i image.height ili dodajte image_width i image_height u datoteku</translation>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation>uvučeno je, ali ne pripada ničemu iznad sebe</translation>
+        <translation>ima uvlaku, ali ne pripada ničemu iznad sebe</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation>veće je od {0}</translation>
+        <translation>prelazi veličinu {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
-        <translation>dulje je od broja znakova {0}</translation>
+        <translation>prelazi duljinu od {0} znakova</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -6247,47 +6324,47 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>is step {0} of a lesson; the limit is {1}</source>
-        <translation>je korak {0} lekcije; granica je {1}</translation>
+        <translation>pripada koraku {0} lekcije; granica je {1}</translation>
     </message>
     <message>
         <source>is step {0} with an exercise; the limit of a lesson is {1}</source>
-        <translation>je korak {0} s vježbom; granica lekcije je {1}</translation>
+        <translation>pripada koraku {0} s vježbom; granica lekcije je {1}</translation>
     </message>
     <message>
         <source>is the letter of {0} already; two things cannot share one</source>
-        <translation>već je slovo za {0}; dvije stvari ne mogu dijeliti isto</translation>
+        <translation>već označava {0}; dvije stvari ne mogu dijeliti isto slovo</translation>
     </message>
     <message>
         <source>is the verdict of no sample in a “test”</source>
-        <translation>je presuda koju nema nijedan uzorak u bloku „test”</translation>
+        <translation>nije ishod nijednog uzorka u bloku „test”</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>preblizu je {0} za ravninu koja je od kamere udaljena koliko i bliska ravnina</translation>
+        <translation>leži preblizu vrijednosti {0} za ravninu koja je od kamere udaljena koliko i bliska ravnina</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
-        <translation>preblizu je {0} da bi float64 to dvoje razlikovao</translation>
+        <translation>leži preblizu vrijednosti {0} da bi ih float64 razlikovao</translation>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation>predugo je za jednu stranicu</translation>
+        <translation>ne stane na jednu stranicu</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
-        <translation>ne isprobava nijedan uzorak „{0}: ... -&gt; right”, pa se pogrešna vrijednost ne bi primijetila</translation>
+        <translation>nema uzorak „{0}: ... -&gt; right” koji bi ga isprobao, pa se pogrešna vrijednost ne bi primijetila</translation>
     </message>
     <message>
         <source>is wrong, but has no reply: name a wrong idea, or add “says:” below</source>
-        <translation>pogrešno je, ali nema odgovora: navedite pogrešnu predodžbu ili ispod dodajte „says:”</translation>
+        <translation>vrijedi kao pogrešno, ali nema odgovora: navedite pogrešnu predodžbu ili ispod dodajte „says:”</translation>
     </message>
     <message>
         <source>is wrong, but holds in the right state</source>
-        <translation>pogrešno je, ali vrijedi u točnom stanju</translation>
+        <translation>vrijedi kao pogrešno, a ispunjeno je i u točnom stanju</translation>
     </message>
     <message>
         <source>is wrong, but its formula gives the right value, {0}</source>
-        <translation>pogrešno je, ali njegova formula daje točnu vrijednost, {0}</translation>
+        <translation>vrijedi kao pogrešno, a formula daje točnu vrijednost, {0}</translation>
     </message>
     <message>
         <source>lacks a line --- above it, which ends the lines like “title: ...”</source>
@@ -6319,7 +6396,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be 9, 12 or 16 numbers, but has {0}</source>
-        <translation>mora biti 9, 12 ili 16 brojeva, a ima ih {0}</translation>
+        <translation>mora imati 9, 12 ili 16 brojeva, a ima ih {0}</translation>
     </message>
     <message>
         <source>must be NAME=VALUE, or document: FILE.json</source>
@@ -6547,11 +6624,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
-        <translation>iza mora stajati # i broj, do {0}, ili ime pogleda: {1}</translation>
+        <translation>mora iza sebe imati # i broj, do {0}, ili ime pogleda: {1}</translation>
     </message>
     <message>
         <source>must be four rows of four finite numbers</source>
-        <translation>mora biti četiri retka s po četiri konačna broja</translation>
+        <translation>mora imati četiri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be from {0} to {1} points</source>
@@ -6663,7 +6740,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be the numbers x, y, z of each point in turn</source>
-        <translation>moraju biti redom brojevi x, y, z svake točke</translation>
+        <translation>mora sadržavati redom brojeve x, y, z svake točke</translation>
     </message>
     <message>
         <source>must be the path of a mesh file ({0}), or empty for none</source>
@@ -6675,19 +6752,19 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be three finite numbers x, y, z</source>
-        <translation>mora biti tri konačna broja x, y, z</translation>
+        <translation>mora imati tri konačna broja x, y, z</translation>
     </message>
     <message>
         <source>must be three numbers for a point, four with w, two for the ray of a pixel, or null for no probe</source>
-        <translation>mora biti tri broja za točku, četiri s w, dva za zraku piksela ili null za nijednu sondu</translation>
+        <translation>mora imati tri broja za točku, četiri s w, dva za zraku piksela ili null za nijednu sondu</translation>
     </message>
     <message>
         <source>must be three rows of four finite numbers</source>
-        <translation>mora biti tri retka s po četiri konačna broja</translation>
+        <translation>mora imati tri retka s po četiri konačna broja</translation>
     </message>
     <message>
         <source>must be three rows of three finite numbers</source>
-        <translation>mora biti tri retka s po tri konačna broja</translation>
+        <translation>mora imati tri retka s po tri konačna broja</translation>
     </message>
     <message>
         <source>must be tiles such as translate 3,0,0 or rotate z 90</source>
@@ -6703,7 +6780,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>must be two numbers of pixels, width and height</source>
-        <translation>mora biti dva broja piksela, širina i visina</translation>
+        <translation>mora imati dva broja piksela, širinu i visinu</translation>
     </message>
     <message>
         <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
@@ -6804,6 +6881,10 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <message>
         <source>must have numbers up to {0} in size only</source>
         <translation>mora imati samo brojeve veličine do {0}</translation>
+    </message>
+    <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -6963,19 +7044,19 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation>bilo je oštećeno i čuva se kao {0}</translation>
+        <translation>imalo je oštećen sadržaj i čuva se kao {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
-        <translation>zapisao je noviji Frustum Lab: njegova je verzija {0}, granica je {1}</translation>
+        <translation>dolazi iz novijeg programa Frustum Lab: verzija je {0}, granica je {1}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, this program reads up to {1}</source>
-        <translation>zapisao je noviji Frustum Lab: verzija je {0}, ovaj program čita do {1}</translation>
+        <translation>dolazi iz novijeg programa Frustum Lab: verzija je {0}, ovaj program čita do {1}</translation>
     </message>
     <message>
         <source>was written for a newer Frustum Lab, which reads version {0}; this one reads up to {1}</source>
-        <translation>pisano je za noviji Frustum Lab, koji čita verziju {0}; ovaj čita do {1}</translation>
+        <translation>treba noviji Frustum Lab, koji čita verziju {0}; ovaj čita do {1}</translation>
     </message>
     <message>
         <source>width = {0} mm: a line of this equation needs {1} mm in letters of {2} points.</source>
@@ -7139,7 +7220,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0}: the window could not be shown whole.</source>
-        <translation>{0}: prozor se nije mogao prikazati cijel.</translation>
+        <translation>{0}: cijeli se prozor nije mogao prikazati.</translation>
     </message>
     <message>
         <source>{0}: the window did not appear on the screen.</source>
@@ -7320,7 +7401,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Test yourself</source>
-        <translation>Provjerite sebe</translation>
+        <translation>Provjerite znanje</translation>
     </message>
     <message>
         <source>Number of the test</source>
@@ -7429,7 +7510,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>sheared</source>
-        <translation>smaknuti</translation>
+        <translation>smicanje</translation>
     </message>
     <message>
         <source>view</source>
@@ -7520,7 +7601,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation>&amp;Zaustavi</translation>
+        <translation>Zau&amp;stavi</translation>
     </message>
     <message>
         <source>&amp;Start</source>
@@ -7537,6 +7618,85 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <message>
         <source>{0} min late</source>
         <translation>kasni {0} min</translation>
+    </message>
+</context>
+<context>
+    <name>Spoken</name>
+    <message>
+        <source>at least</source>
+        <translation>veće ili jednako</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>manje ili jednako</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>stupnjeva</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation>jednako</translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation>beskonačno</translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation>približno</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>različito od</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>minus</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>kroz</translation>
+    </message>
+    <message>
+        <source>phi</source>
+        <translation>fi</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>plus</translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation>plus minus</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>crtano</translation>
+    </message>
+    <message>
+        <source>root of</source>
+        <translation>korijen iz</translation>
+    </message>
+    <message>
+        <source>sum of</source>
+        <translation>zbroj po</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>puta</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>u</translation>
+    </message>
+    <message>
+        <source>to the power</source>
+        <translation>na potenciju</translation>
+    </message>
+    <message>
+        <source>vector</source>
+        <translation>vektor</translation>
     </message>
 </context>
 <context>
@@ -7773,7 +7933,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>What a renderer gives up to be fast, measured</source>
-        <translation>Čega se program za crtanje odriče radi brzine, izmjereno</translation>
+        <translation>Čega se program za iscrtavanje odriče radi brzine, izmjereno</translation>
     </message>
     <message>
         <source>What you did not solve alone, with other numbers, the topics mixed</source>
@@ -7792,7 +7952,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>StatusLine</name>
     <message>
         <source>Numerical health</source>
-        <translation>Numeričko zdravlje</translation>
+        <translation>Numeričko stanje</translation>
     </message>
     <message>
         <source>The precision of the picture (drawn) and of its numbers (read), each with a bound on its error. The bound of the picture holds for what is visible. The bounds of the numbers and of the alternatives in the menu hold for every point in front of the eye</source>
@@ -7921,11 +8081,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     <name>TalkActions</name>
     <message>
         <source>Speaker&apos;s &amp;window</source>
-        <translation>&amp;Prozor predavača</translation>
+        <translation>Prozor predava&amp;ča</translation>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>&amp;Otvori ga kad se izlaže</translation>
+        <translation>Otvori ga kad se &amp;izlaže</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
@@ -8006,7 +8166,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>&amp;Predaj</translation>
+        <translation>P&amp;redaj</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -8018,7 +8178,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Show a state that makes it visible (Alt+W)</source>
-        <translation>Prikazuje stanje u kojem se to vidi (Alt+W)</translation>
+        <translation>Prikazuje stanje u kojem se to vidi (Alt+K)</translation>
     </message>
     <message>
         <source>Sho&amp;w it</source>
@@ -8064,7 +8224,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Speed and accuracy: what a renderer gives up to be fast</source>
-        <translation>Brzina i točnost: čega se program za crtanje odriče radi brzine</translation>
+        <translation>Brzina i točnost: čega se program za iscrtavanje odriče radi brzine</translation>
     </message>
     <message>
         <source>Go on with the scene (Esc)</source>
@@ -8129,20 +8289,27 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
         <translation>Ima li umnožak ovu pločicu</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Pomiče je u umnošku ulijevo: djeluje kasnije</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Pomiče je udesno: djeluje ranije</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Uklanja je</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>os</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Ima li umnožak ovu pločicu</translation>
     </message>
 </context>
 <context>
@@ -8161,7 +8328,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: slika ima {2} dijelova</translation>
+        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: dijelova na slici: {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -8329,7 +8496,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>A wall of two</source>
-        <translation>Zid od dva</translation>
+        <translation>Zid od dva ekrana</translation>
     </message>
     <message>
         <source>AB drawn wrongly</source>
@@ -8425,7 +8592,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Choose half floats, products alone.</source>
-        <translation>Odaberite polovične brojeve, samo umnoške.</translation>
+        <translation>Odaberite polovičnu preciznost, samo umnoške.</translation>
     </message>
     <message>
         <source>Choose the box: which come, which go?</source>
@@ -8473,7 +8640,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Cone (the eye&apos;s own)</source>
-        <translation>Stožac (onaj oka)</translation>
+        <translation>Stožac (vidno polje oka)</translation>
     </message>
     <message>
         <source>Contrast left by fog</source>
@@ -8525,7 +8692,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Distance between the two eyes</source>
-        <translation>Udaljenost između dvaju očiju</translation>
+        <translation>Udaljenost između dviju očiju</translation>
     </message>
     <message>
         <source>Distance from the eye to the plane of projection; negative behind the eye</source>
@@ -8649,7 +8816,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Enlarge the 105-mm photograph</source>
-        <translation>Povećajte fotografiju od 105 mm</translation>
+        <translation>Povećaj fotografiju od 105 mm</translation>
     </message>
     <message>
         <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
@@ -8945,7 +9112,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Make near larger: do they spread out?</source>
-        <translation>Povećajte udaljenost bliske ravnine: raširuju li se?</translation>
+        <translation>Povećajte udaljenost bliske ravnine: razmiču li se?</translation>
     </message>
     <message>
         <source>Measure from the object: is it smooth?</source>
@@ -8969,7 +9136,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Move near and far: which cards cross?</source>
-        <translation>Pomaknite blisku i daleku ravninu: koje ih karte sijeku?</translation>
+        <translation>Pomaknite blisku i daleku ravninu: koje ih kartice sijeku?</translation>
     </message>
     <message>
         <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
@@ -9205,11 +9372,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>Simpler from</source>
-        <translation>Jednostavnija od</translation>
+        <translation>Jednostavnija nakon</translation>
     </message>
     <message>
         <source>Simplest from</source>
-        <translation>Najjednostavnija od</translation>
+        <translation>Najjednostavnija nakon</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -9253,7 +9420,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>The f-number: the lens is opened to f / N, and no lens opens wider than f / 0.5</source>
-        <translation>Broj f: objektiv je otvoren do f / N, a nijedan se ne otvara šire od f / 0.5</translation>
+        <translation>F-broj: objektiv je otvoren do f / N, a nijedan se ne otvara šire od f / 0.5</translation>
     </message>
     <message>
         <source>The faces with AB over them, or the edges alone, drawn in one of the three ways</source>
@@ -9545,7 +9712,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>all</source>
-        <translation>svi</translation>
+        <translation>sve</translation>
     </message>
     <message>
         <source>an axis is too long or too short by up to</source>
@@ -9617,15 +9784,15 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>cards crossing: to be cut</source>
-        <translation>karte koje sijeku: treba ih odsjeći</translation>
+        <translation>kartice koje sijeku: treba ih odsjeći</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation>karte izvan</translation>
+        <translation>kartice izvan</translation>
     </message>
     <message>
         <source>cards whole inside</source>
-        <translation>karte cijele unutra</translation>
+        <translation>kartice cijele unutra</translation>
     </message>
     <message>
         <source>case, by the cut at z = −0.01</source>
@@ -9649,11 +9816,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>clipped</source>
-        <translation>odsječeno</translation>
+        <translation>odsječeno homogeno</translation>
     </message>
     <message>
         <source>clipped, then divided</source>
-        <translation>odsječeno, zatim dijeljeno</translation>
+        <translation>odsječeno homogeno, zatim dijeljeno</translation>
     </message>
     <message>
         <source>codes of the buffer</source>
@@ -9697,7 +9864,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation>d nad w, 32 koda</translation>
+        <translation>d u ovisnosti o w, 32 koda</translation>
     </message>
     <message>
         <source>depth of field</source>
@@ -9921,7 +10088,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>half floats</source>
-        <translation>polovični brojevi</translation>
+        <translation>polovična preciznost</translation>
     </message>
     <message>
         <source>half-way along the marked edge on the screen, in the world, from its nearer end</source>
@@ -10173,7 +10340,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>off-axis</source>
-        <translation>asimetrično</translation>
+        <translation>asimetrične</translation>
     </message>
     <message>
         <source>on the film: h&apos; = −d·h / z</source>
@@ -10473,7 +10640,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>the picture is stretched {0} times as much upwards as across: faces do not keep their shape</source>
-        <translation>slika je u visinu rastegnuta {0} puta toliko koliko u širinu: strane ne zadržavaju oblik</translation>
+        <translation>slika je u visinu rastegnuta {0} puta više nego u širinu: strane ne zadržavaju oblik</translation>
     </message>
     <message>
         <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
@@ -10533,11 +10700,11 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
-        <translation>tekstura je položena po dvjema najvećim protežnostima mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
+        <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
     </message>
     <message>
         <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
-        <translation>tekstura je položena po dvjema najvećim protežnostima mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
+        <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
     </message>
     <message>
         <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
@@ -10569,7 +10736,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>these are</source>
-        <translation>to je</translation>
+        <translation>to su</translation>
     </message>
     <message>
         <source>these formats may overflow or divide by 0 here, so there is no bound</source>
@@ -10757,7 +10924,7 @@ Pogreška u {3} je {2} puta toliko velika u u i v.</translation>
     </message>
     <message>
         <source>{0} = {1}: is at infinity, so it is a direction and not a point; it must be another than {2}</source>
-        <translation>{0} = {1}: beskonačno je daleko, pa je smjer, a ne točka; mora se razlikovati od {2}</translation>
+        <translation>{0} = {1}: leži u beskonačnosti, pa je smjer, a ne točka; mora se razlikovati od {2}</translation>
     </message>
     <message>
         <source>{0} = {1}: must be from 0 to {2}, or P has no pixel and no depth in the picture</source>

@@ -29,7 +29,7 @@
     </message>
     <message>
         <source>&amp;Blank the screen</source>
-        <translation>&amp;Затамни екран</translation>
+        <translation>Зата&amp;мни екран</translation>
     </message>
     <message>
         <source>&amp;Camera</source>
@@ -77,11 +77,11 @@
     </message>
     <message>
         <source>&amp;Full screen</source>
-        <translation>&amp;Цео екран</translation>
+        <translation>Ц&amp;ео екран</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
-        <translation>&amp;Решетка</translation>
+        <translation>Реше&amp;тка</translation>
     </message>
     <message>
         <source>&amp;Handles</source>
@@ -93,7 +93,7 @@
     </message>
     <message>
         <source>&amp;Hint</source>
-        <translation>&amp;Наговештај</translation>
+        <translation>Наго&amp;вештај</translation>
     </message>
     <message>
         <source>&amp;Keys and mouse</source>
@@ -105,7 +105,7 @@
     </message>
     <message>
         <source>&amp;Layers</source>
-        <translation>&amp;Слојеви</translation>
+        <translation>Сл&amp;ојеви</translation>
     </message>
     <message>
         <source>&amp;Lessons</source>
@@ -145,7 +145,7 @@
     </message>
     <message>
         <source>&amp;Reset the panes&apos; own views</source>
-        <translation>Врати &amp;сопствене погледе приказа</translation>
+        <translation>Врати сопствене по&amp;гледе приказа</translation>
     </message>
     <message>
         <source>&amp;Review</source>
@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>&amp;Show the step again</source>
-        <translation>Прикажи корак п&amp;оново</translation>
+        <translation>Прикажи кора&amp;к поново</translation>
     </message>
     <message>
         <source>&amp;Start card</source>
@@ -181,11 +181,11 @@
     </message>
     <message>
         <source>&amp;View</source>
-        <translation>При&amp;каз</translation>
+        <translation>&amp;Поглед</translation>
     </message>
     <message>
         <source>All &amp;digits</source>
-        <translation>Све &amp;цифре</translation>
+        <translation>Све ци&amp;фре</translation>
     </message>
     <message>
         <source>Along the a&amp;xis</source>
@@ -193,11 +193,11 @@
     </message>
     <message>
         <source>As the s&amp;ystem</source>
-        <translation type="unfinished"></translation>
+        <translation>Као у систе&amp;му</translation>
     </message>
     <message>
         <source>As the system</source>
-        <translation>Као систем</translation>
+        <translation>Као у систему</translation>
     </message>
     <message>
         <source>Back to &amp;all panes</source>
@@ -205,7 +205,7 @@
     </message>
     <message>
         <source>Begin the lesson a&amp;gain</source>
-        <translation>Почни лекцију испоче&amp;тка</translation>
+        <translation>Почни лекцију испо&amp;четка</translation>
     </message>
     <message>
         <source>Chec&amp;k the lesson</source>
@@ -221,7 +221,7 @@
     </message>
     <message>
         <source>Compare wit&amp;h this picture</source>
-        <translation>Упореди са &amp;овом сликом</translation>
+        <translation>&amp;Упореди са овом сликом</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -261,7 +261,7 @@
     </message>
     <message>
         <source>From &amp;above</source>
-        <translation>Од&amp;озго</translation>
+        <translation>Одо&amp;зго</translation>
     </message>
     <message>
         <source>From the &amp;eye</source>
@@ -269,7 +269,7 @@
     </message>
     <message>
         <source>From the &amp;side</source>
-        <translation>Са &amp;стране</translation>
+        <translation>Са с&amp;тране</translation>
     </message>
     <message>
         <source>Go on with the t&amp;est</source>
@@ -285,7 +285,7 @@
     </message>
     <message>
         <source>Lan&amp;guage</source>
-        <translation type="unfinished"></translation>
+        <translation>Је&amp;зик</translation>
     </message>
     <message>
         <source>Light</source>
@@ -293,7 +293,7 @@
     </message>
     <message>
         <source>Look at the &amp;world</source>
-        <translation>Поглед на &amp;свет</translation>
+        <translation>Поглед &amp;на свет</translation>
     </message>
     <message>
         <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
@@ -337,11 +337,11 @@
     </message>
     <message>
         <source>P&amp;ointer in all panes</source>
-        <translation>По&amp;казивач у свим приказима</translation>
+        <translation>Показива&amp;ч у свим приказима</translation>
     </message>
     <message>
         <source>Panes in col&amp;umns</source>
-        <translation>Прикази у кол&amp;онама</translation>
+        <translation>Прикази у колон&amp;ама</translation>
     </message>
     <message>
         <source>Play or pause the camera&apos;s orbit</source>
@@ -353,7 +353,7 @@
     </message>
     <message>
         <source>Present from the beginnin&amp;g</source>
-        <translation>Излажи од почет&amp;ка</translation>
+        <translation>Излажи од &amp;почетка</translation>
     </message>
     <message>
         <source>Present the open talk from its first step</source>
@@ -365,7 +365,7 @@
     </message>
     <message>
         <source>Reduce &amp;motion</source>
-        <translation>Умањи кре&amp;тање</translation>
+        <translation>Умањи к&amp;ретање</translation>
     </message>
     <message>
         <source>Remove the &amp;probe</source>
@@ -397,7 +397,7 @@
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation>Сачувај &amp;као…</translation>
+        <translation>Сачувај к&amp;ао…</translation>
     </message>
     <message>
         <source>Show all digits of every number, not only four</source>
@@ -499,7 +499,7 @@
     </message>
     <message>
         <source>degrees per second</source>
-        <translation>степена у секунди</translation>
+        <translation>степени у секунди</translation>
     </message>
     <message>
         <source>Height</source>
@@ -614,7 +614,7 @@
     <name>BlockView</name>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>Пре&amp;дај</translation>
+        <translation>Пр&amp;едај</translation>
     </message>
     <message>
         <source>This is my answer; there is one try (Enter)</source>
@@ -686,7 +686,7 @@
     </message>
     <message>
         <source>Your idea beside the &amp;model</source>
-        <translation>Ваша представа поред &amp;модела</translation>
+        <translation>Ва&amp;ша представа поред модела</translation>
     </message>
 </context>
 <context>
@@ -709,15 +709,15 @@
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
-        <translation>{1} компонента осе камере {0} у свету: додаје {3} пута {1} на {2}.</translation>
+        <translation>Компонента {1} осе {0} камере у координатном систему света: додаје {3} пута {1} на {2}.</translation>
     </message>
     <message>
         <source>The {0} of the eye, where view space has its origin.</source>
-        <translation>{0} позиције камере, где је почетак координатног система камере.</translation>
+        <translation>Координата {0} позиције камере, где је почетак координатног система камере.</translation>
     </message>
     <message>
         <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
-        <translation>{1} компонента осе камере {0} у свету.</translation>
+        <translation>Компонента {1} осе {0} камере у координатном систему света.</translation>
     </message>
     <message>
         <source>It scales {0} by {2}.</source>
@@ -753,7 +753,7 @@
     </message>
     <message>
         <source>It adds {1} times {0} to w, the divisor.</source>
-        <translation>Додаје {1} пута {0} на w, делилац.</translation>
+        <translation>Делиоцу w додаје {1} пута {0}.</translation>
     </message>
     <message>
         <source>w does not depend on {0}.</source>
@@ -777,7 +777,7 @@
     </message>
     <message>
         <source>the incoming w</source>
-        <translation>улазно w</translation>
+        <translation>w на улазу</translation>
     </message>
 </context>
 <context>
@@ -807,7 +807,7 @@
     <name>ChoiceView</name>
     <message>
         <source>&amp;Commit</source>
-        <translation>&amp;Потврди</translation>
+        <translation>По&amp;тврди</translation>
     </message>
     <message>
         <source>This is my prediction (Enter)</source>
@@ -870,7 +870,7 @@
     </message>
     <message>
         <source>Show it a&amp;gain</source>
-        <translation>Прикажи п&amp;оново</translation>
+        <translation>Прика&amp;жи поново</translation>
     </message>
     <message>
         <source>Show the state of the question</source>
@@ -1108,7 +1108,7 @@
     </message>
     <message>
         <source>normalized device</source>
-        <translation>нормализоване координате уређаја</translation>
+        <translation>нормализоване (NDC)</translation>
     </message>
     <message>
         <source>view</source>
@@ -1188,11 +1188,11 @@
     <name>EquationSlide</name>
     <message>
         <source>turns</source>
-        <translation>окретања</translation>
+        <translation>окреће</translation>
     </message>
     <message>
         <source>moves</source>
-        <translation>померања</translation>
+        <translation>помера</translation>
     </message>
 </context>
 <context>
@@ -1526,11 +1526,11 @@
     </message>
     <message>
         <source>units</source>
-        <translation>јединице</translation>
+        <translation>јединица</translation>
     </message>
     <message>
         <source>world units</source>
-        <translation>јединице света</translation>
+        <translation>јединица света</translation>
     </message>
     <message>
         <source>mm</source>
@@ -1538,7 +1538,7 @@
     </message>
     <message>
         <source>millimetres</source>
-        <translation>милиметри</translation>
+        <translation>милиметара</translation>
     </message>
     <message>
         <source>px</source>
@@ -1546,7 +1546,7 @@
     </message>
     <message>
         <source>pixels</source>
-        <translation>пиксели</translation>
+        <translation>пиксела</translation>
     </message>
     <message>
         <source>×</source>
@@ -1710,7 +1710,7 @@
     </message>
     <message>
         <source>Drag this corner (Shift: both sides)</source>
-        <translation>Превуците овај угао (Shift: обе стране)</translation>
+        <translation>Превуците овај угао прозора (Shift: обе стране)</translation>
     </message>
     <message>
         <source>Drag to change the field of view</source>
@@ -1722,7 +1722,7 @@
     </message>
     <message>
         <source>Drawn length of a line perpendicular to the picture, relative to its true length: 1 is a cavalier, 0.5 a cabinet drawing, 0 orthographic. The target stays in its place in the picture.</source>
-        <translation>Нацртана дужина праве управне на слику, у односу на њену праву дужину: 1 је кавалјер, 0.5 кабинет, 0 ортографски цртеж. Циљ остаје на свом месту на слици.</translation>
+        <translation>Нацртана дужина праве управне на слику, у односу на њену стварну дужину: 1 је кавалјер, 0.5 кабинет, 0 ортографски цртеж. Циљ остаје на свом месту на слици.</translation>
     </message>
     <message>
         <source>Elevation</source>
@@ -1750,7 +1750,7 @@
     </message>
     <message>
         <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
-        <translation>Жижна даљина у висинама пиксела: други дијагонални елемент матрице K. Једнака fx ако су пиксели квадратни.</translation>
+        <translation>Жижна даљина у висинама пиксела: други дијагонални елемент матрице K. Једнака је fx ако су пиксели квадратни.</translation>
     </message>
     <message>
         <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
@@ -1874,7 +1874,7 @@
     </message>
     <message>
         <source>Roll</source>
-        <translation>Нагиб</translation>
+        <translation>Бочни нагиб</translation>
     </message>
     <message>
         <source>Rotation</source>
@@ -2086,7 +2086,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>кружење нагиб</translation>
+        <translation>кружење бочни нагиб</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -2106,7 +2106,7 @@
     </message>
     <message>
         <source>times the true length</source>
-        <translation>пута права дужина</translation>
+        <translation>пута стварна дужина</translation>
     </message>
     <message>
         <source>vectors look at</source>
@@ -2515,7 +2515,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A corner</source>
-        <translation>Угао</translation>
+        <translation>Угао прозора</translation>
     </message>
     <message>
         <source>A hint; {Alt+W} shows why an answer is wrong</source>
@@ -2539,7 +2539,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A side of a lens with a window</source>
-        <translation>Страна објектива са прозором</translation>
+        <translation>Страна прозора, код објектива са прозором</translation>
     </message>
     <message>
         <source>A small step; Home and End go to its ends</source>
@@ -2575,7 +2575,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Change the field of view, or that corner of a lens with a window; with Shift, both sides</source>
-        <translation>Мења видно поље, или тај угао објектива са прозором; уз Shift, обе стране</translation>
+        <translation>Мења видно поље или, код објектива са прозором, тај угао прозора; уз Shift, обе стране</translation>
     </message>
     <message>
         <source>Change the value, with Ctrl or when the slider has the focus</source>
@@ -2791,7 +2791,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Помера их дуж смера погледа; и за страну, где сцена има њихове контроле</translation>
+        <translation>Помера их дуж смера погледа; хватањем и за саму страну, где сцена има њихове контроле</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -2883,7 +2883,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Present on the full screen, in letters for the back row; again to end</source>
-        <translation>Излагање на целом екрану, словима за последњи ред; поново за крај</translation>
+        <translation>Излагање на целом екрану, словима видљивим из последњег реда; поново за крај</translation>
     </message>
     <message>
         <source>Presenting</source>
@@ -3115,7 +3115,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{L}, held</source>
-        <translation>{L}, држи се</translation>
+        <translation>{L}, док се држи</translation>
     </message>
     <message>
         <source>{N}</source>
@@ -3165,15 +3165,15 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Kind</name>
     <message>
         <source>1-point</source>
-        <translation>са 1 недогледом</translation>
+        <translation>1 недоглед</translation>
     </message>
     <message>
         <source>2-point</source>
-        <translation>са 2 недогледа</translation>
+        <translation>2 недогледа</translation>
     </message>
     <message>
         <source>3-point</source>
-        <translation>са 3 недогледа</translation>
+        <translation>3 недогледа</translation>
     </message>
     <message>
         <source>all projectors are parallel</source>
@@ -3430,11 +3430,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>H&amp;int</source>
-        <translation>На&amp;говештај</translation>
+        <translation>Наго&amp;вештај</translation>
     </message>
     <message>
         <source>&amp;Next</source>
-        <translation>&amp;Даље</translation>
+        <translation>Д&amp;аље</translation>
     </message>
     <message>
         <source>Do&amp;ne</source>
@@ -4085,7 +4085,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Fewer digits for each vertex: the corners move.</source>
-        <translation>Мање цифара за свако теме: углови се померају.</translation>
+        <translation>Мање цифара за свако теме: темена се померају.</translation>
     </message>
     <message>
         <source>Fewer samples in a pixel: edges become stairs.</source>
@@ -4309,7 +4309,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>far is at least 4 near</source>
-        <translation>задња раван је на бар 4 растојања предње</translation>
+        <translation>растојање задње равни је бар 4 растојања предње</translation>
     </message>
     <message>
         <source>fast inverse root</source>
@@ -4373,7 +4373,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>near is at most far / 4</source>
-        <translation>предња раван је највише на задња / 4</translation>
+        <translation>растојање предње равни је највише (растојање задње) / 4</translation>
     </message>
     <message>
         <source>no edge of the scene&apos;s box is in the picture</source>
@@ -4389,7 +4389,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>none</source>
-        <translation>ништа</translation>
+        <translation>нема</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -4525,7 +4525,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>the smallest gap at the target (at 2 near or far / 2 if it lies outside)</source>
-        <translation>најмањи размак код циља (на 2 предње или задња / 2 ако циљ лежи изван)</translation>
+        <translation>најмањи размак код циља (на 2 растојања предње равни, или на растојању задње / 2, ако циљ лежи изван)</translation>
     </message>
     <message>
         <source>the smallest gap behind a surface at this distance</source>
@@ -4561,7 +4561,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats</source>
-        <translation>два броја у покретном зарезу</translation>
+        <translation>два float-а</translation>
     </message>
     <message>
         <source>two sines</source>
@@ -4818,6 +4818,13 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
 </context>
 <context>
+    <name>MoveButton</name>
+    <message>
+        <source>Drag it to another place, or press the arrow keys up and down</source>
+        <translation type="unfinished"></translation>
+    </message>
+</context>
+<context>
     <name>NumberAnswerView</name>
     <message>
         <source>Answer: {0}</source>
@@ -4879,7 +4886,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation type="unfinished"></translation>
+        <translation>промени вредност у документу, као lens.far=inf; може да се понови; имена су {0} и settings.NAME за подешавање сцене</translation>
     </message>
     <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
@@ -4899,7 +4906,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>commands, each with its own --help:</source>
-        <translation type="unfinished"></translation>
+        <translation>наредбе, свака са сопственим --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -4979,7 +4986,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
-        <translation>у LaTeX-у: ширина текста или стубца, као 84mm, у mm, cm, in или pt (подразумевано: 345pt, текст класе article)</translation>
+        <translation>у LaTeX-у: ширина текста или ступца, као 84mm, у mm, cm, in или pt (подразумевано: 345pt, текст класе article)</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
@@ -4995,7 +5002,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation type="unfinished"></translation>
+        <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5072,6 +5079,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>of a moving picture: how many frames a second (default: 25)</source>
         <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
+    </message>
+    <message>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <translation>уз check и print: слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из лекције)</translation>
     </message>
     <message>
         <source>of print: the topics, or files of lessons, whose exercises make the test</source>
@@ -5196,6 +5207,13 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
         <translation>упиши табеле, једну за другом; FILE као за --json</translation>
+    </message>
+</context>
+<context>
+    <name>OrderView</name>
+    <message>
+        <source>The tile at the bottom acts first.</source>
+        <translation type="unfinished">Плочица на дну делује прва.</translation>
     </message>
 </context>
 <context>
@@ -5408,7 +5426,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>Practice</name>
     <message>
         <source>&amp;Review</source>
-        <translation>&amp;Понављање</translation>
+        <translation>По&amp;нављање</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
@@ -5424,7 +5442,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>&amp;Review: {0}, {1}</source>
-        <translation>&amp;Понављање: {0}, {1}</translation>
+        <translation>По&amp;нављање: {0}, {1}</translation>
     </message>
     <message>
         <source>The next review is tomorrow.</source>
@@ -5690,6 +5708,37 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
 </context>
 <context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>&amp;No</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation type="unfinished">Откажи</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation type="unfinished">Затвори</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation type="unfinished">Сачувај</translation>
+    </message>
+</context>
+<context>
     <name>Readout</name>
     <message>
         <source>More numbers</source>
@@ -5734,8 +5783,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Кадрови филма имају исту величину: изоставите опсецање и ширину.</translation>
     </message>
     <message>
+        <source>A point ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>All signs are turned round.</source>
         <translation>Сви предзнаци су обрнути.</translation>
+    </message>
+    <message>
+        <source>Both orders do the same.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5752,6 +5809,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>It is too small, by a factor of about {0}.</source>
         <translation>Премало је, и то приближно {0} пута.</translation>
+    </message>
+    <message>
+        <source>It swings about the origin, and ends {0} units away from its place.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5794,12 +5855,24 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Бројеви су тачни, али су врсте {0} и {1} замењене.</translation>
     </message>
     <message>
+        <source>The origin ends at {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>The sign is wrong, and so is the size.</source>
         <translation>Предзнак је погрешан, а и величина.</translation>
     </message>
     <message>
         <source>The size is right, but the sign is wrong.</source>
         <translation>Величина је тачна, али је предзнак погрешан.</translation>
+    </message>
+    <message>
+        <source>The w of a point becomes {0} instead of {1}.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The {0} axis becomes {1} instead of {2}.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -5899,7 +5972,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>cannot be written: it is write-protected</source>
-        <translation>не може да се упише: заштићено је од писања</translation>
+        <translation>не може да се упише: постоји заштита од писања</translation>
     </message>
     <message>
         <source>cannot be written: {0}</source>
@@ -6062,6 +6135,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>има наслов корака, али нема реда --- изнад</translation>
     </message>
     <message>
+        <source>has tiles that do the same in every order</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
         <translation>има премало варијаната, око {0}; потребно је бар {1}</translation>
     </message>
@@ -6123,35 +6200,35 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is a cloud of points of another kind ({0}): convert it to .ply; the command “project --points” reads a table of x, y, z</source>
-        <translation>јесте облак тачака друге врсте ({0}): претворите га у .ply; наредба „project --points” чита табелу x, y, z</translation>
+        <translation>је облак тачака друге врсте ({0}): претворите га у .ply; наредба „project --points” чита табелу x, y, z</translation>
     </message>
     <message>
         <source>is a document, and has no view {0}</source>
-        <translation>јесте документ и нема поглед {0}</translation>
+        <translation>је документ и нема поглед {0}</translation>
     </message>
     <message>
         <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
-        <translation>јесте датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
+        <translation>је датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
     </message>
     <message>
         <source>is a folder, not a file</source>
-        <translation>јесте фасцикла, а не датотека</translation>
+        <translation>је фасцикла, а не датотека</translation>
     </message>
     <message>
         <source>is a lens with distortion, and here straight lines stay straight: undistort the pictures, and use the camera of the new ones</source>
-        <translation>јесте објектив са дисторзијом, а овде праве остају праве: уклоните дисторзију са слика и употребите камеру нових слика</translation>
+        <translation>је објектив са дисторзијом, а овде праве остају праве: уклоните дисторзију са слика и употребите камеру нових слика</translation>
     </message>
     <message>
         <source>is a picture without a Frustum Lab document in it</source>
-        <translation>јесте слика без документа програма Frustum Lab у себи</translation>
+        <translation>је слика без документа програма Frustum Lab у себи</translation>
     </message>
     <message>
         <source>is a skew of the pixels, which must be 0: the window of a lens is a rectangle</source>
-        <translation>јесте искошење пиксела, које мора бити 0: прозор објектива је правоугаоник</translation>
+        <translation>је искошење пиксела, које мора бити 0: прозор објектива је правоугаоник</translation>
     </message>
     <message>
         <source>is a transposed K, with cx and cy in the last row: swap rows and columns</source>
-        <translation>јесте транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
+        <translation>је транспонована K, са cx и cy у последњој врсти: замените врсте и колоне</translation>
     </message>
     <message>
         <source>is at infinity, so it is a direction and not a point</source>
@@ -6159,15 +6236,15 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is binary: write text with colmap model_converter --input_path IN --output_path OUT --output_type TXT</source>
-        <translation>јесте бинарна датотека: упишите текст помоћу colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
+        <translation>је бинарна датотека: упишите текст помоћу colmap model_converter --input_path IN --output_path OUT --output_type TXT</translation>
     </message>
     <message>
         <source>is broken or cut short: the text from line {0}, column {1} on is not JSON</source>
-        <translation>је оштећено или прекинуто: текст од реда {0}, колоне {1} надаље није JSON</translation>
+        <translation>има оштећен или прекинут садржај: текст од реда {0}, колоне {1} надаље није JSON</translation>
     </message>
     <message>
         <source>is damaged, and cannot be renamed: {0}</source>
-        <translation>је оштећено и не може да се преименује: {0}</translation>
+        <translation>има оштећен садржај и не може да се преименује: {0}</translation>
     </message>
     <message>
         <source>is done before the student does anything</source>
@@ -6175,11 +6252,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is empty</source>
-        <translation>је празно</translation>
+        <translation>нема садржаја</translation>
     </message>
     <message>
         <source>is given twice</source>
-        <translation>је дато двапут</translation>
+        <translation>стоји двапут</translation>
     </message>
     <message>
         <source>is in pixels of an image whose size is not known, and which is not {0} x {1}: set image.width and image.height, or add image_width and image_height to the file</source>
@@ -6187,11 +6264,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is indented, but belongs to nothing above it</source>
-        <translation>је увучено, али не припада ничему изнад</translation>
+        <translation>стоји увучено, али не припада ничему изнад</translation>
     </message>
     <message>
         <source>is larger than {0}</source>
-        <translation>је веће од {0}</translation>
+        <translation>прелази величину {0}</translation>
     </message>
     <message>
         <source>is longer than {0} characters</source>
@@ -6271,7 +6348,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>is too long for one page</source>
-        <translation>је предугачко за једну страну</translation>
+        <translation>не стаје на једну страну</translation>
     </message>
     <message>
         <source>is tried by no sample “{0}: ... -&gt; right”, so a wrong value would not be noticed</source>
@@ -6806,6 +6883,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да има само бројеве по величини до {0}</translation>
     </message>
     <message>
+        <source>must have the product that the state shows, which is another {0}</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
         <translation>мора да има три броја за сваку ротацију, која има три или девет</translation>
     </message>
@@ -6963,7 +7044,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>was damaged, and is kept as {0}</source>
-        <translation>је било оштећено, и чува се као {0}</translation>
+        <translation>има оштећен садржај, и чува се као {0}</translation>
     </message>
     <message>
         <source>was written by a newer Frustum Lab: its version is {0}, the limit is {1}</source>
@@ -7051,7 +7132,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0}: is damaged: {1}.</source>
-        <translation>{0}: оштећено: {1}.</translation>
+        <translation>{0}: датотека је оштећена: {1}.</translation>
     </message>
     <message>
         <source>{0}: is not a file of measurements.</source>
@@ -7197,7 +7278,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Overwrite it?</source>
-        <translation>Преписати?</translation>
+        <translation>Преписати је?</translation>
     </message>
 </context>
 <context>
@@ -7520,7 +7601,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>&amp;Pause</source>
-        <translation>Пау&amp;зирај</translation>
+        <translation>Паузира&amp;ј</translation>
     </message>
     <message>
         <source>&amp;Start</source>
@@ -7537,6 +7618,85 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>{0} min late</source>
         <translation>касни {0} min</translation>
+    </message>
+</context>
+<context>
+    <name>Spoken</name>
+    <message>
+        <source>at least</source>
+        <translation>најмање</translation>
+    </message>
+    <message>
+        <source>at most</source>
+        <translation>највише</translation>
+    </message>
+    <message>
+        <source>degrees</source>
+        <translation>степени</translation>
+    </message>
+    <message>
+        <source>equals</source>
+        <translation>једнако</translation>
+    </message>
+    <message>
+        <source>infinity</source>
+        <translation>бесконачно</translation>
+    </message>
+    <message>
+        <source>is about</source>
+        <translation>приближно једнако</translation>
+    </message>
+    <message>
+        <source>is not</source>
+        <translation>различито од</translation>
+    </message>
+    <message>
+        <source>minus</source>
+        <translation>минус</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>кроз</translation>
+    </message>
+    <message>
+        <source>phi</source>
+        <translation>фи</translation>
+    </message>
+    <message>
+        <source>plus</source>
+        <translation>плус</translation>
+    </message>
+    <message>
+        <source>plus or minus</source>
+        <translation>плус-минус</translation>
+    </message>
+    <message>
+        <source>prime</source>
+        <translation>прим</translation>
+    </message>
+    <message>
+        <source>root of</source>
+        <translation>корен из</translation>
+    </message>
+    <message>
+        <source>sum of</source>
+        <translation>збир</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>пута</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>у</translation>
+    </message>
+    <message>
+        <source>to the power</source>
+        <translation>на степен</translation>
+    </message>
+    <message>
+        <source>vector</source>
+        <translation>вектор</translation>
     </message>
 </context>
 <context>
@@ -7925,15 +8085,15 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Open it when a talk is presente&amp;d</source>
-        <translation>Отвори га при &amp;излагању презентације</translation>
+        <translation>Отвори га при изл&amp;агању презентације</translation>
     </message>
     <message>
         <source>Add th&amp;is state as a step…</source>
-        <translation>Додај ово ст&amp;ање као корак…</translation>
+        <translation>Дода&amp;ј ово стање као корак…</translation>
     </message>
     <message>
         <source>A new talk fro&amp;m here…</source>
-        <translation>Нова презентација &amp;одавде…</translation>
+        <translation>Нова презента&amp;ција одавде…</translation>
     </message>
 </context>
 <context>
@@ -8006,7 +8166,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Hand it &amp;in</source>
-        <translation>Пре&amp;дај</translation>
+        <translation>Пр&amp;едај</translation>
     </message>
     <message>
         <source>Nothing is changed yet.</source>
@@ -8129,20 +8289,27 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Да ли производ садржи ову плочицу</translation>
     </message>
     <message>
-        <source>Move it left in the product: it acts later</source>
-        <translation>Помери је улево у производу: делује касније</translation>
-    </message>
-    <message>
-        <source>Move it right: it acts earlier</source>
-        <translation>Помери је удесно: делује раније</translation>
-    </message>
-    <message>
         <source>Remove it</source>
         <translation>Уклони је</translation>
     </message>
     <message>
         <source>axis</source>
         <translation>оса</translation>
+    </message>
+</context>
+<context>
+    <name>_TileRow</name>
+    <message>
+        <source>Divide by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Whether the product has this tile</source>
+        <translation type="unfinished">Да ли производ садржи ову плочицу</translation>
     </message>
 </context>
 <context>
@@ -8161,7 +8328,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>{0} страна са {1} делова по ивици премного је троуглова за цртање: слика има {2} делова</translation>
+        <translation>премного је троуглова за цртање (број страна: {0}, делова по ивици: {1}): на слици је број делова {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -8197,7 +8364,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>1-point</source>
-        <translation>са 1 недогледом</translation>
+        <translation>1 недоглед</translation>
     </message>
     <message>
         <source>1-point perspective</source>
@@ -8245,7 +8412,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>2-point</source>
-        <translation>са 2 недогледа</translation>
+        <translation>2 недогледа</translation>
     </message>
     <message>
         <source>2-point perspective</source>
@@ -8265,7 +8432,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>3-point</source>
-        <translation>са 3 недогледа</translation>
+        <translation>3 недогледа</translation>
     </message>
     <message>
         <source>3-point perspective</source>
@@ -8293,7 +8460,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A camera turns by 1° a frame: each frame multiplies its axes by the same small turn, and every product is rounded. After 360° it should be home. The pale picture is the true one, and beside it is what the camera sees: one matrix product a frame instead of two sines has its price. Every tenth frame the axes can be renormalised, which repairs their lengths and right angles, but not their direction.</source>
-        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истим малим окретањем, и сваки производ се заокружује. После 360° требало би да буде тамо где је почела. Бледа слика је права, а поред ње је оно што камера види: један производ матрица по кадру уместо два синуса има своју цену. Сваки десети кадар осе могу да се поново нормирају, што поправља њихове дужине и праве углове, али не и смер.</translation>
+        <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истим малим окретањем, и сваки производ се заокружује. После 360° требало би да буде тамо где је почела. Бледа слика је тачна, а поред ње је оно што камера види: један производ матрица по кадру уместо два синуса има своју цену. Сваки десети кадар осе могу да се поново нормирају, што поправља њихове дужине и праве углове, али не и смер.</translation>
     </message>
     <message>
         <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
@@ -8313,7 +8480,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A point behind the eye has w &lt; 0, and the divide by w mirrors its image. With one end behind, AB is then drawn along the wrong part of its line, because the right part goes through infinity. So AB must be cut before the divide: at z = −0.01 as in lecture 004, or in homogeneous coordinates, which need no such number.</source>
-        <translation>Тачка иза камере има w &lt; 0, и дељење са w пресликава њену слику као у огледалу. Ако је један крај иза, AB се црта дуж погрешног дела своје праве, јер прави део пролази кроз бесконачност. Зато AB мора да се одсече пре дељења: на z = −0.01 као у предавању 004, или у хомогеним координатама, којима такав број није потребан.</translation>
+        <translation>Тачка иза камере има w &lt; 0, и дељење са w пресликава њену слику као у огледалу. Ако је један крај иза, AB се црта дуж погрешног дела своје праве, јер исправни део пролази кроз бесконачност. Зато AB мора да се одсече пре дељења: на z = −0.01 као у предавању 004, или у хомогеним координатама, којима такав број није потребан.</translation>
     </message>
     <message>
         <source>A shadow is a projection with its centre in the light: the matrix S draws the object once more, in one colour. For the sun, a light at infinity with w = 0, the projection is parallel. Parts of the object above a lamp have w &lt; 0. Unless they are clipped, they are drawn on the other side of the lamp as an anti-shadow.</source>
@@ -8621,7 +8788,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Drawn length of a receding edge relative to its true length, in the free drawing</source>
-        <translation>Нацртана дужина ивице по дубини у односу на праву дужину, у слободном цртежу</translation>
+        <translation>Нацртана дужина ивице по дубини у односу на стварну дужину, у слободном цртежу</translation>
     </message>
     <message>
         <source>Draws distant trees with fewer vertices</source>
@@ -9181,7 +9348,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Seen by</source>
-        <translation>Види је</translation>
+        <translation>Чиме се гледа</translation>
     </message>
     <message>
         <source>Set far to 1000: how far off is the floor?</source>
@@ -9537,7 +9704,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>affine</source>
-        <translation>афина</translation>
+        <translation>афино</translation>
     </message>
     <message>
         <source>affine: s linear on the screen</source>
@@ -9601,7 +9768,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
-        <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двоструко већи</translation>
+        <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двапут толико</translation>
     </message>
     <message>
         <source>bottom</source>
@@ -9825,7 +9992,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>farthest</source>
-        <translation>најдаља</translation>
+        <translation>најдаље</translation>
     </message>
     <message>
         <source>farthest that a vertex of the right seam moves</source>
@@ -9865,7 +10032,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation>float32, далеко од координатног почетка</translation>
+        <translation>float32, далеко од почетка</translation>
     </message>
     <message>
         <source>float32, from the object</source>
@@ -10081,7 +10248,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>logarithmic</source>
-        <translation>логаритамска</translation>
+        <translation>логаритамски</translation>
     </message>
     <message>
         <source>measured</source>
@@ -10113,7 +10280,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>nearest</source>
-        <translation>најближа</translation>
+        <translation>најближе</translation>
     </message>
     <message>
         <source>no edge of the letter lies in the view volume</source>
@@ -10141,7 +10308,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>none</source>
-        <translation>ништа</translation>
+        <translation>нема</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>
@@ -10337,7 +10504,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>standard, far at infinity</source>
-        <translation>стандардно, задња раван у бесконачности</translation>
+        <translation>стандардно, задња у ∞</translation>
     </message>
     <message>
         <source>steps of the two grids</source>
@@ -10613,7 +10780,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>true distance w</source>
-        <translation>право растојање w</translation>
+        <translation>стварно растојање w</translation>
     </message>
     <message>
         <source>truncated cone</source>
@@ -10625,11 +10792,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats</source>
-        <translation>два броја у покретном зарезу</translation>
+        <translation>два float-а</translation>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation>два броја у покретном зарезу, од координатног почетка</translation>
+        <translation>два float-а, од почетка</translation>
     </message>
     <message>
         <source>upright</source>

@@ -308,10 +308,21 @@ def test_an_angle_is_written_in_degrees_if_the_view_asks_for_it(off_screen: Make
     assert "θ_h/2" in texts_of(screen)
 
 
+def test_a_named_frame_of_the_eye_is_drawn_as_its_named_axes_are(off_screen: MakeScreen) -> None:
+    """Three spaces have three frames: the eye's was small and pale."""
+    drawing, seen = opened(off_screen(*PANE_PX)), []
+    for names in ({"frame-e"}, {"u", "v", "n"}, {"eye"}):
+        drawing.show_names(frozenset(names))
+        shaft = drawing.camera.shafts["v"]
+        prop = shaft.GetProperty()
+        seen.append((drawing.camera.axes_lead, prop.GetLineWidth(), prop.GetColor()))
+    assert seen[0] == seen[1] and seen[0][0] and not seen[2][0]
+
+
 def test_a_question_knows_where_the_objects_are(off_screen: MakeScreen) -> None:
     drawing = opened(off_screen(*PANE_PX))
     x, y, _ = np.array(drawing.state.seen(drawing.state.objects)).mean(axis=0).tolist()
     ground = drawing.layers.ground()
-    assert ground.inked_px(x - 15.0, y - 15.0, x + 15.0, y + 15.0) > 300.0
-    assert ground.inked_px(-200.0, -200.0, 0.0, 0.0) == 0.0
-    assert ground.inked_px(-9.0, -9.0, 9e3, 9e3) < 0.5 * PANE_PX[0] * PANE_PX[1]
+    boxes = (x - 15.0, y - 15.0, x + 15.0, y + 15.0), (-200.0, -200.0, 0.0, 0.0), (-9, -9, 9e3, 9e3)
+    inside, beside, everywhere = ground.inked_px(np.array(boxes)).tolist()
+    assert inside > 300.0 and beside == 0.0 and everywhere < 0.5 * PANE_PX[0] * PANE_PX[1]

@@ -509,7 +509,9 @@ def test_the_depth_chart_s_names_cross_nothing(
         assert not any(inner.contains(place) for place in places)
 
 
-def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: Document) -> None:
+def test_every_name_of_a_choice_is_put_together_from_translated_parts(
+    document: Document, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Each part is a format's or a program's own name, or is translated."""
     looked_up: list[str] = []
 
@@ -517,6 +519,7 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
         looked_up.append(text)
         return text.upper()
 
+    monkeypatch.setattr(kept, "of_measure", translate)
     projection, scene = document.projection, load("letter-f")
     trades = [
         arithmetic.measure(projection, scene.corners, scene.origin, seconds=0.01),
@@ -531,12 +534,13 @@ def test_every_name_of_a_choice_is_put_together_from_translated_parts(document: 
     for name in names:
         for part in name.split(", "):
             looked_up.clear()
-            said = kept.named(part, translate)
+            said = kept.named(part)
             assert own.fullmatch(part) or set(looked_up) <= set(kept.WORDS), part
             assert own.fullmatch(part) or (looked_up and said == said.upper()), part
-    assert kept.named(
-        "affine, 4 pieces", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__
-    ) == ("afina, 4 kom.")
+    monkeypatch.setattr(
+        kept, "of_measure", {"affine": "afina", "{0} pieces": "{0} kom."}.__getitem__
+    )
+    assert kept.named("affine, 4 pieces") == "afina, 4 kom."
 
 
 def test_an_unusable_choice_is_in_italics_and_says_why(panel: MeasurePanel, tmp_path: Path) -> None:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import os
-from dataclasses import replace
+from dataclasses import fields
+from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -16,7 +17,15 @@ from app.document.document import Document
 from app.lecture.highlight import NOTHING, WINDOW, Highlight
 from app.scenes.scene import BUILT_IN
 from tests.support.drawings import lit_at
-from tests.support.window import LEFT, Highlighted, MakeWindow, move_mouse, settle, show_scene
+from tests.support.window import (
+    LEFT,
+    Highlighted,
+    MakeWindow,
+    activate,
+    move_mouse,
+    settle,
+    show_scene,
+)
 from widgets.window.main_window import MainWindow
 
 POINT_PX, EDGE_PX = 12.0, 9.0
@@ -25,6 +34,8 @@ PLACES = 10 if "ALL_SCENES" in os.environ else 3
 GRID_PX = {"world": 14, "ndc": 20, "image": 20}
 """So near that nothing that lights up lies between; only the world has small grips."""
 TRIES = 2
+MOST_THINGS = 30  # in one pane
+KEY, SHIFT = Qt.Key, Qt.KeyboardModifier.ShiftModifier
 SIDES = {"left": (0, 3), "right": (1, 2), "bottom": (0, 1), "top": (3, 2)}
 SAMPLE: tuple[str, ...] = (
     "letter-f",
@@ -184,32 +195,54 @@ def is_covered(window: MainWindow, thing: Thing, place: tuple[float, float]) -> 
     return bool(near.any())
 
 
+def values_of(document: Document, pane: str) -> dict[str, object]:
+    """What a drag can change, by name; in the image, a move of the whole camera does not count."""
+    projection = document.projection
+    owners = [projection.lens, *([] if pane == "image" else [projection.camera])]
+    parts = {part.name: getattr(owner, part.name) for owner in owners for part in fields(owner)}
+    return {"chain": projection.placement, **parts, **document.settings}
+
+
 def drag_from(
     window: MainWindow, place: tuple[float, float], way: tuple[int, int], pane: str = "world"
-) -> bool:
-    """Drag with the mouse; return whether the model has changed, and put it back.
-
-    In the image, a move of the whole camera does not count.
-    """
+) -> set[str]:
+    """Drag with the mouse; return what the drag has changed, and put it back."""
     canvas, before = window.panes[pane].canvas, window.store.document
-
-    def model(document: Document) -> object:
-        projection = document.projection
-        if pane == "image":
-            projection = replace(projection, camera=before.projection.camera)
-        return projection, document.settings
-
+    values = values_of(before, pane).items()
     at = QPoint(*map(math.floor, place))
     move_mouse(canvas, at, Qt.MouseButton.NoButton)
     QTest.mousePress(canvas, LEFT, pos=at)
-    moved = False
+    moved = set[str]()
     for part in (0.5, 1.0):
         move_mouse(canvas, at + QPoint(round(part * way[0]), round(part * way[1])), LEFT)
-        moved |= model(window.store.document) != model(before)
+        after = values_of(window.store.document, pane)
+        moved |= {name for name, value in values if after[name] != value}
     QTest.mouseRelease(canvas, LEFT, pos=at + QPoint(*way))
     if window.store.document != before:
         window.store.undo()
     window.panes[pane].reset_view()  # a drag may have framed it anew
+    settle()
+    return moved
+
+
+def moved_by_keys(window: MainWindow, pane: str) -> set[str]:
+    """What the keys change: each thing that Shift+Page Down reaches is held, moved, put back."""
+    canvas, cursor, moved = window.panes[pane].canvas, window.cursors[pane], set[str]()
+    canvas.setFocus()
+    visited = set[str]()
+    for _ in range(MOST_THINGS):
+        QTest.keyClick(canvas, KEY.Key_PageDown, SHIFT)
+        if cursor.text in visited:
+            break
+        visited.add(cursor.text)
+        for ways in ((KEY.Key_Right, KEY.Key_Down), (KEY.Key_Left, KEY.Key_Up)):
+            values = values_of(window.store.document, pane).items()
+            QTest.keyClick(canvas, KEY.Key_Return)
+            for way in ways:
+                QTest.keyClick(canvas, way, SHIFT)
+            after = values_of(window.store.document, pane)
+            moved |= {name for name, value in values if after[name] != value}
+            QTest.keyClick(canvas, KEY.Key_Escape)
     settle()
     return moved
 
@@ -241,7 +274,7 @@ def shares(window: MainWindow) -> dict[str, tuple[int, int, list[Any]]]:
             tried += 1
             # In one of the directions it must move: the way may be across the mouse's.
             moved = any(drag_from(window, place, way) for way in ((28, 9), (-9, 28)))
-            done += moved
+            done += bool(moved)
             if not moved:
                 failed.append(place)
             if tried == PLACES:
@@ -283,6 +316,25 @@ def test_what_lights_up_is_dragged_and_nothing_else(make_window: MakeWindow, nam
     assert not wrong
 
 
+@pytest.mark.parametrize("name", BUILT_IN if "ALL_SCENES" in os.environ else (SAMPLE[0], *MORE))
+def test_every_drag_has_a_key(make_window: MakeWindow, name: str) -> None:
+    """Whatever a mouse can change in a pane, the keys can change there."""
+    window = show_scene(make_window(), name)
+    activate(window)
+    lacks, count = dict[str, set[str]](), 0
+    for kind, pane in window.panes.items():
+        window.slots.make_large(kind)
+        settle()
+        pane.reset_view()
+        lit = [places[len(places) // 2] for about, places in groups(window, kind).items() if about]
+        by_mouse = set[str]()
+        for at, way in product(lit, ((28, 9), (-9, 28))):
+            by_mouse |= drag_from(window, at, way, kind)
+        count += len(by_mouse)
+        lacks[kind] = by_mouse - moved_by_keys(window, kind)
+    assert count >= 2 and not any(lacks.values()), lacks
+
+
 @pytest.mark.parametrize("by", ["face", "edge", "label"])
 def test_near_is_moved_at_the_first_try(make_window: MakeWindow, by: str) -> None:
     """As by someone who has never seen the program: press on it, and drag it to the scene."""
@@ -305,7 +357,7 @@ def test_near_is_moved_at_the_first_try(make_window: MakeWindow, by: str) -> Non
         move_mouse(canvas, at + QPoint(*np.round(part * way).astype(int).tolist()), LEFT)
     QTest.mouseRelease(canvas, LEFT, pos=at)
     assert window.store.document.projection.lens.near > 1.05 * before
-    settle()
+    QTest.qWait(300)  # labels that move have faded
     box = drawing.state.board.label("near").box_px
-    QTest.qWait(700)  # labels that have to leave wait less
-    assert drawing.state.board.label("near").box_px == box, "it stays where the hand let go"
+    drawing.layers.place_labels(afresh=True)
+    assert drawing.state.board.label("near").box_px == box, "as where the scene opens so"

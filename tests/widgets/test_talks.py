@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, QSize, Qt, QTimer
 from PySide6.QtGui import QGuiApplication, QKeySequence, QTextDocument, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QWidget
@@ -25,7 +25,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
-from app.lessons.course import Course, scene_of
+from app.lessons.course import CONTENT, Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
@@ -883,6 +883,24 @@ def test_an_impossible_step_is_reported_to_the_speaker_not_the_class(
     assert not window.messages.text
 
 
+def test_an_answer_turns_panes_as_it_says_and_else_leaves_them(
+    window: MainWindow, talk: Path
+) -> None:
+    pane, own = window.panes["world"], Camera((9.0, 5.0, 4.0), (0.0, 1.0, 0.0))
+    for shows, view in (
+        ("lens.near=2", own),
+        ("view.panes=world: 6,4,8,1,2,3", Camera((6.0, 4.0, 8.0), (1.0, 2.0, 3.0))),
+        ("lens.near=2; view.panes=world: 6,4,8,1,2,3", Camera((6.0, 4.0, 8.0), (1.0, 2.0, 3.0))),
+    ):
+        change(window, TALK.replace("show: lens.near=2", f"show: {shows}"))
+        go_to(window.lessons, 0)
+        go_to(window.lessons, 1)
+        pane.look_from(own)
+        assert window.talks.reveal() and window.talks.reveal()
+        tick(window.lessons, TRANSITION_S)
+        assert pane.view == view, shows
+
+
 @pytest.mark.undrawn
 def test_an_impossible_state_of_a_prediction_is_reported_to_the_speaker(
     window: MainWindow, talk: Path
@@ -1069,14 +1087,62 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
     assert words.size().height() <= LINE_SHARE * 768
 
 
+MOST_HIDDEN = 0.001  # of the slide: a corner of a frame
+
+
+def no_ink(boxes: np.ndarray) -> np.ndarray:
+    return np.zeros(len(boxes))
+
+
+def coloured_px(window: MainWindow, place: QRect) -> int:
+    """How many pixels of a part of the slide are neither grey nor pale, without the question."""
+    window.slide.question.hide()
+    part = rgb_of(window.slide.grab(place).toImage()).astype(int)
+    window.slide.question.show()
+    return int((np.ptp(part, axis=2) > 80).sum())
+
+
+@pytest.mark.parametrize(
+    ("number", "size"),
+    [
+        *((number, (1366, 768)) for number in ("000", "001", "003", "004")),
+        *((number, (1920, 1080)) for number in ("001", "002")),
+    ],
+)
+def test_no_question_of_a_talk_lies_over_what_is_drawn(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, number: str, size: tuple[int, int]
+) -> None:
+    """Neither over a name nor over what has a colour: the ground's grey lines may be hidden."""
+    there = SimpleNamespace(size=lambda: QSize(*size), geometry=lambda: QRect(0, 0, *size))
+    monkeypatch.setattr(MainWindow, "screen", lambda _window: there)
+    window.present.end()
+    assert window.lessons.open(CONTENT / f"talk-{number}.md")
+    present(window)
+    question, slide = window.slide.question, window.slide
+    lesson, hides = window.lessons.lesson, {}
+    assert lesson is not None
+    for place, step in enumerate(lesson.steps):
+        if any(part.reveals for part in step.parts):
+            go_to(window.lessons, place)
+        while any(part.reveals for part in step.parts) and window.talks.reveal():
+            tick(window.lessons, TRANSITION_S)
+            settle()
+            box = question.geometry()
+            names = [each.toAlignedRect() for boxes, _ in slide.named() for each in boxes]
+            hidden = sum(map(box.intersects, names)), coloured_px(window, box)
+            if hidden[0] or hidden[1] > MOST_HIDDEN * slide.width() * slide.height():
+                hides[step.name, asked(window)[:20]] = hidden
+    assert not hides
+
+
 def test_a_question_hides_the_fewest_names(display: Any) -> None:
     slide, named = QWidget(), list[QRectF]()
     slide.resize(1000, 600)
-    question = QuestionOverlay(slide, lambda: [(named, lambda _box: 0.0)])
+    question = QuestionOverlay(slide, lambda: [(named, no_ink)])
     slide.show()
     corners = []
-    for spot in ((), (20, 580), (980, 580), (500, 580), (20, 20)):
-        named += [QRectF(*spot, 5.0, 5.0)] if spot else []
+    for box in ((), (20, 580, 5, 5), (980, 580, 5, 5), (0, 580, 1000, 5), (0, 20, 300, 5)):
+        named += [QRectF(*box)] if box else []
         question.show_text("How wide is it?  \n**A** 1  \n**B** 2", 600.0)
         place = question.geometry()
         assert not any(place.intersects(each.toRect()) for each in named)
@@ -1087,6 +1153,7 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (True, False, False),
     ]  # fmt: skip
     named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 590.0, 680.0, 5.0)]
+    named += [QRectF(x, 5.0, 5.0, 590.0) for x in (0.0, 675.0)]
     question.show_text("How wide is what the camera sees at this distance?\n\n" * 4, 600.0)
     place = question.geometry()
     assert 200 < place.height() <= 300 and place.left() > 680, "rather high than over a name"
@@ -1110,13 +1177,14 @@ def test_a_question_is_as_small_as_its_text_and_moves_nothing(window: MainWindow
     tip = drawing.board.label("far")
     left, right, low, high = tip.box_px
     top = there.y() + pane.canvas.height() - high
-    ((boxes, hidden_ink),) = window.slide.named()
+    (boxes, hidden_ink), _ = window.slide.named()
     name = QRectF(there.x() + left, top, right - left, high - low)
     assert name in boxes
     (x, y, _), *_ = drawing.state.seen(drawing.state.objects.mean(axis=0)[None])
     spot = QPointF(there.x() + x, there.y() + pane.canvas.height() - y)
-    assert hidden_ink(QRectF(spot - QPointF(10.0, 10.0), spot + QPointF(10.0, 10.0))) > 100.0
-    assert hidden_ink(QRectF(0.0, 0.0, 1.0, 1.0)) == 0.0
+    x, y = spot.toTuple()
+    hides, is_beside = hidden_ink(np.array([(x - 10, y - 10, x + 10, y + 10), (0, 0, 1, 1)]))
+    assert hides > 100.0 and is_beside == 0.0
 
 
 def test_a_long_question_is_reached_by_the_wheel(display: Any, talk: Path) -> None:

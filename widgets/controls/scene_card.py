@@ -37,6 +37,7 @@ from widgets.parts.wording import Wording
 
 WORDS = Wording(__file__)
 WORD = 16  # longest word that fits the narrowest dock
+LONGEST_LINE = 30  # most letters of the names of compared pictures on one line of it
 TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
@@ -261,10 +262,12 @@ class SceneCard(QWidget, RowHolder):
         discard(self._compares, self.comparisons)
         self.comparisons = []
         for comparison in comparisons:
-            names = " | ".join(of_phenomena(name) for name, _ in comparison.pictures)
-            about, tip = WORDS.say("compare", names.replace(" | ", ", ")), WORDS.say("beside")
+            names = [of_phenomena(name) for name, _ in comparison.pictures]
+            about, tip = WORDS.say("compare", ", ".join(names)), WORDS.say("beside")
+            is_short = sum(map(len, names)) <= LONGEST_LINE
             button = tool_button(
-                names, f"{about}\n{tip}", partial(self.comparison_wanted.emit, comparison.name),
+                (" | " if is_short else " |\n").join(names), f"{about}\n{tip}",
+                partial(self.comparison_wanted.emit, comparison.name),
                 icon="compare", name=about, by_click=True,
             )  # fmt: skip
             button.setMinimumWidth(1)  # it must not widen the dock

@@ -41,6 +41,7 @@ from app.measure.results import (
     Sweep,
     Trade,
     named,
+    of_measure,
     table,
     to_csv,
     to_json,
@@ -60,7 +61,7 @@ from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.icons import icon
 from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
-from widgets.parts.messages import all_digits, of_measurements, sentence
+from widgets.parts.messages import all_digits, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.parts.wording import Wording
@@ -158,7 +159,7 @@ class MeasurePanel(DiagramPanel):
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         WORDS.name(self.list, "list")
         for name, title in chart.TITLES.items():
-            item = QListWidgetItem(of_measurements(title), self.list)
+            item = QListWidgetItem(of_measure(title), self.list)
             item.setData(_NAME, name)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._withdraw_refusal)
@@ -294,7 +295,7 @@ class MeasurePanel(DiagramPanel):
             self.words.pop(name, None)
         self.measured |= measured
         if cancelled:
-            said = of_measurements(CANCELLED)
+            said = of_measure(CANCELLED)
         for name in missing:
             self.words[name] = said
             if not cancelled:  # after a cancellation, older results stay
@@ -345,9 +346,7 @@ class MeasurePanel(DiagramPanel):
                 priced = [each and each.by_cost(self.cost.currentData()) for each in (shown, other)]
                 from widgets.parts.chart_picture import picture
 
-                content = picture(
-                    priced[0] or shown, path.name, self._current(), priced[1], of_measurements
-                )
+                content = picture(priced[0] or shown, path.name, self._current(), priced[1])
             write_bytes_atomically(path, content)
         except Refusal as error:
             self._refuse(sentence(error))
@@ -423,13 +422,13 @@ class MeasurePanel(DiagramPanel):
             if isinstance(part, Trade):  # the clicked choice, or else the one in use
                 picked = next((c for c in part.choices if c.name == self._picked), None)
                 chosen = picked or chart.in_use(part, self._current())
-                said = bargain(part, chosen, of_measurements) if chosen else ""
-                said = f"{said} {meaning(part, of_measurements)}".strip()
+                said = bargain(part, chosen) if chosen else ""
+                said = f"{said} {meaning(part)}".strip()
             if not part.complete:
-                said = f"{chart.title(part, of_measurements)}. {said}"
+                said = f"{chart.title(part)}. {said}"
             said = f"{words} {said}" if words else said
             if not self._is_shipped:
-                facts = said, chart.where(shown), chart.seen(shown, of_measurements)
+                facts = said, chart.where(shown), chart.seen(shown)
                 said = "\n".join(filter(None, facts))
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
@@ -444,7 +443,7 @@ class MeasurePanel(DiagramPanel):
             over = self._priced(other) if other is not None else None
             name = chart.machine(other) if other is not None else ""
             part, current = self._priced(shown), self._current()
-            diagrams = chart.diagrams(part, current, over, name, of_measurements)
+            diagrams = chart.diagrams(part, current, over, name)
         self._show_diagrams(diagrams, least=1)
         style = self._style
         if self._is_shipped:
@@ -466,7 +465,7 @@ class MeasurePanel(DiagramPanel):
         self.table.setVisible(bool(rows))
         self.table.setRowCount(len(rows))
         self.table.setColumnCount(len(heads))
-        self.table.setHorizontalHeaderLabels([named(head, of_measurements) for head in heads])
+        self.table.setHorizontalHeaderLabels([named(head) for head in heads])
         for y, row in enumerate(rows):
             trade, choice = choices[y] if y < len(choices) else (None, None)
             self._show_row(y, row, trade, choice)
@@ -479,7 +478,7 @@ class MeasurePanel(DiagramPanel):
         slanted = QFont(self.table.font())
         slanted.setItalic(True)
         for x, text in enumerate(row):
-            cell = QTableWidgetItem(named(text, of_measurements))
+            cell = QTableWidgetItem(named(text))
             if why:
                 cell.setFont(slanted)
                 if x == 0 and choice is not None and choice.cost is not None:
@@ -487,7 +486,7 @@ class MeasurePanel(DiagramPanel):
             is_beaten = trade is not None and choice is not None and trade.is_beaten(choice)
             if is_beaten or self._is_shipped:
                 cell.setForeground(self.palette().brush(QPalette.ColorRole.PlaceholderText))
-            set_tip(cell, "\n".join(filter(None, (named(row[-1], of_measurements), why))))
+            set_tip(cell, "\n".join(filter(None, (named(row[-1]), why))))
             if 0 < x < len(row) - 1:
                 cell.setTextAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
             self.table.setItem(y, x, cell)
@@ -544,4 +543,4 @@ class MeasurePanel(DiagramPanel):
         """Say why the panes cannot use a choice; empty if they can."""
         if choice.use and choice.use.get("smoothing", "none") in self._smoothings:
             return ""
-        return of_measurements(MEASURE["measured-only"]).format(named(choice.name, of_measurements))
+        return of_measure(MEASURE["measured-only"]).format(named(choice.name))

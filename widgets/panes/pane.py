@@ -323,10 +323,8 @@ class Pane(QFrame):
         if board is None or not board.is_restless:
             self._clock.stop()
             return
-        board.is_soft = self.fades()
-        if board.pass_time(seconds):
+        if board.pass_time(seconds, is_soft=self.fades()):
             self.canvas.redraw()
-        board.is_soft = False
 
     def _build(self, shown: ShownData, args: tuple[object, ...]) -> None:
         taken, before = self.ahead.take(args, self.drawing), None

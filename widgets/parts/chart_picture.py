@@ -2,7 +2,7 @@
 
 import re
 import textwrap
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import partial
 from typing import NamedTuple
 
@@ -56,7 +56,6 @@ def picture(
     file: str,
     current: Mapping[str, str] | None = None,
     other: Measurements | None = None,
-    translate: Callable[[str], str] = str,
     paper: Paper | None = None,
 ) -> bytes:
     """Draw all charts of some results; return the bytes of the file.
@@ -77,13 +76,13 @@ def picture(
     for part in parts:
         over = others.get(part.name if isinstance(part, Trade) else part.parameter)
         name = chart.machine(other) if other else ""
-        said = meaning(part, translate) if isinstance(part, Trade) else "-"
-        diagrams = chart.diagrams(part, current, over, name, translate)
-        shown += diagrams or [f"{chart.title(part, translate)}\n\n{said}"]
-    paper, lines = paper or Paper(), [chart.seen(results, translate), chart.where(results)]
-    about = "; ".join([*(chart.title(part, translate) for part in parts), *lines])
+        said = meaning(part) if isinstance(part, Trade) else "-"
+        diagrams = chart.diagrams(part, current, over, name)
+        shown += diagrams or [f"{chart.title(part)}\n\n{said}"]
+    paper, lines = paper or Paper(), [chart.seen(results), chart.where(results)]
+    about = "; ".join([*(chart.title(part) for part in parts), *lines])
     if len(parts) == 1 and isinstance(parts[0], Trade):
-        lines.insert(0, meaning(parts[0], translate))
+        lines.insert(0, meaning(parts[0]))
     per_inch = PX_PER_INCH
     if paper.is_sized:  # then the letters' size is a whole number of pixels
         per_inch, lines = FONT_PX * 72.0 / (paper.text_pt or TEXT_PT), []

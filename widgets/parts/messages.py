@@ -162,11 +162,6 @@ def limits_text(low: float, high: float) -> str:
     )
 
 
-def of_measurements(text: str) -> str:
-    """Translate a text of `app.measure`."""
-    return translated(text, "Measure")
-
-
 def sentence(error: Exception) -> str:
     """Write a refusal in the window's language; other errors are not translated."""
     if isinstance(error, Refusal):

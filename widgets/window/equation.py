@@ -60,7 +60,7 @@ class EquationSlide(QWidget):
         self._hues = dict[str, str]()  # of letters with the colour of what the picture names so
         self._screen_px = 1.0
         self._is_slide = False
-        self.cells: list[QRectF] = []  # where the cells were painted; of a 0 its digit alone
+        self.cells: list[QRectF] = []  # where cells and names were painted; of a 0 its digit alone
         self._readable = Readable(self, self._fill, lambda: self._is_slide)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
@@ -235,10 +235,10 @@ class EquationSlide(QWidget):
                 cell = QRectF(x, y, width, height)
                 line = line_of(laid.cells[row][column], formula=1.0)
                 letters = [name for each in line.pieces for name, *_ in piece_of(*each[:2]).letters]
+                colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
                 digit = QRectF(0.0, 0.0, em * line.width, em)
                 digit.moveCenter(cell.center())
-                self.cells.append(cell if laid.term.matrix.values[row][column] else digit)
-                colour = self._paint_ground(painter, laid.term, row, column, cell, em, letters)
+                self.cells.append(digit if colour == QColor(self._style.muted) else cell)
                 left = cell.center().x() - em * line.width / 2.0
                 base = cell.center().y() + em * (line.box[1] + line.box[3]) / 2.0
                 fill_line(painter, laid.cells[row][column], em, (left, base), colour, self._inks)
@@ -301,4 +301,5 @@ class EquationSlide(QWidget):
     ) -> float:
         """Draw on the axis of a line of formula at a height; return the right end."""
         fill_line(painter, text, em, (x, middle + 0.25 * em), ink, self._inks)
+        self.cells.append(QRectF(x, middle - em / 2.0, em * width_em(text), em))
         return x + em * width_em(text)

@@ -28,7 +28,7 @@ from app.model.refusal import Refusal
 from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
-from widgets.parts.plain import PlainLabel
+from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.overview import SelfTestMarks
@@ -100,21 +100,28 @@ class LessonCard(QFrame):
         self.hide()
 
     def _foot(self) -> QHBoxLayout:
+        acts = self._lessons.previous, self._lessons.come_back, self.give_hint, self.go_on
+        self.back, self.again, self.hint, self.next = (_push("", "", act) for act in acts)
+        self.next.setObjectName("nextStep")
+        self._name_buttons()
+        return in_row(self.back, self.again, FREE, self.hint, self.next, gap=4)
+
+    def _name_buttons(self) -> None:
+        """Name the buttons in the language of the lesson."""
         back_key, again_key, next_key = (
             QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
             for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
         )
-        before = self.tr("Previous step ({0})").format(back_key)
         shown = self.tr("Show the step as the lesson's file has it, without your changes ({0})")
-        hints = self.tr("Show the next hint (Alt+I)")
-        following = self.tr("Next step ({0})").format(next_key)
-        self.back = _push(self.tr("&Back"), before, self._lessons.previous)
-        self.again = _push(self.tr("Show again"), shown.format(again_key), self._lessons.come_back)
+        for button, text, tip in (
+            (self.back, self.tr("&Back"), self.tr("Previous step ({0})").format(back_key)),
+            (self.again, self.tr("Show again"), shown.format(again_key)),
+            (self.hint, self.tr("H&int"), self.tr("Show the next hint (Alt+I)")),
+            (self.next, self.tr("&Next"), self.tr("Next step ({0})").format(next_key)),
+        ):
+            button.setText(text)
+            set_tip(button, tip)
         self.again.setAccessibleName(self.tr("Show the step again"))
-        self.hint = _push(self.tr("H&int"), hints, self.give_hint)
-        self.next = _push(self.tr("&Next"), following, self.go_on)
-        self.next.setObjectName("nextStep")
-        return in_row(self.back, self.again, FREE, self.hint, self.next, gap=4)
 
     # -- what is open
 
@@ -182,6 +189,7 @@ class LessonCard(QFrame):
             player.keep = partial(self._settings.keep_progress, name)
         self._player, self._shown = player, None
         self._title.setText(player.lesson.title)
+        self._name_buttons()
         self._marks.make(player)
         self._show_step_buttons(True)
         if not self.is_on:

@@ -18,6 +18,7 @@ from typing import Any, Protocol
 
 from PySide6.QtCore import QFileSystemWatcher, QObject, QTimer, Signal
 
+from app import languages
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER, FIELDS, View
@@ -26,7 +27,7 @@ from app.lessons import transition
 from app.lessons.blocks.block import State
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import Lesson, read
+from app.lessons.lesson import CONTENT, Lesson, read
 from app.lessons.player import Player
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal
@@ -154,6 +155,8 @@ class Lessons(QObject):
         if not self._files.open_step(document, scene, course.file):
             self.player = left
             return False
+        is_own = course.lesson.path.parent != CONTENT  # the program's speak its language
+        languages.follow_lesson(course.lesson.language if is_own else "")
         self._unwatch()
         if course.file is not None:
             self._watcher.addPaths([str(course.file), str(course.file.parent)])
@@ -168,6 +171,7 @@ class Lessons(QObject):
         self._finish()
         self._unwatch()
         self.player = None
+        languages.follow_lesson("")
         self._store.origin.is_work = True
         self._store.mark_saved()
         self.opened.emit()

@@ -1,14 +1,17 @@
 """A question that is put to a class, or its answer: it lies over the slide and moves nothing."""
 
 import math
-from collections.abc import Callable, Iterable
+import re
+from collections.abc import Callable, Iterable, Iterator
 from itertools import product
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
+import numpy as np
 from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize
 from PySide6.QtGui import QFont, QPainter, QPaintEvent, QPalette, QWheelEvent
 from PySide6.QtWidgets import QFrame, QWidget
 
+from app.drawings.label_placement import Floats, overlap
 from app.lessons.text import spoken_text
 from widgets.parts.layouts import paint_now
 from widgets.parts.lesson_text import set_text
@@ -17,21 +20,26 @@ from widgets.parts.plain import TextDocument
 SHARES = 1.0 / 3.0, 0.5
 """Largest heights of the question, in those of the slide: the second if the text needs it, or if
 the first hides a name."""
-WIDTHS = 0.3, 0.45, 0.6, 0.8, 1.0  # largest widths that are tried, in those of the slide
-PLACES = (0.0, 1.0), (1.0, 1.0), (0.5, 1.0), (0.0, 0.0), (1.0, 0.0), (0.5, 0.0)
+WIDTHS = 0.2, 0.25, 0.3, 0.45, 0.6, 0.8, 1.0  # largest ones that are tried, in those of the slide
+ALONG = sorted((part / 16.0 for part in range(17)), key=lambda at: abs(at - 0.5), reverse=True)
+PLACES = [*((at, y) for y in (1.0, 0.0) for at in ALONG), *product((0.0, 1.0), ALONG)]
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)  # sizes of letters, in heights of the screen, the best first
-INK_SHARE = 0.002  # ink in shares of the slide that makes a place worse
+INK_SHARE = 0.0005  # ink in shares of the slide that makes a place worse
 EDGE_SHARE = 0.02  # free on each side, in heights of the screen
+CHOICE = re.compile(
+    r"  \n(\*\*\w\*\*) "
+)  # how a choice begins; on the line of others it begins so:
+BESIDE = "\N{EM SPACE}\N{EM SPACE} \\1\N{NO-BREAK SPACE}"
 
-HiddenInk: TypeAlias = Callable[[QRectF], float]
+HiddenInk: TypeAlias = Callable[[Floats], Floats]
 
 
 class QuestionOverlay(QFrame):
     """Lies over a slide where it hides the least; what does not fit is reached by the wheel.
 
     `named` returns for each picture what it should not hide, in the slide's pixels, and how many
-    pixels of ink a box would hide.
+    pixels of ink boxes, (n, 4), would hide.
     """
 
     def __init__(
@@ -41,46 +49,58 @@ class QuestionOverlay(QFrame):
         self.setObjectName("question")
         self._slide, self._named = slide, named
         self._document = TextDocument(self)
-        self._screen_px, self._moved_px = 0.0, 0
+        self._texts, self._screen_px, self._moved_px = ("", ""), 0.0, 0
         self.hide()
 
     def show_text(self, text: str, screen_px: float) -> None:
         """Show a text in Markdown; an empty one hides the question."""
         self._screen_px, self._moved_px = screen_px, 0
+        self._texts = text, CHOICE.sub(BESIDE, text)  # the second only if the first hides anything
         self.setAccessibleName(spoken_text(text))
-        set_text(self._document, text, palette=self.palette())
         self.setVisible(bool(text))
-        if text:
-            paint_now(self._slide)  # names have their places once they are drawn
-        self.place()
+        self.settle()
         self.raise_()
 
-    def place(self) -> None:
-        """Lie where the fewest names are hidden, in the largest letters that allow it.
+    def settle(self) -> None:
+        """Find a place once names have theirs, which they have when they are drawn."""
+        if not self.isHidden():
+            paint_now(self._slide)
+        self.place()
 
-        Of such places those are preferred that hide little ink.
-        """
+    def place(self) -> None:
+        """Lie where the fewest names and the least ink are hidden, in the largest letters."""
         if self.isHidden():
             return
         pictures, room = list(self._named()), self._slide.rect()
-        named = [each.toAlignedRect() for boxes, _ in pictures for each in boxes]
-        tried = []
-        for letters, widest in product(range(len(LETTERS)), WIDTHS):
-            size, whole = self._lay_out(letters, widest)
-            level = sum(whole > share * room.height() for share in SHARES)
-            free = room.width() - size.width(), room.height() - size.height()
-            for order, (across, down) in enumerate(PLACES):
-                place = QRect(QPoint(round(across * free[0]), round(down * free[1])), size)
-                hidden = sum(map(place.intersects, named))
-                inked = sum(ink(QRectF(place)) for _, ink in pictures)
-                inked /= INK_SHARE * room.width() * room.height()
-                area = size.width() * size.height()
-                cost = (level == len(SHARES), hidden, round(inked), level, letters, area, order)
-                tried.append((cost, place, widest))
-        (_, _, _, _, letters, *_), place, widest = min(tried, key=lambda each: each[0])
+        named = np.array([each.getCoords() for boxes, _ in pictures for each in boxes])
+        unit, best = INK_SHARE * room.width() * room.height(), tuple[Any, ...]()
+        for text in self._texts:
+            set_text(self._document, text, palette=self.palette())
+            tried = list(self._candidates(room))
+            boxes = np.array([QRectF(place).getCoords() for _, place, _ in tried])
+            names = overlap(boxes, named.reshape(-1, 4)).sum(axis=1)
+            inked = np.ceil(sum((ink(boxes) for _, ink in pictures), np.zeros(len(boxes))) / unit)
+            for i, (cost, place, widest) in enumerate(tried):
+                whole = (cost[0] == len(SHARES), names[i], inked[i], *cost)
+                if not best or whole < best[0]:
+                    best = whole, place, widest, text
+            if not any(best[0][:3]):
+                break
+        (*_, letters, _, _), place, widest, text = best
+        set_text(self._document, text, palette=self.palette())
         self._lay_out(letters, widest)
         self.setGeometry(place)
         self.update()
+
+    def _candidates(self, room: QRect) -> Iterator[tuple[tuple[int, ...], QRect, float]]:
+        """Yield what a place costs if it hides nothing, the place, and the largest width."""
+        for letters, widest in product(range(len(LETTERS)), WIDTHS):
+            size, whole = self._lay_out(letters, widest)
+            level = sum(whole > share * room.height() for share in SHARES)
+            free, area = room.size() - size, size.width() * size.height()
+            for order, (across, down) in enumerate(PLACES):
+                corner = QPoint(round(across * free.width()), round(down * free.height()))
+                yield (level, letters, area, order), QRect(corner, size), widest
 
     def _lay_out(self, letters: int, widest: float) -> tuple[QSize, float]:
         """Lay the text out; return the question's size, and the height that all of it needs."""

@@ -1,14 +1,16 @@
 """The place of the panes in the window: for a class a slide, over which a question may lie."""
 
+import math
 from collections.abc import Iterator
 from functools import partial
 
-from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, Signal
+import numpy as np
+from PySide6.QtCore import QEvent, QPointF, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import QResizeEvent, QTransform
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
-from app.drawings.label_placement import Ground
+from app.drawings.label_placement import Floats, Ground
 from widgets.panes.pane import Pane
 from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
@@ -18,6 +20,7 @@ from widgets.window.question import HiddenInk, QuestionOverlay
 from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
+FRAME_PX = 3.0  # half the width of a picture's frame, with what is free beside it
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
@@ -55,10 +58,7 @@ class Slide(QWidget):
         self._row.setStretch(1, round(100 * (1.0 - share)) if has_equation else 1)
 
     def named(self) -> Iterator[tuple[list[QRectF], HiddenInk]]:
-        """What a question should not hide, and how much of each picture a box would hide.
-
-        The first are names and points, the equation's cells, and titles.
-        """
+        """Yield names, points, cells and titles, which nothing should hide, and how boxes do it."""
         for pane in self.findChildren(Pane):  # also those that are compared
             canvas, drawing = pane.canvas, pane.drawing
             if drawing is None or not canvas.isVisible():
@@ -73,21 +73,17 @@ class Slide(QWidget):
                 for left, low, right, high in board.boxes
             ]
             to_pixels, _ = from_pixels.inverted()
-            yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels)
-        if self.equation.isVisible():
-            at = self.equation.mapTo(self, QPointF())
-            yield [cell.translated(at) for cell in self.equation.cells], lambda _box: 0.0
-        titles = [
-            QRectF(each.rect()).translated(each.mapTo(self, QPointF()))
-            for each in self.findChildren(Title)
-            if each.isVisible() and each.text()
-        ]
-        if titles:
-            yield titles, lambda _box: 0.0
+            size = drawing.state.size_px if drawing.pane == "image" else (0, 0)
+            yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels, size)
+        titles = [each for each in self.findChildren(Title) if each.isVisible() and each.text()]
+        others = [QRectF(each.rect()).translated(each.mapTo(self, QPointF())) for each in titles]
+        at = self.equation.mapTo(self, QPointF())
+        others += [cell.translated(at) for cell in self.equation.cells if self.equation.isVisible()]
+        yield others, lambda boxes: np.zeros(len(boxes))
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        self.question.place()
+        QTimer.singleShot(0, self.question.settle)  # the panes have their sizes later
         self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()
@@ -98,7 +94,15 @@ class Slide(QWidget):
         return super().event(event)
 
 
-def _hidden_ink(ground: Ground, to_pixels: QTransform, box: QRectF) -> float:
-    px = to_pixels.mapRect(box)
-    area = px.width() * px.height() / (box.width() * box.height())
-    return ground.inked_px(px.left(), px.top(), px.right(), px.bottom()) / area
+def _hidden_ink(
+    ground: Ground, to_pixels: QTransform, size_px: tuple[int, int], boxes: Floats
+) -> Floats:
+    """How much ink boxes hide in a pane, with the frame of a picture of this size."""
+    scale = np.array([to_pixels.m11(), to_pixels.m22()])
+    left, top, right, bottom = (boxes * np.tile(scale, 2) + [to_pixels.dx(), to_pixels.dy()] * 2).T
+    seen = np.stack([left, bottom, right, top], axis=1)
+    hidden = ground.inked_px(seen)
+    for grown in (FRAME_PX, -FRAME_PX) if any(size_px) else ():
+        inside = np.clip(seen, -grown, np.add(size_px, grown).tolist() * 2)
+        hidden += math.copysign(1.0, grown) * (inside[:, 2:] - inside[:, :2]).prod(axis=1)
+    return np.asarray(hidden / abs(scale.prod()))

@@ -68,8 +68,11 @@ class Slots(QSplitter):
             pane.setMinimumSize(*LEAST_PANE_PX)
             pane.enlarge_requested.connect(partial(self.make_large, name))
             pane.float_requested.connect(partial(self.toggle_float, name))
+
+    def fill(self) -> None:
+        """Take the panes, once the slots are in their window: Qt styles what moves with them."""
         for name in (self.large, *SMALL[self.large]):
-            (self if name == self.large else self._small).addWidget(panes[name])
+            (self if name == self.large else self._small).addWidget(self._panes[name])
         self.addWidget(self._small)
         self.share()
 

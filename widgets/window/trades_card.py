@@ -14,12 +14,11 @@ from app.document.view import View
 from app.drawings.figure import Figure
 from app.measure import chart
 from app.measure.meaning import ANY_SCENE, GIVEN_UP, bargain, boldest, shown_by
-from app.measure.results import SWEPT, Measurements
+from app.measure.results import SWEPT, Measurements, of_measure
 from app.measure.single import shipped
 from app.scenes.scene import load
 from widgets.parts.labels import NoteLabel
 from widgets.parts.layouts import FREE, in_column, tool_button
-from widgets.parts.messages import of_measurements
 from widgets.parts.plain import PlainLabel
 from widgets.parts.wording import Wording
 from widgets.window.cover_card import CoverCard
@@ -75,16 +74,16 @@ class TradesCard(CoverCard):
         in_column(head, grid, note, on=self.card, margins=(12, 10, 12, 10), gap=6)
 
     def _tile(self, name: str, results: Measurements | None) -> QToolButton:
-        title = of_measurements(chart.TITLES[name])
+        title = of_measure(chart.TITLES[name])
         paid = WORDS.say("unmeasured")
         bold = boldest(results.trades[0]) if results is not None else None
         if results is not None and bold is not None:
             cost, choice = bold
-            paid = bargain(results.trades[0].by_cost(cost), choice, of_measurements)
+            paid = bargain(results.trades[0].by_cost(cost), choice)
         tile = tool_button(
             act=partial(self._choose, self.trade_chosen.emit, name), name=title, flat=True
         )
-        given_up = of_measurements(GIVEN_UP[name])
+        given_up = of_measure(GIVEN_UP[name])
         tile.setAccessibleDescription(f"{given_up} {paid}")
         picture = self._pictures[name] = PlainLabel()
         picture.setFixedSize(*self._picture_px)

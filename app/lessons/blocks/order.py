@@ -5,6 +5,7 @@ right product counts, and a wrong one is known by what it does (`app.lecture.wro
 """
 
 import random
+import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from itertools import permutations
@@ -57,7 +58,7 @@ class OrderQuestion(MarkedQuestion):
         right, given = (
             [part.strip() for part in item.text.split(";")] for item in (order, tiles or order)
         )
-        chance = random.Random(f"{text} {given}")
+        chance = random.Random(f"{given} {re.findall('[0-9]+', text)}")  # in every language alike
         mixed = chance.sample(given, len(given))
         while mixed == right and len({*given}) > 1:
             mixed = chance.sample(given, len(given))

@@ -24,7 +24,8 @@ class _TileRow(QWidget):
     def __init__(self, text: str) -> None:
         super().__init__()
         self._head, numbers = text, ""
-        tex = latex_called(text).replace("^-1", "^{-1}")
+        name, inverted, _ = text.partition("^-1")
+        tex = latex_called(name) + "^{-1}" * bool(inverted)
         title = f"\u200b${tex}$"  # not alone in its line, where it would be centred
         if text.startswith(tuple(KINDS)):
             self._head = max((kind for kind in KINDS if text.startswith(kind)), key=len)

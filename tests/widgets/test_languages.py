@@ -1,0 +1,123 @@
+"""The window in each language: what it says, what fits, and how it changes the language."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from PySide6.QtWidgets import QApplication
+
+from app import languages
+from app.document.document import Document
+from app.document.settings import set_values
+from app.lessons.course import contained
+from app.scenes.scene import BUILT_IN
+from tests.support.layout import cut, overlapping
+from tests.support.window import MakeWindow, settle
+from widgets.program.application import Translator
+from widgets.window.main_window import MainWindow
+
+OTHERS = [each for each in languages.LANGUAGES if each != languages.ENGLISH]
+LESSON = """---
+title: Kut
+language: {0}
+---
+# Prvi korak {{#first}}
+Koliki je kut?
+
+```answer angle
+Koliki je?
+value: fov
+wrong angle-linear: 2*fov
+```
+"""
+
+
+@pytest.fixture
+def speak(qapp: QApplication) -> Iterator[Any]:
+    translator = Translator(qapp)
+    qapp.installTranslator(translator)
+    yield languages.choose
+    languages.choose(languages.ENGLISH)
+    languages.follow_lesson("")
+    qapp.removeTranslator(translator)
+
+
+def wrong(window: MainWindow) -> list[str]:
+    settle()
+    return [*cut(window), *overlapping(window)]
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("number, language", list(enumerate(OTHERS)))
+def test_nothing_is_cut(number: int, language: str, speak: Any, make_window: MakeWindow) -> None:
+    """Each language has a quarter of the scenes and lessons; all have been looked at."""
+    speak(language)
+    window = make_window()
+    window.resize(1366, 768)
+    found = {}
+    for name in BUILT_IN[number :: len(OTHERS)]:
+        window.guide.choose(name)
+        found[name] = wrong(window)
+    for panel in window.panels.all:
+        window.panels.open(panel)
+        found[type(panel).__name__] = wrong(window)
+    window.panels.open(None)
+    window.show_start_card()
+    settle()
+    assert window.cover is not None
+    found["start card"] = [*cut(window.cover), *overlapping(window.cover)]
+    window.cover.close()
+    for path in contained()[number :: 3 * len(OTHERS)]:
+        window.lesson_card.open(path)
+        for place, _ in enumerate(window.lessons.lesson.steps if window.lessons.lesson else ()):
+            window.lesson_card.go_to(place)
+            found[f"{path.stem} {place}"] = wrong(window)
+    assert not any(found.values()), {name: each for name, each in found.items() if each}
+
+
+@pytest.mark.undrawn
+def test_another_language_keeps_the_work(speak: Any, make_window: MakeWindow) -> None:
+    speak("en")
+    window = make_window()
+    window.store.set_document(set_values(window.store.document, ["lens.near=4"]))
+    window.choose_language("hr")
+    work = window.work_left
+    assert work is not None and window.isHidden() and window.settings.language == "hr"
+    assert work.document.projection.lens.near == 4.0
+    assert work.store is not None and work.saved == Document()
+    speak("hr")
+    second = make_window(work.document)
+    second.store.take_steps(work.store)
+    assert second.menus.undo.text().replace("&", "") == "Poništi"
+    second.store.undo()
+    assert second.store.document.projection.lens.near == 5.0
+    assert second.controls.rows["near"].field.text() == "5"
+
+
+@pytest.mark.undrawn
+def test_the_language_of_a_lesson_rules_its_card(
+    speak: Any, make_window: MakeWindow, tmp_path: Path
+) -> None:
+    speak("en")
+    window = make_window()
+    card, menu = window.lesson_card, window.menus.undo.text()
+    file = tmp_path / "kut.md"
+    for language, back, check, letters in (
+        ("et", "Tagasi", "Kontrolli", "002"), ("hr", "Natrag", "Provjeri", "004"),
+        ("en", "Back", "Check", None),
+    ):  # fmt: skip
+        file.write_text(LESSON.format(language), encoding="utf-8")
+        assert card.open(file)
+        settle()
+        assert card.back.text().replace("&", "") == back
+        assert window.lessons.lesson is not None and window.lessons.lesson.letters == letters
+        texts = [
+            button.text().replace("&", "") for button in card.page.findChildren(type(card.back))
+        ]
+        assert check in texts
+        assert window.menus.undo.text() == menu
+    card.leave()
+    assert languages.of_lessons() == "en"
