@@ -25,7 +25,7 @@ _ITEM = re.compile(r"(\s*[-*]\s+)(.*?)(\s*)")
 _PLAIN = re.compile(r"(\s*)(\S.*?)(\s*)")
 _VALUE = re.compile(
     r"\s*(?:until|right|wrong|value|count|matrix|first|click|at|within|unit|vary|where|state|hide"
-    r"|number|show|check|minutes)(?:\s+[\w-]+)?:.*"
+    r"|number|show|check|minutes|order|tiles)(?:\s+[\w-]+)?:.*"
 )
 _COMPARED = re.compile(r"view\.compare=.*?(?=; view\.|$)")
 _PICTURE = re.compile(r"(?<=[=|])[^=|;:]*[^\W\d_][^=|;:]*(?=: )")  # the name of a compared one
