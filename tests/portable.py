@@ -33,7 +33,8 @@ import os, sys, pytest
 system, names, modules, arguments = eval(sys.argv[1])
 class Elsewhere:
     def pytest_sessionstart(self):
-        import asyncio, concurrent.futures, multiprocessing, pathlib, platform, shutil, subprocess
+        import asyncio, concurrent.futures, gc, multiprocessing, pathlib, platform, shutil
+        import subprocess
         import hypothesis, matplotlib.pyplot, numpy, psutil, pyvistaqt, tempfile, vtkmodules.all
         import urllib.request
         import PySide6.QtOpenGLWidgets, PySide6.QtSvg, PySide6.QtTest, tests.__main__
@@ -42,6 +43,7 @@ class Elsewhere:
             if hasattr(os, name):
                 delattr(os, name)
         sys.modules.update(dict.fromkeys(modules if system == "win32" else ()))
+        gc.freeze()  # Python's collector ends in some of them
 sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", *arguments], plugins=[Elsewhere()]))
 """
 

@@ -489,16 +489,20 @@ class Chain:
 
         Every number is rounded once, after the difference of the origins.
         """
-        if origin not in self._origins:
-            self._origins[origin] = self.exactly(origin)
+        kept, local = self._kept, self._kept.get((origin, target))
+        if local is not None:
+            return np.asarray(local)
+        kept[origin] = kept.get(origin) or self.exactly(origin)
         local = self.matrix.copy()
-        for row, (part, away) in enumerate(zip(self._origins[origin], target, strict=True)):
+        for row, (part, away) in enumerate(zip(kept[origin], target, strict=True)):
             local[row, 3] = float(part - Fraction(away))
+        if origin == target:
+            kept[origin, target] = local
         return read_only(local)
 
     @cached_property
-    def _origins(self) -> dict[Vector, tuple[Any, ...]]:
-        """World places of origins, which a slider's step asks for again."""
+    def _kept(self) -> dict[tuple[Any, ...], Any]:
+        """World places of origins and matrices between them, which a step asks for again."""
         return {}
 
     @cached_property

@@ -135,6 +135,7 @@ class _Node(QAbstractButton):
             painter.setBrush(Qt.BrushStyle.NoBrush)
             painter.setPen(QPen(colours.color(roles.Text), RING_PX))
             painter.drawRoundedRect(box.adjusted(1.0, 1.0, -1.0, -1.0), 3.0, 3.0)
+        painter.end()
 
     def _paint_cube(self, painter: QPainter, room: QRectF) -> None:
         faces = _cube(self._kind.name)
@@ -227,6 +228,7 @@ class _Tree(QWidget):
             bend = start.y() + _GAP_PX / 2.0
             corners = [start, QPointF(start.x(), bend), QPointF(end.x(), bend), end]
             painter.drawPolyline(QPolygonF(corners))
+        painter.end()
 
 
 class KindsPanel(ReadablePanel):

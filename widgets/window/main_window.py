@@ -51,6 +51,7 @@ from widgets.parts import palette
 from widgets.parts.layouts import focus_next, in_column, in_row
 from widgets.parts.messages import MessageBar, all_digits, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Highlighter, Listener, Panel, ShownData
+from widgets.parts.wording import Wording
 from widgets.window.actions import Actions, take_typed
 from widgets.window.arrangement import Arrangement, WorldLook
 from widgets.window.comparing import Comparing
@@ -85,6 +86,7 @@ from widgets.window.transition import Transition
 from widgets.window.wiring import wire
 
 log = logging.getLogger(__name__)
+WORDS = Wording(__file__)
 AT_FIRST_PX = (1366, 768)
 BODY_MARGINS, NO_MARGINS, BODY_GAP_PX = (4, 4, 4, 0), (0, 0, 0, 0), 2
 RECORD = "record.jsonl"  # the file of the student's answers, in the data folder
@@ -142,7 +144,7 @@ class MainWindow(QMainWindow):
         dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
-        titles = {"world": self.tr("World"), "ndc": self.tr("NDC cube"), "image": self.tr("Image")}
+        titles = {name: WORDS.say(name) for name in ("world", "ndc", "image")}
         make_canvas = CANVASES[canvas]
         self.panes = {
             name: Pane(title, DRAWINGS[name], orbits=name != "image", make_canvas=make_canvas)
@@ -190,8 +192,7 @@ class MainWindow(QMainWindow):
         if not self.restoreGeometry(QByteArray(settings.geometry or b"")):  # it may be damaged
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
-            unused = self.tr("The default settings are used.")
-            self.messages.show_message(f"{sentence(settings.problem)} {unused}")
+            self.messages.show_message(f"{sentence(settings.problem)} {WORDS.say('defaults')}")
         QTimer.singleShot(0, self.recovery.offer)
 
     def open_panes(self) -> None:
@@ -227,22 +228,12 @@ class MainWindow(QMainWindow):
             SMOOTHINGS,
             self.status.precision,
         )
-        panels: tuple[tuple[Panel, str, str], ...] = (
-            (self.matrices, self.tr("Matrices"),
-             self.tr("Every stage's matrix: numbers, formulas, factors and products")),
-            (self.frame_panel, self.tr("Camera frame"),
-             self.tr("The camera's axes, step by step: eye, target and up make the view matrix")),
-            (self.kinds_panel, self.tr("Kinds of projection"),
-             self.tr("The tree of planar projections: it marks the kind of the picture; click a"
-                     " kind to change to it")),
-            (self.probe_panel, self.tr("Probe"), self.tr("Follow points through every stage")),
-            (self.scene_panel, self.tr("Explanation and diagrams"),
-             self.tr("What the scene shows, the lectures that use it, and its diagrams")),
-            (self.measure_panel, self.tr("Precision"),
-             self.tr("How exact the picture and its numbers are, and what speed costs on this"
-                     " computer")),
-        )  # fmt: skip
-        for panel, name, tip in panels:
+        panels: dict[str, Panel] = {
+            "matrices": self.matrices, "frame": self.frame_panel, "kinds": self.kinds_panel,
+            "probe": self.probe_panel, "scene": self.scene_panel, "measure": self.measure_panel,
+        }  # fmt: skip
+        for key, panel in panels.items():
+            name, tip = WORDS[key]
             self.panels.add(name, panel, tip)
 
     def _lay_out(self) -> None:
@@ -339,15 +330,11 @@ class MainWindow(QMainWindow):
         )
 
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
-        text = self.tr("The answers in “{0}” were deleted.").format(title)
-        self.messages.show_message(text, (self.tr("Undo"), take_back), warns=False)
+        text, undo = WORDS.say("deleted", title), WORDS.say("undo")
+        self.messages.show_message(text, (undo, take_back), warns=False)
 
     def _show_unsaved(self, why: Refusal) -> None:
-        text = self.tr(
-            "{0} Settings and progress are kept until the program ends, and saving them is tried"
-            " again with the next change."
-        )
-        self.messages.show_message(text.format(sentence(why)))
+        self.messages.show_message(WORDS.say("unsaved", sentence(why)))
 
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
@@ -400,9 +387,8 @@ class MainWindow(QMainWindow):
             log.exception("the scene %r cannot be drawn", document.mesh or document.scene)
             self.files.keep(before.document, before.scene)
             self.store.refuse()
-            text = self.tr("{0} cannot be drawn, so the previous scene stays: {1}")
             name = os.path.basename(document.mesh or document.scene)
-            self.messages.show_message(text.format(name, repr(error)))
+            self.messages.show_message(WORDS.say("not-drawn", name, repr(error)))
 
     def show_view(self, document: Document) -> None:
         self.shown = replace(self.shown, document=document)
@@ -583,8 +569,7 @@ class MainWindow(QMainWindow):
         if paths:
             event.acceptProposedAction()
             if len(paths) > 1:
-                said = self.tr("One file is opened at a time: {0}")
-                self.show_message(said.format(os.path.basename(paths[0])))
+                self.show_message(WORDS.say("one-file", os.path.basename(paths[0])))
             # After the drop: a dialog inside it would freeze the file manager.
             QTimer.singleShot(0, partial(self.files.open, paths[0]))
 
