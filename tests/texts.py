@@ -8,6 +8,7 @@ or an editor, fills in what is ``unfinished``.
 from __future__ import annotations
 
 import argparse
+import ast
 import json
 import subprocess
 import sys
@@ -108,6 +109,18 @@ def command_texts() -> set[str]:
     } - {argparse.SUPPRESS}  # fmt: skip
 
 
+def error_texts() -> set[str]:
+    """The sentences with which commands end: what a `CliError` is made with."""
+    texts = set()
+    for path in (ROOT / "app" / "commands").glob("*.py"):
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and ast.unparse(node.func) == "CliError":
+                match node.args[0]:
+                    case ast.Constant(value=str(text)):
+                        texts.add(text)
+    return texts
+
+
 def _noted(sentences: list[str], text: str) -> str:
     sentences.append(text)
     return text
@@ -145,6 +158,7 @@ def source() -> str:
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
             ("Options", command_texts()),
+            ("Command", error_texts()),
             ("Spoken", SPOKEN),
             ("QPlatformTheme", QT_TEXTS),
             *sentence_texts(),

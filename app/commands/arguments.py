@@ -72,8 +72,10 @@ def place_of(course: Course, step: str | None) -> int:
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
         near = "" if step.isdigit() else f"; the nearest is {nearest(step, names)}"
         raise CliError(
-            f"--step = {step!r}: must be a number from 1 to {len(names)}, or the name of a"
-            f" step{near}."
+            "--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.",
+            step,
+            len(names),
+            near,
         )
     return int(step) - 1
 
@@ -133,22 +135,24 @@ def full_path(name: str) -> str:
     try:
         return os.path.abspath(name)
     except FileNotFoundError as error:
-        raise CliError(f"{name!r} is in the current folder, which was deleted.") from error
+        raise CliError("{0!r} is in the current folder, which was deleted.", name) from error
 
 
 def check_out(name: str, out: str) -> None:
     """Refuse a file that cannot be written, as far as one can tell before anything is computed."""
     if os.path.isdir(out):
-        raise CliError(f"{name} = {out!r}: is a folder.")
+        raise CliError("{0} = {1!r}: is a folder.", name, out)
     needed = [out] if os.path.exists(out) else []
     if needed and not os.path.isfile(out):
-        raise CliError(f"{name} = {out!r}: is a pipe or a device, not a regular file.")
+        raise CliError("{0} = {1!r}: is a pipe or a device, not a regular file.", name, out)
     folder = os.path.dirname(os.path.realpath(full_path(out)))
     if not os.path.isdir(folder):
-        raise CliError(f"{name} = {out!r}: there is no folder {os.path.dirname(out) or folder}.")
+        raise CliError(
+            "{0} = {1!r}: there is no folder {2}.", name, out, os.path.dirname(out) or folder
+        )
     needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
-        raise CliError(f"{name} = {out!r}: may not be written.")
+        raise CliError("{0} = {1!r}: may not be written.", name, out)
 
 
 def _opened(scene: str) -> Document:
@@ -167,7 +171,7 @@ def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:
         with importing():
             from app.scenes.scene import BUILT_IN
         if file in BUILT_IN:
-            raise CliError(f"{file} is a scene: write --set scene={file}.")
+            raise CliError("{0} is a scene: write --set scene={0}.", file)
     check_file(file)
     return open_with(file, over, assignments)
 
@@ -205,7 +209,7 @@ def importing() -> Iterator[None]:
         missing = system_packages.missing_system("window")
         text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
         text = f"{system_packages.advice(missing)}." if missing else text
-        raise CliError(text, CANNOT_DRAW) from error
+        raise CliError(text, status=CANNOT_DRAW) from error
 
 
 @functools.cache
@@ -224,4 +228,4 @@ def check_drawing() -> None:
 
             draw_through_qt()
         except RuntimeError as last:
-            raise CliError(str(last), CANNOT_DRAW) from error
+            raise CliError(str(last), status=CANNOT_DRAW) from error

@@ -93,7 +93,7 @@ def _lines(options: argparse.Namespace) -> Iterator[ListedFigure]:
             paths = [os.path.join(source, name) for name in sorted(os.listdir(source))]
         paths = list(filter(_is_drawn, paths))
         if not paths:
-            raise CliError(f"--batch = {source!r}: has no documents (.json, .md) and no meshes.")
+            raise CliError("--batch = {0!r}: has no documents (.json, .md) and no meshes.", source)
         for path in paths:
             stem = os.path.splitext(os.path.basename(path))[0]
             if is_lesson(path):
@@ -141,8 +141,10 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
             targets = [f"{stem}-{place:02}-{name}.{ending}" for place, name in enumerate(names, 1)]
         elif not targets:
             raise CliError(
-                f"file = {os.path.basename(lesson)!r}: is a lesson; name its step in a column step,"
-                f" or write a number such as %02d in out = {out!r}."
+                "file = {0!r}: is a lesson; name its step in a column step, or write a "
+                "number such as %02d in out = {1!r}.",
+                os.path.basename(lesson),
+                out,
             )
     except (CliError, Refusal) as error:
         yield line._replace(cells=line.cells | {"out": out or stem}, wrong=str(error))
@@ -178,9 +180,11 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
                 wrong = f"has {len(cells)} columns, but the first row names {len(columns)}."
             yield ListedFigure(where, named, (source,), wrong)
     except csv.Error as error:
-        raise CliError(f"{source}, line {begin}: is not CSV ({error}).") from error
+        raise CliError("{0}, line {1}: is not CSV ({2}).", source, begin, error) from error
     if is_empty:
-        raise CliError(f"{source} has no figures: its first row names columns, the others are one.")
+        raise CliError(
+            "{0} has no figures: its first row names columns, the others are one.", source
+        )
 
 
 def _checked_columns(columns: list[str], where: str) -> list[str]:
@@ -188,14 +192,14 @@ def _checked_columns(columns: list[str], where: str) -> list[str]:
     for number, column in enumerate(columns):
         shown = shown_name(column)
         if ";" in column:
-            raise CliError(f"{where}: {shown!r} is one column; they are separated by commas.")
+            raise CliError("{0}: {1!r} is one column; they are separated by commas.", where, shown)
         if column not in known and not column.startswith("settings."):
             near = nearest(shown, known)
-            raise CliError(f"{where}: {shown!r} is not a column; the nearest is {near}.")
+            raise CliError("{0}: {1!r} is not a column; the nearest is {2}.", where, shown, near)
         if column in columns[:number]:
-            raise CliError(f"{where}: has two columns {shown}.")
+            raise CliError("{0}: has two columns {1}.", where, shown)
     if "out" not in columns:
-        raise CliError(f"{where}: has no column out, for the names of the figures.")
+        raise CliError("{0}: has no column out, for the names of the figures.", where)
     return columns
 
 
@@ -212,7 +216,7 @@ def _asked(
     options, words, given = _options(parser), list[str](), dict[str, bool]()
     for column, cell in line.cells.items():
         if "\0" in cell:
-            raise CliError(f"{column} = {cell!r}: has a character NUL.")
+            raise CliError("{0} = {1!r}: has a character NUL.", column, cell)
         if column in ("out", "file") or not cell:
             continue
         if column not in options:
@@ -226,7 +230,7 @@ def _asked(
             given[options[column].dest] = False
             words += [f"--{column}"] * _YES[cell]
         else:
-            raise CliError(f"{column} = {cell!r}: must be true or false.")
+            raise CliError("{0} = {1!r}: must be true or false.", column, cell)
     asked, _ = parser.read([*words, "--", "out"])
     for name, value in vars(common).items():
         if name == "set":
@@ -244,19 +248,19 @@ def _make(folder: str) -> None:
         try:
             os.makedirs(folder, exist_ok=True)
         except FileExistsError as error:
-            raise CliError(f"OUT = {folder!r}: must be a folder, for the figures.") from error
+            raise CliError("OUT = {0!r}: must be a folder, for the figures.", folder) from error
 
 
 def _target(folder: str, out: str, where: str, taken: dict[str, str]) -> str:
     """Return where a figure goes; refuse a name that leads out of the folder, or is taken."""
     if re.search(r"[/\\:\0]", out) or out.startswith(".") or not out.isprintable():
-        raise CliError(f"out = {out!r}: must be a file name without a folder.")
+        raise CliError("out = {0!r}: must be a file name without a folder.", out)
     first = taken.setdefault(out.casefold(), where)
     if first != where:
-        raise CliError(f"out = {out!r}: is written by {first}.")
+        raise CliError("out = {0!r}: is written by {1}.", out, first)
     target = os.path.join(folder, out)
     if os.path.islink(target):
-        raise CliError(f"out = {out!r}: is a link, which may lead out of {folder}.")
+        raise CliError("out = {0!r}: is a link, which may lead out of {1}.", out, folder)
     return target
 
 

@@ -32,7 +32,7 @@ def run(arguments: Sequence[str]) -> int:
         raise CliError("bundle: this program has no folder of its code to make one of.")
     folder = Path(out).absolute() / "frustum-lab"
     if os.path.exists(folder):
-        raise CliError(f"{folder}: is there already; remove it, or choose another folder.")
+        raise CliError("{0}: is there already; remove it, or choose another folder.", folder)
     if options.wheels:
         _collect(folder, options.platform or choices("bundle", "--platform"), options.python)
     else:
@@ -49,13 +49,13 @@ def _freeze(folder: Path) -> None:
     """Make the program."""
     if importlib.util.find_spec("PyInstaller") is None:
         command = bootstrap.pip_install(requirements(bootstrap.ROOT, ["bundle"])[-1].text)
-        raise CliError(f"bundle needs PyInstaller, which is not installed; run: {command}")
+        raise CliError("bundle needs PyInstaller, which is not installed; run: {0}", command)
     with tempfile.TemporaryDirectory() as work:
         words = ["--log-level", "WARN", "--distpath", str(folder.parent), "--workpath", work]
         spec = str(bootstrap.ROOT / "frustum-lab.spec")
         done = subprocess.run(modules.command("PyInstaller", *words, spec), check=False)
     if done.returncode:
-        raise CliError(f"PyInstaller ended with status {done.returncode}.")
+        raise CliError("PyInstaller ended with status {0}.", done.returncode)
 
 
 def _collect(folder: Path, platforms: Sequence[str], pythons: Sequence[str]) -> None:
@@ -74,7 +74,9 @@ def _collect(folder: Path, platforms: Sequence[str], pythons: Sequence[str]) -> 
             words = ["download", "--quiet", "--dest", str(folder / bootstrap.WHEELS)]
             words += [*target_words(platform, python), "-c", str(tested), *wanted]
             if subprocess.run([sys.executable, "-m", "pip", *words], check=False).returncode:
-                raise CliError(f"pip does not find all packages for {platform}, Python {python}.")
+                raise CliError(
+                    "pip does not find all packages for {0}, Python {1}.", platform, python
+                )
         tested.unlink()
 
 

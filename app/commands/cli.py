@@ -60,18 +60,21 @@ def _window(arguments: Sequence[str]) -> int:
     options, words = Parser("").read(arguments)
     if options.screenshot is not None:
         if not options.screenshot.lower().endswith(".png"):
-            raise CliError(f"--screenshot = {options.screenshot!r}: must end in .png.")
+            raise CliError("--screenshot = {0!r}: must end in .png.", options.screenshot)
         check_out("--screenshot", options.screenshot)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
             raise CliError(
-                f"--size {name} = {side}: {REFUSALS['whole-pixels'].format(LARGEST_IMAGE_PX)}."
+                "--size {0} = {1}: {2}.",
+                name,
+                side,
+                REFUSALS["whole-pixels"].format(LARGEST_IMAGE_PX),
             )
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
     if lesson and options.set:
         given = options.set[0]
-        raise CliError(f"--set {given}: {file} is a lesson, whose steps set what is shown.")
+        raise CliError("--set {0}: {1} is a lesson, whose steps set what is shown.", given, file)
     is_bare = not words and not options.set
     letters = set_letters(options)
     saved = document_before(file, options.set)
@@ -86,7 +89,7 @@ def _window(arguments: Sequence[str]) -> int:
         try:
             write_out([f"{delete_settings()}\n"])
         except OSError as error:
-            raise CliError(f"The settings cannot be deleted: {error}.") from error
+            raise CliError("The settings cannot be deleted: {0}.", error) from error
     path = None if file is None else Path(os.path.abspath(file))
     screenshot = None if options.screenshot is None else Path(options.screenshot)
     window_options = application.Options(
@@ -97,4 +100,4 @@ def _window(arguments: Sequence[str]) -> int:
             return application.run_window(document, saved, None, window_options, scene, lesson=path)
         return application.run_window(document, saved, path, window_options, scene)
     except DisplayError as error:
-        raise CliError(str(error), CANNOT_DRAW) from error
+        raise CliError(str(error), status=CANNOT_DRAW) from error

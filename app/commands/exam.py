@@ -20,7 +20,7 @@ def print_tests(options: argparse.Namespace) -> int:
     """Write the tests of ``lesson print``, and the key if it is asked for."""
     for option in ("topics", "seeds", "out"):
         if not getattr(options, option):
-            raise CliError(f"lesson print needs --{option}.")
+            raise CliError("lesson print needs --{0}.", option)
     topics, letters = _topics(options.topics), set_letters(options)
     seeds, digits = _seeds(options.seeds)
     posed, left_out = list[tuple[str, PlacedExercise]](), list[str]()
@@ -29,7 +29,7 @@ def print_tests(options: argparse.Namespace) -> int:
         exercises = list(exercises_of(course))
         on_paper = [each for each in exercises if each.exercise.is_on_paper]
         if not on_paper:
-            raise CliError(f"--topics = {topic!r}: has no exercise that can be solved on paper.")
+            raise CliError("--topics = {0!r}: has no exercise that can be solved on paper.", topic)
         posed += ((f"{topic}: {course.lesson.title}", each) for each in on_paper)
         left_out += (f"{topic}, {e.here.step.title}" for e in exercises if e not in on_paper)
     name = "-".join(topics)
@@ -70,12 +70,14 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
             stems = (re.match(r"l(\d+)-", each.stem) for each in contained())
             last = max(int(stem[1]) for stem in stems if stem)
             raise CliError(
-                f"--topics = {word!r}: must be topics from L1 to L{last}, or files of lessons, "
-                "separated by commas."
+                "--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, "
+                "separated by commas.",
+                word,
+                last,
             )
         name = word.upper() if re.fullmatch(r"[Ll]\d+", word) else path.stem
         if name in paths:
-            raise CliError(f"--topics = {text!r}: names {name} twice.")
+            raise CliError("--topics = {0!r}: names {1} twice.", text, name)
         paths[name] = path
     return paths
 
@@ -86,11 +88,14 @@ def _seeds(text: str) -> tuple[range, int]:
     first, last = (int(ends[1]), int(ends[2] or ends[1])) if ends is not None else (0, 0)
     if not 1 <= first <= last <= LARGEST_SEED:
         raise CliError(
-            f"--seeds = {text!r}: must be FIRST:LAST, such as 1:30, from 1 to {LARGEST_SEED}."
+            "--seeds = {0!r}: must be FIRST:LAST, such as 1:30, from 1 to {1}.", text, LARGEST_SEED
         )
     if last - first >= MOST_TESTS:
         raise CliError(
-            f"--seeds = {text!r}: has {last - first + 1} variants; the limit is {MOST_TESTS}."
+            "--seeds = {0!r}: has {1} variants; the limit is {2}.",
+            text,
+            last - first + 1,
+            MOST_TESTS,
         )
     return range(first, last + 1), max(2, len(str(last)))
 
@@ -102,7 +107,7 @@ def _folder(out: str) -> str:
             os.mkdir(out)
         except (OSError, ValueError) as error:
             why = error.strerror if isinstance(error, OSError) else error
-            raise CliError(f"--out = {out!r}: cannot be made a folder: {why}.") from error
+            raise CliError("--out = {0!r}: cannot be made a folder: {1}.", out, why) from error
     return out
 
 

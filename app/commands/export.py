@@ -42,7 +42,7 @@ def run(arguments: Sequence[str]) -> int:
     options, (out, *files) = Parser("export").read(arguments)
     motions = sweep.motions(options)
     if motions and (len(motions) > 1 or options.batch is not None):
-        raise CliError(f"--{motions[0]}: cannot be used with --{(*motions, 'batch')[1]}.")
+        raise CliError("--{0}: cannot be used with --{1}.", motions[0], (*motions, "batch")[1])
     if options.batch is not None:
         if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
@@ -51,9 +51,9 @@ def run(arguments: Sequence[str]) -> int:
     for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in names:
             if sweep.is_given(options, option):
-                raise CliError(f"--{option}: needs {needed}.")
+                raise CliError("--{0}: needs {1}.", option, needed)
     if not options.sweep and (options.show_value or options.ease != "linear"):
-        raise CliError(f"--{'show-value' if options.show_value else 'ease'}: needs --sweep.")
+        raise CliError("--{0}: needs --sweep.", "show-value" if options.show_value else "ease")
     draw = _draw_moving if motions else _draw
     if _ending(out) == ".html":
         draw = _draw_page
@@ -86,10 +86,10 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
         _check(options, name, _ENDINGS if names else _FILMS)
     if not names and (options.crop or options.width):
         option = "crop" if options.crop else "width"
-        raise CliError(f"--{option}: is for single figures; frames of a film have one size.")
+        raise CliError("--{0}: is for single figures; frames of a film have one size.", option)
     if options.transparent and _ending(out) in (".gif", ".mp4"):
         lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
-        raise CliError(f"--transparent: {_ending(out)} has {lack}; write .apng or .webp.")
+        raise CliError("--transparent: {0} has {1}; write .apng or .webp.", _ending(out), lack)
     states = sweep.states(options, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
     warnings = [_warning(state, scene) for state in states]
@@ -157,7 +157,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         if endings is _ENDINGS and not options.batch:
             known += ", or in .html for a page"
-        raise CliError(f"OUT = {out!r}: must end in {known}{film}.")
+        raise CliError("OUT = {0!r}: must end in {1}{2}.", out, known, film)
     has_pixels = ending not in (*_ENDINGS[1:], ".html")
     if not has_pixels and options.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
@@ -166,7 +166,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
     if options.width and (options.size or options.crop):
         raise CliError("--width: is cropped, and its height is free; leave out --size and --crop.")
     if "/" in options.panes and "," in options.panes:
-        raise CliError(f"--panes = {options.panes!r}: must be a row or a column, not both.")
+        raise CliError("--panes = {0!r}: must be a row or a column, not both.", options.panes)
     check_out("OUT", out)
 
 
@@ -176,14 +176,16 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
         from app.drawings.moving import WEBP_PX, program
     if len(sizes) > 1:
         motion = sweep.motions(options)[0]
-        raise CliError(f"--{motion}: frames of a film have one size; set --size.")
+        raise CliError("--{0}: frames of a film have one size; set --size.", motion)
     (size,) = sizes
     if _ending(out) == ".webp" and max(size) > WEBP_PX:
-        raise CliError(f"OUT = {out!r}: .webp has at most {WEBP_PX} pixels along each side.")
+        raise CliError("OUT = {0!r}: .webp has at most {1} pixels along each side.", out, WEBP_PX)
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
             odd = "x".join(map(str, size))
-            raise CliError(f"OUT = {out!r}: .mp4 has even sides in pixels, not {odd}; set --size.")
+            raise CliError(
+                "OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.", out, odd
+            )
         with blamed_on(out, REFUSALS["unwritable"]):
             program()
 

@@ -23,16 +23,18 @@ def run(arguments: Sequence[str]) -> int:
     options, (what, *names) = Parser("lesson").read(arguments)
     one_of("lesson", what, ("check", "list", "names", "print", "results"))
     if options.csv and what != "results":
-        raise CliError(f"--csv: is an option of lesson results, not of lesson {what}.")
+        raise CliError("--csv: is an option of lesson results, not of lesson {0}.", what)
     if options.letters and what not in ("check", "print"):
-        raise CliError(f"--letters: is an option of lesson check and print, not of lesson {what}.")
+        raise CliError(
+            "--letters: is an option of lesson check and print, not of lesson {0}.", what
+        )
     if what == "print":
         if names:
-            raise CliError(f"lesson print takes no FILE such as {names[0]!r}: use --topics.")
+            raise CliError("lesson print takes no FILE such as {0!r}: use --topics.", names[0])
         return print_tests(options)
     for option in ("topics", "seeds", "out", "key"):
         if getattr(options, option):
-            raise CliError(f"--{option}: is an option of lesson print, not of lesson {what}.")
+            raise CliError("--{0}: is an option of lesson print, not of lesson {1}.", option, what)
     if what == "results":
         return results(options, names)
     if what == "names":

@@ -33,12 +33,12 @@ def run(arguments: Sequence[str]) -> int:
     if options.format != "latex":
         for option in ("digits", "letters", "symbols", "numbers", "width"):
             if getattr(options, option):
-                raise CliError(f"--{option}: needs --format latex.")
+                raise CliError("--{0}: needs --format latex.", option)
     if options.vectors and not options.convention:
         raise CliError("--vectors: needs --convention.")
     alone = [option for option in ("planes", "convention", "chain") if getattr(options, option)]
     if len(alone) + (options.format == "latex" and not options.chain) > 1 and alone:
-        raise CliError(f"--{alone[0]}: stands alone, and needs --format text or json.")
+        raise CliError("--{0}: stands alone, and needs --format text or json.", alone[0])
     set_letters(options)
     document = document_of(words[0] if words else None, options.set)
     projection = document.projection

@@ -38,10 +38,10 @@ def run(arguments: Sequence[str]) -> int:
     asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
     targets = {option: out for option, out in asked.items() if out is not None}
     if len(set(targets.values())) < len(targets):
-        raise CliError(f"{' and '.join(targets)} must go to different files.")
+        raise CliError("{0} must go to different files.", " and ".join(targets))
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
         known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
-        raise CliError(f"--chart = {options.chart!r}: must end in {known}.")
+        raise CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
     if options.size and options.width:
         raise CliError("--width: its height is free; leave out --size.")
     if not options.chart and (options.size or options.width or options.text_size is not None):
@@ -62,8 +62,9 @@ def run(arguments: Sequence[str]) -> int:
         Figure(document, scene, ("ndc",), size, text_pt=options.text_size)
     if document.projection.lens.planes is None:
         raise CliError(
-            "lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must"
-            f" be one of {', '.join(LENSES)}."
+            "lens.kind = matrix: a free matrix has no near, no far and no angle to "
+            "measure; it must be one of {0}.",
+            ", ".join(LENSES),
         )
     everything = not (options.trade or options.sweep)
     trades = list(dict.fromkeys(options.trade or (measuring.TRADES if everything else ())))
@@ -110,12 +111,17 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     try:
         low, high = (parse_number(end) for end in ends.split(":"))
     except ValueError:
-        raise CliError(f"--sweep {name} = {ends!r}: must be LOW:HIGH, such as 0.001:10.") from None
+        raise CliError(
+            "--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.", name, ends
+        ) from None
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
         raise CliError(
-            f"--sweep {name} = {ends!r}: must have LOW below HIGH, both from {whole.low:g} to"
-            f" {whole.high:g}."
+            "--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.",
+            name,
+            ends,
+            whole.low,
+            whole.high,
         )
     return name, (low, high)
 

@@ -119,17 +119,19 @@ class Parser(argparse.ArgumentParser):
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
             where, near = self._command or "the window", nearest(option.lower(), names)
-            raise CliError(f"{option} is not an option of {where}; the nearest is {near}.")
+            raise CliError("{0} is not an option of {1}; the nearest is {2}.", option, where, near)
         words: list[str] = [*options.words, *arguments[end + 1 :]]
         command = self._command or "The window"
         if "" in words:
-            raise CliError(f"{command} was given an empty name.")
+            raise CliError("{0} was given an empty name.", command)
         most = len(self._names.split())
         if self._names.endswith("...]"):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
             takes = self._names or "no names"
-            raise CliError(f"{command} takes {takes}, and was given {counted(len(words), 'name')}.")
+            raise CliError(
+                "{0} takes {1}, and was given {2}.", command, takes, counted(len(words), "name")
+            )
         return options, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
@@ -160,7 +162,7 @@ def one_of(option: str, value: str, values: Sequence[str]) -> str:
     """Return an option's value, which must be one of several."""
     # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
-        raise CliError(f"{option} = {value!r}: must be one of {', '.join(values)}.")
+        raise CliError("{0} = {1!r}: must be one of {2}.", option, value, ", ".join(values))
     return value
 
 
@@ -185,16 +187,16 @@ def check_file(word: str) -> None:
     if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
         return
     if word in SUMMARIES:
-        raise CliError(f"{word} is a command and must come first: {bootstrap.PROGRAM} {word} ...")
+        raise CliError("{0} is a command and must come first: {1} {0} ...", word, bootstrap.PROGRAM)
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
     known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
-    raise CliError(f"{word!r} is neither a file nor a command; the {known}.")
+    raise CliError("{0!r} is neither a file nor a command; the {1}.", word, known)
 
 
 def _size(value: str) -> tuple[int, int]:
     match = re.fullmatch(r"([0-9]{1,9})[xX×]([0-9]{1,9})", value)
     if match is None:
-        raise CliError(f"--size = {value!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.")
+        raise CliError("--size = {0!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.", value)
     return int(match[1]), int(match[2])
 
 
@@ -207,7 +209,7 @@ def _parsed(
         try:
             return parse(value)
         except ValueError:
-            raise CliError(f"{option} = {value!r}: must be {bound}.") from None
+            raise CliError("{0} = {1!r}: must be {2}.", option, value, bound) from None
 
     return read
 
@@ -224,8 +226,11 @@ def _width(value: str) -> float:
     if not WIDTHS_PT[0] <= pt <= WIDTHS_PT[1]:
         least, most = map(round, WIDTHS_PT)
         raise CliError(
-            f"--width = {value!r}: must be a length in {', '.join(TEX_PT_PER)} from {least}pt to "
-            f"{most}pt, such as 84mm."
+            "--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.",
+            value,
+            ", ".join(TEX_PT_PER),
+            least,
+            most,
         )
     return pt
 
@@ -235,7 +240,7 @@ def _sweep(value: str) -> tuple[str, str]:
     name, equals, ends = value.partition("=")
     one_of("--sweep", name, SWEEPS)
     if equals and not ends:
-        raise CliError(f"--sweep {name} = '': must be LOW:HIGH, such as 0.001:10.")
+        raise CliError("--sweep {0} = '': must be LOW:HIGH, such as 0.001:10.", name)
     return name, ends
 
 

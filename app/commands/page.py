@@ -24,7 +24,7 @@ def check(options: Namespace) -> None:
     """Refuse options that are of other figures."""
     for option in ("crop", "width", "transparent", "loop", "fps", "show-value"):
         if getattr(options, option.replace("-", "_")) not in (None, False):
-            raise CliError(f"--{option}: is not for .html, whose pictures change under a slider.")
+            raise CliError("--{0}: is not for .html, whose pictures change under a slider.", option)
 
 
 def asked(options: Namespace) -> Namespace:

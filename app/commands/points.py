@@ -48,8 +48,11 @@ def check_typed(arguments: Sequence[str]) -> None:
     parts = [part for part in re.split(r"[\s,;()\[\]]+", plain(" ".join(typed))) if part]
     point = ",".join(parts) if len(parts) in (3, 4) else "1,2,3"
     raise CliError(
-        f"POINTS = {' '.join(typed)!r}: must be a CSV file, or - for standard input; for a point:"
-        f" echo {point} | {bootstrap.PROGRAM} project -."
+        "POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: "
+        "echo {1} | {2} project -.",
+        " ".join(typed),
+        point,
+        bootstrap.PROGRAM,
     )
 
 
@@ -72,9 +75,9 @@ def read(source: str) -> Read:
     try:
         text, note = decode(_read_input(source))
     except ValueError as error:  # a NUL in the file's name
-        raise CliError(f"{name!r} is not a name that a file can have.") from error
+        raise CliError("{0!r} is not a name that a file can have.", name) from error
     except OSError as error:
-        raise CliError(f"{name} cannot be read: {error.strerror or error}.") from error
+        raise CliError("{0} cannot be read: {1}.", name, error.strerror or error) from error
     separator = _separator(text)
     rows = csv.reader(_lines(text, separator), delimiter=separator, skipinitialspace=True)
     layout: _Layout | None = None
@@ -97,9 +100,9 @@ def read(source: str) -> Read:
             points.append(_point(coordinates, where, separator))
             kept.append(others)
     except csv.Error as error:
-        raise CliError(f"{name}, line {rows.line_num}: is not CSV ({error}).") from error
+        raise CliError("{0}, line {1}: is not CSV ({2}).", name, rows.line_num, error) from error
     if layout is None or not points:
-        raise CliError(f"{name} has no points: it must have rows of x,y,z.")
+        raise CliError("{0} has no points: it must have rows of x,y,z.", name)
     if note:
         print_error(f"{name} {note}.", 0)
     names = layout.names_of_others(max(map(len, kept)))
@@ -155,12 +158,12 @@ class _Layout(NamedTuple):
         lower = [cell.lower() for cell in cells]
         if {"x", "y", "z"} <= set(lower):
             if len(set(lower)) < len(lower):
-                raise CliError(f"{where}: has two columns of the same name.")
+                raise CliError("{0}: has two columns of the same name.", where)
             return cls(tuple(lower.index(axis) for axis in "xyzw" if axis in lower), cells)
         numbers = [place for place, cell in enumerate(cells) if _number(cell, ";") is not None]
         first = next((place for place in numbers if place + 3 <= len(cells)), 0)
         if not numbers and len(cells) > 2:
-            raise CliError(f"{where}: must name columns x, y and z, or hold a point.")
+            raise CliError("{0}: must name columns x, y and z, or hold a point.", where)
         return cls((first, first + 1, first + 2), [])
 
     def split(self, cells: list[str], where: str) -> tuple[list[str], list[str]]:
@@ -169,13 +172,17 @@ class _Layout(NamedTuple):
         if len(cells) <= 3 and places == (0, 1, 2):
             return cells, []
         if len(cells) > width > len(places):
-            raise CliError(f"{where}: has {len(cells)} columns, but the first row names {width}.")
+            raise CliError(
+                "{0}: has {1} columns, but the first row names {2}.", where, len(cells), width
+            )
         after = places[-1] + 1
         if not width and after < len(cells) and _number(cells[after], ";") is not None:
             if len(cells) > after + 1:
                 raise CliError(
-                    f"{where}: has {len(cells)} columns, must have three: x,y,z, or w too;"
-                    " name other columns in a first row: x,y,z,name."
+                    "{0}: has {1} columns, must have three: x,y,z, or w too; name other columns "
+                    "in a first row: x,y,z,name.",
+                    where,
+                    len(cells),
                 )
             places = (*places, after)
         cells = [*cells, *[""] * (max(places) + 1 - len(cells))]
@@ -223,14 +230,14 @@ def _number(cell: str, separator: str) -> float | None:
 def _point(cells: list[str], where: str, separator: str) -> Row:
     if len(cells) < 3:
         columns = counted(len(cells), "column")
-        raise CliError(f"{where}: has {columns}, must have three: x,y,z, or w too.")
+        raise CliError("{0}: has {1}, must have three: x,y,z, or w too.", where, columns)
     values = []
     for name, cell in zip("xyzw", cells, strict=False):
         value = _number(cell, separator)
         if value is None or not math.isfinite(value):
             raise CliError(f"{where}: {name} = {cell!r}: {REFUSALS['finite-number']}.")
         if abs(value) > LARGEST:
-            raise CliError(f"{where}: {name} = {cell}: must lie within ±{LARGEST}.")
+            raise CliError("{0}: {1} = {2}: must lie within ±{3}.", where, name, cell, LARGEST)
         values.append(value)
     try:
         return homogeneous(*values[:3], *(values[3:] or (1.0,)))

@@ -32,7 +32,7 @@ def run(arguments: Sequence[str]) -> int:
     points.check_typed(arguments)
     options, (*file, source) = Parser("project").read(arguments)
     if not file and source.lower().endswith((".json", *MESH_ENDINGS)):
-        raise CliError(f"POINTS is missing: {source} gives the camera only.")
+        raise CliError("POINTS is missing: {0} gives the camera only.", source)
     projection = document_of(file[0] if file else None, options.set).projection
     read = points.read(source)
     rows, has_w = np.array(read.points), read.has_w

@@ -130,7 +130,7 @@ def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -
 def check_stages(options: argparse.Namespace) -> None:
     """Refuse panes that look the same at every stage."""
     if "ndc" not in panes(options):
-        raise CliError(f"--stages: needs the pane ndc, and --panes = {options.panes!r}.")
+        raise CliError("--stages: needs the pane ndc, and --panes = {0!r}.", options.panes)
 
 
 def panes(options: argparse.Namespace) -> list[str]:
@@ -163,8 +163,9 @@ def _transition(options: argparse.Namespace, file: str | None, count: int) -> li
     moves = transition.can_move(start, end)
     if not moves and start != end:
         raise CliError(
-            f"--transition: step {place} shows another scene or another kind of lens than the"
-            " step before; nothing moves from one to the other."
+            "--transition: step {0} shows another scene or another kind of lens than the "
+            "step before; nothing moves from one to the other.",
+            place,
         )
     states = list[Document]()
     for step in range(count):
@@ -183,7 +184,7 @@ def _steps(options: argparse.Namespace, file: str | None) -> tuple[int, Document
     course = course_of(file)
     place = place_of(course, options.step)
     if not place:
-        raise CliError(f"--transition: no step comes before --step {options.step}.")
+        raise CliError("--transition: no step comes before --step {0}.", options.step)
     start, end = (with_values(state_at(course, at), options.set) for at in (place - 1, place))
     return place + 1, start, end
 
@@ -200,7 +201,7 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
     first, last = views
     stages = {end.view.stage for end in ends}
     if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
-        raise CliError(f"--transition: step {place} shows the same as the step before.")
+        raise CliError("--transition: step {0} shows the same as the step before.", place)
     if first is None or last is None:
         return figures
     return [
@@ -215,11 +216,12 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
 def _check_orbit(options: argparse.Namespace) -> None:
     if not 0.0 < abs(options.orbit) <= FULL_TURN:
         raise CliError(
-            f"--orbit = {options.orbit:g}: must be from -{FULL_TURN:g} to {FULL_TURN:g} degrees,"
-            " not 0."
+            "--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.",
+            options.orbit,
+            FULL_TURN,
         )
     if "world" not in panes(options):
-        raise CliError(f"--orbit: needs the pane world, and --panes = {options.panes!r}.")
+        raise CliError("--orbit: needs the pane world, and --panes = {0!r}.", options.panes)
 
 
 def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:

@@ -24,11 +24,13 @@ def run(arguments: Sequence[str]) -> int:
     options, (name,) = Parser("talk").read(arguments)
     if not options.check and options.handout is None:
         raise CliError(
-            f"talk needs --check or --handout OUT.pdf; {bootstrap.PROGRAM} {name} opens the talk."
+            "talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.",
+            bootstrap.PROGRAM,
+            name,
         )
     if options.handout is not None:
         if not options.handout.lower().endswith((".pdf", ".html")):
-            raise CliError(f"--handout = {options.handout!r}: must end in .pdf or .html.")
+            raise CliError("--handout = {0!r}: must end in .pdf or .html.", options.handout)
         check_out("--handout", options.handout)
     readers = options.readers or READERS[0]
     one_of("--for", readers, READERS)

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TextIO, TypeVar
 
+from app.languages import translate
 from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
@@ -22,10 +23,11 @@ INTERRUPTED = 130
 
 
 class CliError(Exception):
-    """One sentence for standard error, and the exit status."""
+    """One sentence for standard error, in the language and filled in; and the exit status."""
 
-    def __init__(self, sentence: str, status: int = BAD_INPUT) -> None:
-        super().__init__(sentence)
+    def __init__(self, template: str, *values: object, status: int = BAD_INPUT) -> None:
+        sentence = translate(template, "Command")
+        super().__init__(sentence.format(*values) if values else sentence)
         self.status = status
 
 
@@ -64,7 +66,7 @@ def write_out(texts: Iterable[str]) -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), out.fileno())
         if isinstance(error, BrokenPipeError):
             raise
-        raise CliError(f"Standard output cannot be written: {error.strerror}.") from error
+        raise CliError("Standard output cannot be written: {0}.", error.strerror) from error
 
 
 @contextmanager

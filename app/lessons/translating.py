@@ -101,7 +101,10 @@ def _translated(lines: list[str], translate: Translate) -> list[str]:
     template, fixed = parted(" ".join(lines))
     if not _WORD.search(re.sub(r"\{\d+\}", "", template)):
         return lines
-    words = translate(template).split(" ")
+    translated = translate(template)
+    if translated == template:
+        return lines
+    words = translated.split(" ")
     cuts = [len(words) * at // len(lines) for at in range(len(lines) + 1)]
     return [
         re.sub(r"\{(\d+)\}", lambda place: fixed[int(place[1])], " ".join(words[begin:end]))

@@ -165,7 +165,7 @@
     </message>
     <message>
         <source>This stops at the clip coordinates. The division by {0} is still to come, {1} and {2}; it makes far things small.</source>
-        <translation>Nii jäädakse pooleli kärperuumi koordinaatide juures. Jagamine {0} on veel ees, {1} ja {2}; see teeb kauged asjad väikeseks.</translation>
+        <translation>Nii jäädakse pooleli kärperuumi koordinaatide juures. Jagamine suurusega {0} on veel ees, {1} ja {2}; see teeb kauged asjad väikeseks.</translation>
     </message>
     <message>
         <source>z needs no divide</source>
@@ -389,187 +389,187 @@
     </message>
     <message>
         <source>First the move, then the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne nihe, siis pööre</translation>
     </message>
     <message>
         <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja pööratakse siis. Pööratakse ümber maailma alguspunkti, nii et nihutatud objekt liigub mööda ringjoont kaasa: {0} pöörab seda paigal, {1} viib selle kaarega mujale.</translation>
     </message>
     <message>
         <source>A scale leaves the move alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine nihet ei muuda</translation>
     </message>
     <message>
         <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja skaleeritakse siis. Skaleeritakse maailma alguspunkti suhtes, nii et korrutatakse ka nihe: kordajaga 2 jõuab nihe 3 võrra kohta 6.</translation>
     </message>
     <message>
         <source>The mirror stands beside the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Peegel seisab objekti kõrval</translation>
     </message>
     <message>
         <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse enne ja peegeldatakse siis. Peegel on tasand läbi maailma alguspunkti, nii et nihe 3 võrra satub teisele poole, kohta {0}.</translation>
     </message>
     <message>
         <source>Scale and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine ja pööre võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja skaleeritakse siis piki maailma telgi. Kui kordajad ei ole võrdsed, kaotab pööratud objekt oma täisnurgad. Kui objekti enne omaenda telgede sihis skaleerida ja siis pöörata, jäävad need alles.</translation>
     </message>
     <message>
         <source>Mirror and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Peegeldus ja pööre võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja peegeldatakse siis. Peegeldus muudab enne seda tehtud pöörded vastassuunalisteks, nii et peegeldatud objekt on pööratud miinus nurga võrra.</translation>
     </message>
     <message>
         <source>Shear and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaldnihe ja pööre võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse enne ja tehakse siis kaldnihe piki maailma telgi. Kui kaldnihe teha enne, on kalle objekti enda telgede sihis ja objekt võtab selle pöördudes kaasa.</translation>
     </message>
     <message>
         <source>Turns about two axes may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöörded ümber kahe telje võivad kohad vahetada</translation>
     </message>
     <message>
         <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii vahetatakse kaks pööret ümber eri telgede. Paremalt lugedes toimub iga pööre ümber maailma telje, mis jääb paigale. Vasakult lugedes toimub iga pööre ümber telje, mida eelmised pöörded on liigutanud.</translation>
     </message>
     <message>
         <source>The camera turns before it moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerat pööratakse enne nihutamist</translation>
     </message>
     <message>
         <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse, enne kui silm on alguspunktis. Vaatemaatriks viib enne silma alguspunkti ja pöörab siis selle ümber, nii et nihe on pöördest paremal.</translation>
     </message>
     <message>
         <source>The view comes before the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaade tuleb enne objekti</translation>
     </message>
     <message>
         <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse vaatemaatriks objekti teisendustest paremale. Punkt alustab objekti ruumist: objekti maatriks viib selle maailma ja alles siis viib vaatemaatriks selle kaamerani.</translation>
     </message>
     <message>
         <source>Project first, then look</source>
-        <translation type="unfinished"></translation>
+        <translation>Enne projitseerida, siis vaadata</translation>
     </message>
     <message>
         <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii projitseeritakse, enne kui punktid on kaamerafreimis. Objektiiv teeb suuruse {0} suurusest {1}, mis on sügavus ainult kaamerafreimis. Maailma punktilt võtab see maailma {2} ja {3} ei ole enam sügavus.</translation>
     </message>
     <message>
         <source>The depths are stretched first</source>
-        <translation type="unfinished"></translation>
+        <translation>Sügavused venitatakse enne</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse {0} maatriksist {1} paremale. {2} venitab sügavusi, mis on 0 ja {3} vahel, aga selliseid sügavusi teeb ainult {4}.</translation>
     </message>
     <message>
         <source>The box needs no pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Risttahukas püramiidi ei vaja</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pannakse {0} maatriksist {1} paremale. {2} vajab kanoonilist püramiidi, mille kaugtasand on kohal {3} ja küljed kohtadel {4}, aga selle teeb ainult {5}.</translation>
     </message>
     <message>
         <source>Pixels before the divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikslid enne jagamist</translation>
     </message>
     <message>
         <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii loetakse piksleid enne jagamist suurusega {0}. Viewport vajab, et {1} ja {2} oleksid {3} ja 1 vahel, aga sellised teeb need ainult jagamine: muidu jagataks ka viewport-teisenduse nihe pildi keskkohta.</translation>
     </message>
     <message>
         <source>The divide is done twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagatakse kaks korda</translation>
     </message>
     <message>
         <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse {0}, {1} ja {2} suurusega {3} ning {4} jäetakse samaks, nii et järgmine jagamine jagab need veel kord. Kord jagatud punktil on {5} ja sellega jagamine ei muuda midagi.</translation>
     </message>
     <message>
         <source>Clockwise is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>Päripäeva on positiivne</translation>
     </message>
     <message>
         <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse miinus nurga võrra. Nurk on positiivne vastupäeva, vaadates telje otsast: ümber z-telje pöörab see x-telje y-telje poole.</translation>
     </message>
     <message>
         <source>Moves have the other sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihetel on teine märk</translation>
     </message>
     <message>
         <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii nihutatakse miinus nende arvude võrra. Nihe liidab oma arvud koordinaatidele. Vaatemaatriks lahutab silma, sest see liigutab maailma ja mitte kaamerat.</translation>
     </message>
     <message>
         <source>A scale divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine jagab</translation>
     </message>
     <message>
         <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jagatakse skaleerimise kordajatega. Kordaja 2 teeb objekti kaks korda suuremaks; pool võtab selle tagasi.</translation>
     </message>
     <message>
         <source>Any axis will do</source>
-        <translation type="unfinished"></translation>
+        <translation>Sobib mis tahes telg</translation>
     </message>
     <message>
         <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii pööratakse ümber teise telje. Mis on pöörde teljel, jääb oma kohale: pööre ümber z-telje muudab x-i ja y-it ning säilitab z-i.</translation>
     </message>
     <message>
         <source>The camera&apos;s axes are columns of R</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera teljed on R-i veerud</translation>
     </message>
     <message>
         <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii kirjutatakse {0}, {1} ja {2} pöörde veergudesse. Selline pööre paigutab kaamera. Vaatemaatriks vajab selle pöördmaatriksit, milleks on transponeeritud maatriks, nii et teljed on selle read.</translation>
     </message>
     <message>
         <source>The move stands in the last row</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe on viimases reas</translation>
     </message>
     <message>
         <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on reavektorite nihe. Siin on punktid veerud, {0}, nii et nihe on viimane veerg. Viimases reas muudaksid selle arvud suurust {1}.</translation>
     </message>
     <message>
         <source>One factor is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Ühest tegurist piisab</translation>
     </message>
     <message>
         <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii jäetakse üks tegur välja. Iga tegur annab oma punktid edasi endast vasakul olevale tegurile ja ilma selleta jõuavad need sinna muutmata.</translation>
     </message>
     <message>
         <source>An inverse keeps the order</source>
-        <translation type="unfinished"></translation>
+        <translation>Pöördmaatriks säilitab järjekorra</translation>
     </message>
     <message>
         <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nii võetakse iga teguri pöördmaatriks ja säilitatakse järjekord. Pöördmaatriks võtab viimase teisenduse tagasi esimesena, nii et järjekord pöördub ümber: {0}.</translation>
     </message>
     <message>
         <source>The inverse leads there, too</source>
-        <translation type="unfinished"></translation>
+        <translation>Sinna viib ka pöördmaatriks</translation>
     </message>
     <message>
         <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
-        <translation type="unfinished"></translation>
+        <translation>See on ahela pöördmaatriks, mis viib tagasi: maailmast objektini või kaamerast maailma. Pöördmaatriks võtab tagasi selle, mida ahel teeb.</translation>
     </message>
 </context>
 <context>
@@ -852,55 +852,55 @@
     </message>
     <message>
         <source>Practise: build the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pange vaatemaatriks kokku</translation>
     </message>
     <message>
         <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks võtab kaamera paigutamise tagasi. Järjestage selle tegurid: lohistage lülisid ja lülitage välja need, mis korrutisse ei kuulu. Esimesena mõjub kõige alumine lüli.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation type="unfinished"></translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Silm on kohal {0}. Maatriksi {1} read on {2}, {3}, {4} ja {5} nihutab vektori {6} võrra. Milline korrutis on vaatemaatriks?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Alguspunktis olev kaamera vaatab suunas {0}. Seda pöörati ümber y-telje {1}° ja nihutati siis vektori {2} võrra. Milline korrutis on selle vaatemaatriks?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Kaamerat kallutati ümber x-telje {0}°, pöörati ümber y-telje {1}° ja nihutati vektori {2} võrra. Milline korrutis on selle vaatemaatriks?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kus on silm pärast vaatemaatriksit?</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunktis, seega mõjub nihutav tegur esimesena. {0} nihutab vektori {1} võrra.</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib silma alguspunkti ja {1} pöörab selle ümber. {2} ja {3} seevastu paigutavad kaamera.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks võtab mõlemad tagasi, viimase esimesena.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera paigutas {0}. Selle pöördmaatriks on {1}: nihe võetakse tagasi esimesena.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamera paigutas {0}. Mis võetakse tagasi esimesena?</translation>
     </message>
     <message>
         <source>The move, then the turn, then the tilt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nihe, siis pööre, siis kalle.</translation>
     </message>
     <message>
         <source>{0}: an inverse turns the order round.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: pöördmaatriks pöörab järjekorra ümber.</translation>
     </message>
 </context>
 <context>
@@ -956,6 +956,10 @@
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Milline ahel viib tähe punkti kaamera telgedesse? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1014,64 +1018,72 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Tähte pöörati ümber z-telje {0}° ja nihutati siis {1} võrra piki x-telge. Milline korrutis seda tegi?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Täht tehti {0} korda nii laiaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Sisestage lülidesse arvud ja järjestage lülid: korrutis peab olema {0} paneelis *Maatriksid*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt, maailm, kaamera</translation>
     </message>
     <message>
         <source>Each factor is a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga tegur on koht</translation>
     </message>
     <message>
         <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuubi all oleval ribal on peatus iga teisenduse jaoks: *Objekt*, *Rz* ja *Maailm*. Peatuses *Rz* on tähte pööratud, aga veel mitte nihutatud; selle teised kohad on kahvatult kõrval. Laske ribal algusest peale joosta.</translation>
     </message>
     <message>
         <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nupu *Esita* kõrval olev nool loeb korrutist teistpidi. **←** teeb teisendused paremalt vasakule, igaühe maailma telgedes. **→** teeb need vasakult paremale, igaühe telgedes, mida eelmised teisendused on liigutanud: täht läheb 3 võrra piki x-telge ja pöördub siis ümber omaenda alguspunkti. Mõlemal viisil jõuab see samasse kohta.</translation>
     </message>
     <message>
         <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahetage külgribal jaotises *Objekt* kaks lüli omavahel ja laske ribal uuesti joosta. Kuidas jõuab täht nüüd oma kohale?</translation>
     </message>
     <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lüli selle vasakus servas olevast pidemest või vajutage seal nooleklahve.</translation>
     </message>
     <message>
         <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Nüüd pööratakse ka nihet: täht läheb kaarega ümber maailma alguspunkti, punktist {0} punkti {1}.</translation>
     </message>
     <message>
         <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutises {0} on pööre vasakul, nii et see mõjub viimasena, ümber maailma alguspunkti.</translation>
     </message>
     <message>
         <source>From the world to the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Maailmast kaamerani</translation>
     </message>
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaameral on omad teljed ja {0} viib maailma nendesse. See võtab kaamera paigutamise tagasi. Tähe punkti {1} jaoks korrutatakse mõlemad maatriksid:</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millises ruumis on punkti koordinaadid alguses?</translation>
     </message>
     <message>
         <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt alustab tähe enda ruumist. Pööre ja nihe viivad selle maailma ja vaatemaatriks viib selle sealt kaamerani.</translation>
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Objekt* on pööre nihkest ülalpool, nii et see mõjub viimasena.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutisega {0} pööratakse tähte paigal ja nihutatakse siis ning veerg 4 on nihe nii, nagu te selle sisestasite. Korrutisega {1} on veerg 4 nihe pärast pööret, {2}.</translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -1163,55 +1175,43 @@
     </message>
     <message>
         <source>Practise: build the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pange ahel kokku</translation>
     </message>
     <message>
         <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähte liigutati ahelaga ja see on seal, kus seda näitab **Maailm**. Järjestage lülid nii nagu korrutises: esimesena mõjub kõige alumine. Lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kumb neist mõjub esimesena? See on all.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: parempoolne tegur mõjub esimesena.</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine pärast pööret muudaks täisnurgad viltuseks.</translation>
     </message>
     <message>
         <source>A scale after the move would multiply the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine pärast nihet korrutaks ka nihke.</translation>
     </message>
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: enne skaleerimine piki tähe enda telgi, siis pööre ümber selle enda alguspunkti ja viimasena nihe.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 4 on nihe, kui nihe mõjub viimasena.</translation>
     </message>
     <message>
         <source>Column 1 is {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veerg 1 on {0}.</translation>
     </message>
     <message>
         <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutise {0} veerg 4 on nihe ise ning veerud 1 kuni 3 on pöörde omad.</translation>
     </message>
 </context>
 <context>
@@ -1549,7 +1549,7 @@
     </message>
     <message>
         <source>Keep the box, and bring probe 1 to a place that is in the box but was outside the 40° pyramid.</source>
-        <translation>Jätke risttahukas ja viige sond 1 kohta, mis on risttahukas, aga oli väljaspool 40° püramiidi.</translation>
+        <translation>Jätke risttahukas ja viige sond 1 kohta, mis on risttahuka sees, aga oli väljaspool 40° püramiidi.</translation>
     </message>
     <message>
         <source>Where is the pyramid narrower than the box?</source>
@@ -1573,7 +1573,7 @@
     </message>
     <message>
         <source>Which cube is in the pyramid, but not in the box?</source>
-        <translation>Milline kuup on püramiidis, aga mitte risttahukas?</translation>
+        <translation>Milline kuup on püramiidi, aga mitte risttahuka sees?</translation>
     </message>
     <message>
         <source>B</source>
@@ -1581,7 +1581,7 @@
     </message>
     <message>
         <source>B is the other way round: in the box, but beside the pyramid. Look at the box: B is inside.</source>
-        <translation>B-ga on vastupidi: see on risttahukas, aga püramiidi kõrval. Vaadake risttahukat: B on sees.</translation>
+        <translation>B-ga on vastupidi: see on risttahuka sees, aga püramiidi kõrval. Vaadake risttahukat: B on sees.</translation>
     </message>
     <message>
         <source>C</source>
@@ -1928,7 +1928,7 @@
     </message>
     <message>
         <source>P is at {0}, and {1}. How large is {2}?</source>
-        <translation>P on {0} ja {1}. Kui suur on {2}?</translation>
+        <translation>P on kohal {0} ja {1}. Kui suur on {2}?</translation>
     </message>
     <message>
         <source>The two similar triangles share the corner at the eye.</source>
@@ -2243,7 +2243,7 @@
     </message>
     <message>
         <source>If {0} stays at {1}, the width {2} stays 4.</source>
-        <translation>Kui {0} jääb arvuks {1}, jääb laiuseks {2} 4.</translation>
+        <translation>Kui {0} jääb arvuks {1}, jääb laius {2} võrdseks arvuga 4.</translation>
     </message>
     <message>
         <source>With {0} the width {1} stays {2}, and {3}. So {4} and {5}.</source>
@@ -2856,39 +2856,39 @@
     </message>
     <message>
         <source>The product</source>
-        <translation type="unfinished"></translation>
+        <translation>Korrutis</translation>
     </message>
     <message>
         <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Riba iga peatus on koht ja iga tegur viib ühest järgmisse. Kaamerafreimi punkt {0} läbib need kõik: millega see kohtub esimesena, on paremal, selle kõrval.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation type="unfinished"></translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Milline ahel viib peatusest *Vaade* peatusse *NDC*? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
-        <translation type="unfinished"></translation>
+        <translation>Millisest ruumist iga tegur alustab: objektiivi enda nähtavast ruumist, püramiidist või risttahukast?</translation>
     </message>
     <message>
         <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} alustab objektiivi enda nähtavast ruumist, {1} püramiidist ja {2} risttahukast: {3}.</translation>
     </message>
     <message>
         <source>Half-way through the box</source>
-        <translation>Risttahukas poolel teel</translation>
+        <translation>Risttahuka sees poolel teel</translation>
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation>Sond 1 on fikseeritud F-i punkti, mis on silmast 7.5 eespool. {0} risttahukas on NDC-s {1}; seda näitab paneel Sond.</translation>
+        <translation>Sond 1 on fikseeritud F-i punkti, mis on silmast 7.5 eespool. {0} risttahuka sees on NDC-s {1}; seda näitab paneel Sond.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
-        <translation>Viige punkt 1 risttahukas kohta z = −1/2: lähi- ja kaugtasandiga, kaameraga või punkti endaga.</translation>
+        <translation>Viige punkt 1 risttahuka sees kohta z = −1/2: lähi- ja kaugtasandiga, kaameraga või punkti endaga.</translation>
     </message>
     <message>
         <source>With near = 6 the point is half-way between the planes in the world. Where is it in the box then?</source>
-        <translation>Kui lähitasand = 6, on punkt maailmas tasandite vahel poolel teel. Kus on see siis risttahukas?</translation>
+        <translation>Kui lähitasand = 6, on punkt maailmas tasandite vahel poolel teel. Kus on see siis risttahuka sees?</translation>
     </message>
     <message>
         <source>{0} at the depth {1}, which is nearer to {2} than to {3}.</source>
@@ -3052,51 +3052,51 @@
     </message>
     <message>
         <source>Practise: build the product</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: pange korrutis kokku</translation>
     </message>
     <message>
         <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaamerafreimi punkt läheb läbi püramiidi ja risttahuka kuupi. Järjestage tegurid; esimesena mõjub kõige alumine.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation type="unfinished"></translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} ja {1}. Milline ahel viib kaamerafreimist NDC-sse?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>Risttahuka lähitasand on kohal {0} ja kaugtasand kohal {1}. Teine programm tahab lähitasandit kohale {2} ja kaugtasandit kohale {3}. Milline ahel on selle {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Silm on kohal {0}, {1} ja {2}. Milline ahel viib maailma punkti NDC-sse, kuni jagamiseni?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidist risttahuka. Mis teeb püramiidi?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} teeb püramiidi, {1} teeb sellest risttahuka ja {2} venitab selle sügavusi.</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kuhu satub lähitasand, mis on kohal 0? Skaleerimine jätab selle kohale 0.</translation>
     </message>
     <message>
         <source>Far is at {0}: the scale takes it to minus its factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kaugtasand on kohal {0}: skaleerimine viib selle kohta, mis on miinus kordaja.</translation>
     </message>
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: skaleerimine mõjub esimesena ja nihe viib lähitasandi kohast 0 kohta {1}.</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiiv vajab punkte kaamerafreimis.</translation>
     </message>
     <message>
         <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Vaatemaatriks tuleb esimesena, sest objektiivi maatriksid on tehtud kaamerafreimi jaoks.</translation>
     </message>
 </context>
 <context>
@@ -3342,7 +3342,7 @@
     </message>
     <message>
         <source>At 45° a projector goes as far along the picture as into the depth, so edges along n are drawn at full length. That is the cavalier drawing. Look from above at its lines to the near plane: they go 1 deep for 1 to the side.</source>
-        <translation>45° korral läheb projektsioonikiir piki pilti sama kaugele kui sügavusse, nii et n-sihilised servad joonistatakse täispikkuses. See on cavalier-joonis. Vaadake ülalt selle jooni lähitasandini: need lähevad 1 sügavusse, kui 1 kõrvale.</translation>
+        <translation>45° korral läheb projektsioonikiir piki pilti sama kaugele kui sügavusse, nii et n-sihilised servad joonistatakse täispikkuses. See on cavalier-joonis. Vaadake ülalt selle jooni lähitasandini: need lähevad 1 sügavusse ja 1 kõrvale.</translation>
     </message>
     <message>
         <source>A projector that goes 1 unit deep moves by the scale {0} along the picture: {1}, and {2} is the angle with {3}.</source>
@@ -4120,51 +4120,51 @@
     </message>
     <message>
         <source>Practise: where the divide belongs</source>
-        <translation type="unfinished"></translation>
+        <translation>Harjutus: kuhu kuulub jagamine</translation>
     </message>
     <message>
         <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagamine suurusega {0} on ahela samm, aga mitte maatriks. Järjestage sammud; esimesena mõjub kõige alumine. Lülitage välja see, mis ahelasse ei kuulu.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation type="unfinished"></translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Pildis on {0} korda 400 pikslit. Milline ahel viib kaamerafreimi punkti selle pikslisse?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Tähte pöörati ümber y-telje {0}° ja nihutati {1} võrra piki x-telge; silm on kohal {2}. Milline ahel viib tähe punkti NDC-sse?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Punkti {0} skaleeritakse arvuga {1}, nihutatakse siis vektori {2} võrra ja jagatakse siis. Milline ahel see on?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Viewport vajab arve −1-st 1-ni.</translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Sellised teeb ainult üks jagamine. Kumma järel on {0}?</translation>
     </message>
     <message>
         <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektiivi maatriks kirjutab jagaja suurusesse {0}, jagamine teeb {1} ja {2} ning viewport teeb neist pikslid.</translation>
     </message>
     <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Alustage tähest: milline maatriks viib selle punktid maailma?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation type="unfinished"></translation>
+        <translation>Tähest maailma, kaamerani, läbi objektiivi ja lõpuks jagamine.</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mis mõjub esimesena, on all.</translation>
     </message>
     <message>
         <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaleerimine mõjub esimesena, nii et see nihet ei muuda. Jagamine võib olla kus tahes: kumbki maatriks ei muuda suurust {0}.</translation>
     </message>
 </context>
 <context>
@@ -4968,7 +4968,7 @@
     </message>
     <message>
         <source>Make it sure</source>
-        <translation>Tehke see kindlaks</translation>
+        <translation>Et see oleks kindel</translation>
     </message>
     <message>
         <source>At the start near is 0.1, and the gap that is certain at the target is 0.061.</source>
@@ -6278,7 +6278,7 @@
     </message>
     <message>
         <source>The lecture has two remedies. Fog fades distant things, so you do not see them appear. Level of detail draws distant trees with fewer vertices, so far can be farther at the same cost.</source>
-        <translation>Loengus on kaks abinõu. Udu hajutab kauged asjad, nii et te ei näe neid ilmumas. Detailsus joonistab kauged puud vähemate tippudega, nii et kaugtasand võib sama kulu juures olla kaugemal.</translation>
+        <translation>Loengus on kaks abinõu. Udu tuhmistab kaugeid asju, nii et te ei näe neid ilmumas. Detailsus joonistab kauged puud vähemate tippudega, nii et kaugtasand võib sama kulu juures olla kaugemal.</translation>
     </message>
     <message>
         <source>Just so many trees</source>
@@ -6784,7 +6784,7 @@
     </message>
     <message>
         <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
-        <translation>12 bitti: 4.5 baiti, kui float32-l on 12, ja keegi ei näe vahet pildil, mis on 320 korda 240.</translation>
+        <translation>12 bitti: float32 12 baidi asemel 4.5 baiti, ja keegi ei näe vahet pildil, mis on 320 korda 240.</translation>
     </message>
     <message>
         <source>Back to the corner</source>
@@ -7394,7 +7394,7 @@
     </message>
     <message>
         <source>By several per cent of its distance</source>
-        <translation>Mitu protsenti oma kaugusest</translation>
+        <translation>Mõne protsendi oma kaugusest</translation>
     </message>
     <message>
         <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
@@ -8378,35 +8378,35 @@
     </message>
     <message>
         <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Iga tegur viib ühest ruumist järgmisse: riba peatused on *Objekt*, *Ry*, *Maailm* ja *Vaade*.</translation>
     </message>
     <message>
         <source>Exchange the two matrices: {0}. Where is the letter then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Vahetage kaks maatriksit omavahel: {0}. Kus on täht siis?</translation>
     </message>
     <message>
         <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Mujal: seda pööratakse ja nihutatakse piki kaamera telgi</translation>
     </message>
     <message>
         <source>In the same place</source>
-        <translation type="unfinished"></translation>
+        <translation>Samas kohas</translation>
     </message>
     <message>
         <source>In the same place, but seen from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Samas kohas, aga mujalt nähtuna</translation>
     </message>
     <message>
         <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Muutunud on nii koht kui ka vaade. Tähte pööratakse ümber silma ja nihutatakse piki u-telge.</translation>
     </message>
     <message>
         <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Esimesena mõjub parempoolne maatriks. Vaade viib tähe kaamerani ja siis liigutatakse seda piki telge {0}, ümber silma.</translation>
     </message>
     <message>
         <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage etapiriba liugurit Objektist Vaateni: peatuses Ry on tähte pööratud, peatuses Maailm on see oma kohal ning Maailmast Vaateni liigub kõik ja millegi koht ülejäänu suhtes ei muutu. Vaatemaatriksi read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Siis küsige, mida teeb vahetatud korrutis. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>

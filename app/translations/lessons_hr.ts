@@ -33,7 +33,7 @@
     </message>
     <message>
         <source>The view matrix puts the camera in its place</source>
-        <translation>Matrica pogleda stavlja kameru na mjesto</translation>
+        <translation>Matrica pogleda stavlja kameru na njezino mjesto</translation>
     </message>
     <message>
         <source>This writes down the inverse of the view matrix, which moves a camera from the origin to its place. The view matrix does the opposite: it moves the world until the eye is at the origin, so its last column is minus the eye along {0}, {1} and {2}, not the eye.</source>
@@ -389,187 +389,187 @@
     </message>
     <message>
         <source>First the move, then the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije pomak, zatim okret</translation>
     </message>
     <message>
         <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije pomiče, a zatim okreće. Rotacija okreće oko ishodišta svijeta, pa pomaknuti objekt nosi po kružnici: {0} okreće ga na njegovu mjestu, a {1} ga vodi ukrug.</translation>
     </message>
     <message>
         <source>A scale leaves the move alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje ne dira pomak</translation>
     </message>
     <message>
         <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije pomiče, a zatim skalira. Skaliranje polazi od ishodišta svijeta, pa množi i pomak: uz faktor 2 pomak za 3 završava na 6.</translation>
     </message>
     <message>
         <source>The mirror stands beside the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Zrcalo stoji pokraj objekta</translation>
     </message>
     <message>
         <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije pomiče, a zatim zrcali. Zrcalo je ravnina kroz ishodište svijeta, pa pomak za 3 prebacuje na drugu stranu, u {0}.</translation>
     </message>
     <message>
         <source>Scale and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje i okret smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije okreće, a zatim skalira duž osi svijeta. Uz nejednake faktore okrenuti objekt gubi prave kutove. Ako se najprije skalira, duž vlastitih osi, a zatim okrene, zadržava ih.</translation>
     </message>
     <message>
         <source>Mirror and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Zrcaljenje i okret smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije okreće, a zatim zrcali. Zrcaljenje obrće okrete koji su učinjeni prije njega, pa je zrcaljeni objekt okrenut za minus taj kut.</translation>
     </message>
     <message>
         <source>Shear and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Smicanje i okret smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo najprije okreće, a zatim primjenjuje smicanje duž osi svijeta. Ako se smicanje primijeni prvo, nagib objekta ide duž njegovih vlastitih osi i okreće se s njim.</translation>
     </message>
     <message>
         <source>Turns about two axes may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Okreti oko dviju osi smiju zamijeniti mjesta</translation>
     </message>
     <message>
         <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zamjenjuje dvije rotacije oko različitih osi. Čita li se zdesna, svaka okreće oko osi svijeta, koja miruje. Čita li se slijeva, svaka okreće oko osi koju su prethodni okreti pomaknuli.</translation>
     </message>
     <message>
         <source>The camera turns before it moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera se okreće prije nego što se pomakne</translation>
     </message>
     <message>
         <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo rotira prije nego što je kamera u ishodištu. Matrica pogleda najprije pomiče kameru u ishodište, a zatim rotira oko njega, pa translacija stoji desno od rotacije.</translation>
     </message>
     <message>
         <source>The view comes before the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Pogled dolazi prije objekta</translation>
     </message>
     <message>
         <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja matricu pogleda desno od pomicanja objekta. Točka počinje u koordinatnom sustavu objekta: matrica objekta prebacuje je u svijet, i tek je zatim matrica pogleda prebacuje u koordinatni sustav kamere.</translation>
     </message>
     <message>
         <source>Project first, then look</source>
-        <translation type="unfinished"></translation>
+        <translation>Najprije projicirati, zatim gledati</translation>
     </message>
     <message>
         <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo projicira prije nego što su točke u koordinatnom sustavu kamere. Objektiv čini {0} od {1}, a to je dubina samo u koordinatnom sustavu kamere. Od točke svijeta uzima njezin globalni {2}, pa {3} više nije dubina.</translation>
     </message>
     <message>
         <source>The depths are stretched first</source>
-        <translation type="unfinished"></translation>
+        <translation>Dubine se rastežu prve</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja {0} desno od {1}. {2} rasteže dubine koje idu od 0 do {3}, a takve dubine daje samo {4}.</translation>
     </message>
     <message>
         <source>The box needs no pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Kvadru ne treba piramida</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo stavlja {0} desno od {1}. {2} treba kanonsku piramidu, s dalekom ravninom na {3} i stranama na {4}, a nju daje samo {5}.</translation>
     </message>
     <message>
         <source>Pixels before the divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Pikseli prije dijeljenja</translation>
     </message>
     <message>
         <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo broji piksele prije dijeljenja s {0}. Prozor prikaza treba {1} i {2} od {3} do 1, a daje ih samo dijeljenje: inače bi se dijelio i njegov pomak u sredinu slike.</translation>
     </message>
     <message>
         <source>The divide is done twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Dijeli se dvaput</translation>
     </message>
     <message>
         <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli {0}, {1} i {2} s {3} i zadržava {4}, pa ih sljedeće dijeljenje opet dijeli. Nakon dijeljenja točka ima {5}, a dijeljenje time ništa ne mijenja.</translation>
     </message>
     <message>
         <source>Clockwise is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>U smjeru kazaljke na satu je pozitivno</translation>
     </message>
     <message>
         <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo okreće za minus taj kut. Kut je pozitivan suprotno od kazaljke na satu, gledano s vrha njegove osi: oko z okreće x prema y.</translation>
     </message>
     <message>
         <source>Moves have the other sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomaci imaju drugi predznak</translation>
     </message>
     <message>
         <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo pomiče za minus te brojeve. Translacija svoje brojeve pribraja koordinatama. Matrica pogleda oduzima položaj kamere, jer pomiče svijet, a ne kameru.</translation>
     </message>
     <message>
         <source>A scale divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje dijeli</translation>
     </message>
     <message>
         <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo dijeli faktorima skaliranja. Faktor 2 čini objekt dvostruko većim; jedna polovina to poništava.</translation>
     </message>
     <message>
         <source>Any axis will do</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaka os je dobra</translation>
     </message>
     <message>
         <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo okreće oko druge osi. Što leži na osi rotacije, ostaje gdje jest: okret oko z mijenja x i y, a zadržava z.</translation>
     </message>
     <message>
         <source>The camera&apos;s axes are columns of R</source>
-        <translation type="unfinished"></translation>
+        <translation>Osi kamere su stupci od R</translation>
     </message>
     <message>
         <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo zapisuje {0}, {1} i {2} u stupce rotacije. Ta rotacija postavlja kameru. Matrici pogleda treba njezin inverz, a to je transponirana matrica, pa su osi njezini retci.</translation>
     </message>
     <message>
         <source>The move stands in the last row</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomak stoji u posljednjem retku</translation>
     </message>
     <message>
         <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo je translacija za vektore retke. Točke su ovdje stupci, {0}, pa je pomak posljednji stupac. U posljednjem retku njegovi bi brojevi mijenjali {1}.</translation>
     </message>
     <message>
         <source>One factor is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Dovoljan je jedan faktor</translation>
     </message>
     <message>
         <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo izostavlja faktor. Svaki faktor predaje svoje točke onome lijevo od sebe, a bez njega one stižu nepromijenjene.</translation>
     </message>
     <message>
         <source>An inverse keeps the order</source>
-        <translation type="unfinished"></translation>
+        <translation>Inverz zadržava redoslijed</translation>
     </message>
     <message>
         <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo invertira svaki faktor i zadržava redoslijed. Inverz najprije poništava posljednji korak, pa se redoslijed okreće: {0}.</translation>
     </message>
     <message>
         <source>The inverse leads there, too</source>
-        <translation type="unfinished"></translation>
+        <translation>I inverz vodi onamo</translation>
     </message>
     <message>
         <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ovo je inverz lanca, koji vodi natrag: iz svijeta u objekt ili iz koordinatnog sustava kamere u svijet. Inverz poništava ono što lanac čini.</translation>
     </message>
 </context>
 <context>
@@ -852,55 +852,55 @@
     </message>
     <message>
         <source>Practise: build the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: složite matricu pogleda</translation>
     </message>
     <message>
         <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda poništava postavljanje kamere. Složite njezine faktore: povlačite pločice i isključite one koje ne pripadaju umnošku. Pločica na dnu djeluje prva.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation type="unfinished"></translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Kamera je u {0}. Retci od {1} su {2}, {3}, {4}, a {5} pomiče za {6}. Koji je umnožak matrica pogleda?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Kamera u ishodištu gleda duž {0}. Okrenuta je oko y za {1}°, zatim pomaknuta za {2}. Koji je umnožak njezina matrica pogleda?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Kamera je nagnuta oko x za {0}°, okrenuta oko y za {1}° i pomaknuta za {2}. Koji je umnožak njezina matrica pogleda?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Gdje je kamera nakon matrice pogleda?</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>U ishodištu, pa faktor koji pomiče djeluje prvi. {0} pomiče za {1}.</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} pomiče kameru u ishodište, a {1} rotira oko njega. {2} i {3}, naprotiv, postavljaju kameru.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda poništava oboje, najprije posljednje.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je postavljena umnoškom {0}. Njegov je inverz {1}: najprije se poništava pomak.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera je postavljena umnoškom {0}. Što se poništava prvo?</translation>
     </message>
     <message>
         <source>The move, then the turn, then the tilt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Pomak, zatim okret, zatim nagib.</translation>
     </message>
     <message>
         <source>{0}: an inverse turns the order round.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: inverz okreće redoslijed.</translation>
     </message>
 </context>
 <context>
@@ -956,6 +956,10 @@
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Koji lanac točku slova prebacuje na osi kamere? Povlačite pločice; ona na dnu djeluje prva.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1014,64 +1018,72 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Slovo je okrenuto oko z za {0}°, a zatim pomaknuto za {1} duž x. Koji je umnožak to učinio?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Slovo je rašireno {0} puta, okrenuto oko z za {1}° i pomaknuto za {2} duž x. Zadržalo je prave kutove. Koji je umnožak to učinio?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Upišite brojeve u pločice i složite ih: umnožak mora biti {0} u ploči *Matrice*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Objekt, svijet, kamera</translation>
     </message>
     <message>
         <source>Each factor is a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaki faktor je mjesto</translation>
     </message>
     <message>
         <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Traka ispod kocke ima postaju za svaki pomak i okret: *Objekt*, *Rz* i *Svijet*. Na postaji *Rz* slovo je okrenuto i još nije pomaknuto; njegova su ostala mjesta blijeda pokraj njega. Pokrenite traku od njezina početka.</translation>
     </message>
     <message>
         <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Strelica pokraj *Pokreni* čita umnožak s druge strane. **←** izvodi faktore zdesna nalijevo, svaki po osima svijeta. **→** ih izvodi slijeva nadesno, svaki po osima koje su prethodni već pomaknuli: slovo ide 3 duž x, a zatim se okreće oko vlastitog ishodišta. Oba načina završavaju na istom mjestu.</translation>
     </message>
     <message>
         <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamijenite dvije pločice u odjeljku *Objekt*, na bočnoj ploči, i ponovno pokrenite traku. Kako slovo sada dolazi na svoje mjesto?</translation>
     </message>
     <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Povucite pločicu za ručicu lijevo od nje ili ondje pritišćite strelice.</translation>
     </message>
     <message>
         <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Sada se okreće i pomak: slovo ide ukrug oko ishodišta svijeta, od {0} do {1}.</translation>
     </message>
     <message>
         <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} ima okret slijeva, pa on djeluje posljednji, oko ishodišta svijeta.</translation>
     </message>
     <message>
         <source>From the world to the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Od svijeta do kamere</translation>
     </message>
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamera ima vlastite osi, a {0} svijet prebacuje na njih. Ona poništava postavljanje kamere. Točka {1} slova množi se objema matricama:</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
-        <translation type="unfinished"></translation>
+        <translation>U kojem koordinatnom sustavu točka na početku ima koordinate?</translation>
     </message>
     <message>
         <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka počinje u vlastitom koordinatnom sustavu slova. Okret i pomak prebacuju je u svijet, a odande je matrica pogleda prebacuje u koordinatni sustav kamere.</translation>
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Primamljivo je najprije pomaknuti, od {0} do {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} dolazi u {3}, gdje je sonda 1. To je {4}, što ovaj korak i pokazuje: u odjeljku *Objekt* rotacija stoji iznad pomaka, pa djeluje posljednja.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kod {0} slovo se rotira na svojem mjestu, a zatim pomiče, i stupac 4 je pomak kako ste ga upisali. Kod {1} stupac 4 je pomak nakon rotacije, {2}.</translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -1163,55 +1175,43 @@
     </message>
     <message>
         <source>Practise: build the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: složite lanac</translation>
     </message>
     <message>
         <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation type="unfinished"></translation>
+        <translation>Slovo je pomaknuto nekim lancem i stoji ondje gdje ga pokazuje **Svijet**. Složite pločice kao u umnošku: ona na dnu djeluje prva. Isključite ono što mu ne pripada.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Što od toga dvoga djeluje prvo? Ono stoji na dnu.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: faktor zdesna djeluje prvi.</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje nakon okreta iskrivilo bi prave kutove.</translation>
     </message>
     <message>
         <source>A scale after the move would multiply the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje nakon pomaka množilo bi i pomak.</translation>
     </message>
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: najprije skaliranje, duž vlastitih osi slova, zatim okret oko njegova ishodišta, a pomak posljednji.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 4 je pomak ako pomak djeluje posljednji.</translation>
     </message>
     <message>
         <source>Column 1 is {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 1 je {0}.</translation>
     </message>
     <message>
         <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Stupac 4 umnoška {0} je sam pomak, a stupci 1 do 3 su stupci rotacije.</translation>
     </message>
 </context>
 <context>
@@ -2856,23 +2856,23 @@
     </message>
     <message>
         <source>The product</source>
-        <translation type="unfinished"></translation>
+        <translation>Umnožak</translation>
     </message>
     <message>
         <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaka postaja trake je mjesto, a svaki faktor vodi s jednog mjesta na sljedeće. Točka {0} koordinatnog sustava kamere prolazi kroz sva: ono na što najprije naiđe stoji zdesna, do nje.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation type="unfinished"></translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Koji lanac vodi od postaje *Kamera* do *NDC*? Povlačite pločice; ona na dnu djeluje prva.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
-        <translation type="unfinished"></translation>
+        <translation>Od kojeg volumena polazi svaki faktor: od vlastitog volumena objektiva, od piramide ili od kvadra?</translation>
     </message>
     <message>
         <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} polazi od vlastitog volumena objektiva, {1} od piramide, a {2} od kvadra: {3}.</translation>
     </message>
     <message>
         <source>Half-way through the box</source>
@@ -3052,51 +3052,51 @@
     </message>
     <message>
         <source>Practise: build the product</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: složite umnožak</translation>
     </message>
     <message>
         <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka koordinatnog sustava kamere ide kroz piramidu i kvadar do kocke. Složite faktore; onaj na dnu djeluje prvi.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation type="unfinished"></translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} i {1}. Koji lanac vodi od koordinatnog sustava kamere do NDC?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>U kvadru je bliska ravnina na {0}, a daleka na {1}. Jednom drugom programu treba bliska na {2}, a daleka na {3}. Koji je lanac njegova {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Kamera je u {0}, {1} i {2}. Koji lanac točku svijeta prebacuje u NDC, sve do dijeljenja?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} prebacuje piramidu u kvadar. Što čini piramidu?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} čini piramidu, {1} je pretvara u kvadar, a {2} mu rasteže dubine.</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kamo dolazi bliska ravnina, koja je na 0? Skaliranje je ostavlja na 0.</translation>
     </message>
     <message>
         <source>Far is at {0}: the scale takes it to minus its factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Daleka ravnina je na {0}: skaliranje je prebacuje u minus svoj faktor.</translation>
     </message>
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: skaliranje djeluje prvo, a pomak prebacuje blisku ravninu s 0 na {1}.</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Objektivu trebaju točke u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
         <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica pogleda dolazi prva, jer su matrice objektiva načinjene za koordinatni sustav kamere.</translation>
     </message>
 </context>
 <context>
@@ -4120,51 +4120,51 @@
     </message>
     <message>
         <source>Practise: where the divide belongs</source>
-        <translation type="unfinished"></translation>
+        <translation>Vježba: gdje je mjesto dijeljenju</translation>
     </message>
     <message>
         <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Dijeljenje s {0} jest korak lanca, ali nije matrica. Složite korake; onaj na dnu djeluje prvi. Isključite ono što ne pripada lancu.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation type="unfinished"></translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Slika ima {0} puta 400 piksela. Koji lanac točku koordinatnog sustava kamere prebacuje u njezin piksel?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Slovo je okrenuto oko y za {0}° i pomaknuto za {1} duž x; kamera je u {2}. Koji lanac točku slova prebacuje u NDC?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Točka {0} skalira se s {1}, zatim pomiče za {2}, zatim dijeli. Koji je to lanac?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Prozoru prikaza trebaju brojevi od −1 do 1.</translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Daje ih samo jedno dijeljenje. Nakon kojeg ostaje {0}?</translation>
     </message>
     <message>
         <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica objektiva upisuje djelitelj u {0}, dijeljenje daje {1} i {2}, a prozor prikaza od njih čini piksele.</translation>
     </message>
     <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Počnite od slova: koja matrica njegove točke prebacuje u svijet?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation type="unfinished"></translation>
+        <translation>Od slova u svijet, u koordinatni sustav kamere, kroz objektiv, i na kraju dijeljenje.</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Što djeluje prvo, stoji na dnu.</translation>
     </message>
     <message>
         <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skaliranje djeluje prvo, pa ne mijenja pomak. Dijeljenje može stajati bilo gdje: nijedna od matrica ne mijenja {0}.</translation>
     </message>
 </context>
 <context>
@@ -4219,7 +4219,7 @@
     </message>
     <message>
         <source>Point 1 is a corner of the F.</source>
-        <translation>Točka 1 je vrh slova F.</translation>
+        <translation>Točka 1 je jedan od vrhova slova F.</translation>
     </message>
     <message>
         <source>Bring point 1 within one pixel of (0, 0).</source>
@@ -4984,7 +4984,7 @@
     </message>
     <message>
         <source>Move Near outwards, to 1 or more. More bits, under Format, also work.</source>
-        <translation>Odmaknite blisku ravninu, na 1 ili više. Pomaže i više bitova, pod Format.</translation>
+        <translation>Odmaknite blisku ravninu, na 1 ili više. Rješava to i više bitova, pod Format.</translation>
     </message>
     <message>
         <source>The stripes are gone. Near matters, and so does the number of bits; far hardly does.</source>
@@ -8378,35 +8378,35 @@
     </message>
     <message>
         <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Svaki faktor vodi iz jednog koordinatnog sustava u sljedeći: traka ima postaje *Objekt*, *Ry*, *Svijet* i *Kamera*.</translation>
     </message>
     <message>
         <source>Exchange the two matrices: {0}. Where is the letter then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Zamijenite dvije matrice: {0}. Gdje je tada slovo?</translation>
     </message>
     <message>
         <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Drugdje: okrenuto je i pomaknuto po osima kamere</translation>
     </message>
     <message>
         <source>In the same place</source>
-        <translation type="unfinished"></translation>
+        <translation>Na istom mjestu</translation>
     </message>
     <message>
         <source>In the same place, but seen from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>Na istom mjestu, ali gledano s drugog mjesta</translation>
     </message>
     <message>
         <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Promijenili su se i mjesto i pogled. Slovo je okrenuto oko kamere i pomaknuto duž u.</translation>
     </message>
     <message>
         <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Matrica zdesna djeluje prva. Matrica pogleda prebacuje slovo u koordinatni sustav kamere, a pomak se zatim izvodi duž {0}, oko kamere.</translation>
     </message>
     <message>
         <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Veliko okno pokazuje koordinatni sustav kamere: kamera je u ishodištu, u udesno, v gore, n prema njoj. Povlačite traku od postaje Objekt do Kamera: na Ry je slovo okrenuto, na Svijet stoji na svojem mjestu, a od Svijeta do Kamere sve se pomiče i ništa ne mijenja svoj položaj prema ostalome. Retci matrice pogleda su osi kamere, jer je ona inverz matrice čiji su to stupci. Zatim pitajte što čini umnožak sa zamijenjenim matricama. Obje se matrice množe jednom, a ne za svaki vrh.</translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>

@@ -389,187 +389,187 @@
     </message>
     <message>
         <source>First the move, then the turn</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво помак, па окретање</translation>
     </message>
     <message>
         <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво помера, па окреће. Ротација окреће око координатног почетка света, па померени објекат носи по кружници: {0} га окреће на месту, а {1} га води у луку.</translation>
     </message>
     <message>
         <source>A scale leaves the move alone</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање не дира помак</translation>
     </message>
     <message>
         <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво помера, па скалира. Скалира се од координатног почетка света, па се множи и помак: са чиниоцем 2 помак за 3 завршава у 6.</translation>
     </message>
     <message>
         <source>The mirror stands beside the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Огледало стоји поред објекта</translation>
     </message>
     <message>
         <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде прво делује помак, па рефлексија. Огледало је раван кроз координатни почетак света, па помак за 3 преноси на другу страну, у {0}.</translation>
     </message>
     <message>
         <source>Scale and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање и окретање могу да замене места</translation>
     </message>
     <message>
         <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво окреће, па скалира дуж оса света. Са неједнаким чиниоцима окренути објекат губи праве углове. Ако се прво скалира, дуж сопствених оса, па онда окрене, он их задржава.</translation>
     </message>
     <message>
         <source>Mirror and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Рефлексија и окретање могу да замене места</translation>
     </message>
     <message>
         <source>This turns first and then mirrors. A mirror reverses the turns that were made before it, so the mirrored object is turned by minus the angle.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде прво делује окретање, па рефлексија. Она обрће смер окретања која су извршена пре ње, па је рефлектовани објекат окренут за минус тај угао.</translation>
     </message>
     <message>
         <source>Shear and turn may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Смицање и окретање могу да замене места</translation>
     </message>
     <message>
         <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се прво окреће, па смиче дуж оса света. Ако се прво смиче, косина објекта је дуж његових сопствених оса, и он је при окретању носи са собом.</translation>
     </message>
     <message>
         <source>Turns about two axes may change places</source>
-        <translation type="unfinished"></translation>
+        <translation>Окретања око двеју оса могу да замене места</translation>
     </message>
     <message>
         <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су замењене две ротације око различитих оса. Читано здесна, свака окреће око осе света, која стоји на месту. Читано слева, свака окреће око осе коју су ранија окретања померила.</translation>
     </message>
     <message>
         <source>The camera turns before it moves</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера се окреће пре него што се помери</translation>
     </message>
     <message>
         <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се ротира пре него што је позиција камере у координатном почетку. Матрица погледа прво помера позицију камере у координатни почетак, па ротира око њега, зато транслација стоји десно од ротације.</translation>
     </message>
     <message>
         <source>The view comes before the object</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа долази пре објекта</translation>
     </message>
     <message>
         <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је матрица погледа стављена десно од покрета објекта. Тачка полази из координатног система објекта: матрица објекта је преводи у свет, и тек онда је матрица погледа преводи у систем камере.</translation>
     </message>
     <message>
         <source>Project first, then look</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво пројектовати, па гледати</translation>
     </message>
     <message>
         <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се пројектује пре него што су тачке у координатном систему камере. Објектив прави {0} од {1}, а то је дубина само у систему камере. Од тачке света он узима {2} у свету, и {3} више није дубина.</translation>
     </message>
     <message>
         <source>The depths are stretched first</source>
-        <translation type="unfinished"></translation>
+        <translation>Прво се растежу дубине</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} stretches depths that run from 0 to {3}, and only {4} makes such depths.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0} стављена десно од {1}. {2} растеже дубине које иду од 0 до {3}, а такве дубине прави само {4}.</translation>
     </message>
     <message>
         <source>The box needs no pyramid</source>
-        <translation type="unfinished"></translation>
+        <translation>Квадру не треба пирамида</translation>
     </message>
     <message>
         <source>This puts {0} on the right of {1}. {2} needs the canonical pyramid, with far at {3} and sides at {4}, and only {5} makes it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је {0} стављена десно од {1}. {2} тражи стандардну пирамиду, са задњом равни на {3} и странама на {4}, а њу прави само {5}.</translation>
     </message>
     <message>
         <source>Pixels before the divide</source>
-        <translation type="unfinished"></translation>
+        <translation>Пиксели пре дељења</translation>
     </message>
     <message>
         <source>This counts pixels before the division by {0}. The viewport needs {1} and {2} from {3} to 1, and only the division makes them: its shift to the middle of the picture would be divided, too.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се пиксели броје пре дељења са {0}. Области приказа требају {1} и {2} од {3} до 1, а њих прави само дељење: иначе би се делио и њен помак у средину слике.</translation>
     </message>
     <message>
         <source>The divide is done twice</source>
-        <translation type="unfinished"></translation>
+        <translation>Дели се двапут</translation>
     </message>
     <message>
         <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се {0}, {1} и {2} деле са {3}, а {4} се задржава, па их следеће дељење дели још једном. Једном подељена тачка има {5}, и дељење тиме не мења ништа.</translation>
     </message>
     <message>
         <source>Clockwise is positive</source>
-        <translation type="unfinished"></translation>
+        <translation>У смеру казаљке на сату је позитивно</translation>
     </message>
     <message>
         <source>This turns by minus the angle. An angle is positive anticlockwise, seen from the tip of its axis: about z it turns x towards y.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се окреће за минус тај угао. Угао је позитиван супротно од казаљке на сату, гледано са врха своје осе: око z он окреће x ка y.</translation>
     </message>
     <message>
         <source>Moves have the other sign</source>
-        <translation type="unfinished"></translation>
+        <translation>Помаци имају супротан предзнак</translation>
     </message>
     <message>
         <source>This moves by minus the numbers. A translation adds its numbers to the coordinates. The view matrix subtracts the eye, because it moves the world and not the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се помера за минус те бројеве. Транслација своје бројеве додаје координатама. Матрица погледа одузима позицију камере јер помера свет, а не камеру.</translation>
     </message>
     <message>
         <source>A scale divides</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање дели</translation>
     </message>
     <message>
         <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се дели чиниоцима скалирања. Чинилац 2 чини објекат двапут већим; једна половина то поништава.</translation>
     </message>
     <message>
         <source>Any axis will do</source>
-        <translation type="unfinished"></translation>
+        <translation>Може било која оса</translation>
     </message>
     <message>
         <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде се окреће око друге осе. Што лежи на оси ротације, остаје где јесте: окретање око z мења x и y, а задржава z.</translation>
     </message>
     <message>
         <source>The camera&apos;s axes are columns of R</source>
-        <translation type="unfinished"></translation>
+        <translation>Осе камере су колоне матрице R</translation>
     </message>
     <message>
         <source>This writes {0}, {1} and {2} into the columns of the rotation. That rotation places a camera. The view matrix needs its inverse, which is the transpose, so the axes are its rows.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде су {0}, {1} и {2} уписани у колоне ротације. Та ротација поставља камеру. Матрици погледа треба њен инверз, а то је транспонована матрица, па су осе њене врсте.</translation>
     </message>
     <message>
         <source>The move stands in the last row</source>
-        <translation type="unfinished"></translation>
+        <translation>Помак стоји у последњој врсти</translation>
     </message>
     <message>
         <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је транслација за векторе-врсте. Тачке су овде колоне, {0}, па је помак последња колона. У последњој врсти његови бројеви би мењали {1}.</translation>
     </message>
     <message>
         <source>One factor is enough</source>
-        <translation type="unfinished"></translation>
+        <translation>Довољан је један чинилац</translation>
     </message>
     <message>
         <source>This leaves a factor out. Each factor hands its points to the one on its left, and without it they arrive unchanged.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је један чинилац изостављен. Сваки чинилац предаје своје тачке ономе са своје леве стране, а без њега оне стижу непромењене.</translation>
     </message>
     <message>
         <source>An inverse keeps the order</source>
-        <translation type="unfinished"></translation>
+        <translation>Инверз задржава редослед</translation>
     </message>
     <message>
         <source>This inverts each factor and keeps the order. An inverse undoes the last move first, so the order turns round: {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Овде је инвертован сваки чинилац, а редослед је задржан. Инверз прво поништава последњи покрет, па се редослед обрће: {0}.</translation>
     </message>
     <message>
         <source>The inverse leads there, too</source>
-        <translation type="unfinished"></translation>
+        <translation>И инверз води тамо</translation>
     </message>
     <message>
         <source>This is the inverse of the chain, which leads back: from the world to the object, or from the camera to the world. The inverse undoes what the chain does.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ово је инверз ланца, а он води назад: од света до објекта, или од камере до света. Инверз поништава оно што ланац чини.</translation>
     </message>
 </context>
 <context>
@@ -852,55 +852,55 @@
     </message>
     <message>
         <source>Practise: build the view matrix</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: саставите матрицу погледа</translation>
     </message>
     <message>
         <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа поништава постављање камере. Поређајте њене чиниоце: превуците плочице и искључите оне које не припадају производу. Плочица на дну делује прва.</translation>
     </message>
     <message>
-        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix? order view: R; P tiles: R; P; R^-1; P^-1</source>
-        <translation type="unfinished"></translation>
+        <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
+        <translation>Позиција камере је {0}. Врсте матрице {1} су {2}, {3}, {4}, а {5} помера за {6}. Који производ је матрица погледа?</translation>
+    </message>
+    <message>
+        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
+        <translation>Камера у координатном почетку гледа дуж {0}. Окренута је око y за {1}°, па померена за {2}. Који производ је њена матрица погледа?</translation>
+    </message>
+    <message>
+        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix?</source>
+        <translation>Камера је нагнута око x за {0}°, окренута око y за {1}° и померена за {2}. Који производ је њена матрица погледа?</translation>
     </message>
     <message>
         <source>Where is the eye after the view matrix?</source>
-        <translation type="unfinished"></translation>
+        <translation>Где је позиција камере после матрице погледа?</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>У координатном почетку, па прво делује чинилац који помера. {0} помера за {1}.</translation>
     </message>
     <message>
         <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix? order view: rotate y {3}; translate {4},{5},{6} tiles: rotate y {7}; translate {8},{9},{10}; rotate y {11}; translate {12},{13},{14}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} помера позицију камере у координатни почетак, а {1} ротира око њега. {2} и {3} чине обрнуто: постављају камеру.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа поништава и једно и друго, прво оно што је било последње.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A camera was tilted about x by {0}°, turned about y by {1}°, and moved by {2}. Which product is its view matrix? order view: rotate x {3}; rotate y {4}; translate {5},{6},{7}</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера је постављена производом {0}. Његов инверз је {1}: прво се поништава помак.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера је постављена производом {0}. Шта се прво поништава?</translation>
     </message>
     <message>
         <source>The move, then the turn, then the tilt.</source>
-        <translation type="unfinished"></translation>
+        <translation>Помак, па окретање, па нагињање.</translation>
     </message>
     <message>
         <source>{0}: an inverse turns the order round.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: инверз обрће редослед.</translation>
     </message>
 </context>
 <context>
@@ -956,6 +956,10 @@
     <message>
         <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
+    </message>
+    <message>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Који ланац преводи тачку слова у осе камере? Превуците плочице; она на дну делује прва.</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1014,64 +1018,72 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
+        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
+        <translation>Слово је окренуто око z за {0}°, па померено за {1} дуж x. Који производ је то учинио?</translation>
+    </message>
+    <message>
+        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
+        <translation>Слово је растегнуто на {0} пута већу ширину, окренуто око z за {1}°, и померено за {2} дуж x. Задржало је праве углове. Који производ је то учинио?</translation>
+    </message>
+    <message>
+        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
+        <translation>Унесите бројеве у плочице и поређајте их: производ мора бити {0} у панелу *Матрице*.</translation>
+    </message>
+    <message>
         <source>Object, world, camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Објекат, свет, камера</translation>
     </message>
     <message>
         <source>Each factor is a place</source>
-        <translation type="unfinished"></translation>
+        <translation>Сваки чинилац је једно место</translation>
     </message>
     <message>
         <source>The strip below the cube has a stop for each move: *Object*, *Rz* and *World*. At *Rz* the letter is turned and not yet moved; its other places are pale beside it. Play the strip from its beginning.</source>
-        <translation type="unfinished"></translation>
+        <translation>Трака испод коцке има станицу за сваки покрет: *Објекат*, *Rz* и *Свет*. На станици *Rz* слово је окренуто, а још није померено; његова остала места виде се бледо поред њега. Пустите траку од почетка.</translation>
     </message>
     <message>
         <source>The arrow beside *Play* reads the product the other way. **←** does the moves from right to left, each in the axes of the world. **→** does them from left to right, each in the axes that the moves before have moved: the letter goes 3 along x and is then turned about its own origin. Both ways end in the same place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Стрелица поред дугмета *Пусти* чита производ на другу страну. **←** изводи покрете здесна налево, сваки у осама света. **→** их изводи слева надесно, сваки у осама које су ранији покрети померили: слово иде за 3 дуж x, па се окреће око сопственог координатног почетка. Оба пута завршавају се на истом месту.</translation>
     </message>
     <message>
         <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation type="unfinished"></translation>
+        <translation>Замените места двема плочицама у одељку *Објекат*, у бочном панелу, и поново пустите траку. Како слово сада стиже на своје место?</translation>
     </message>
     <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
-        <translation type="unfinished"></translation>
+        <translation>Превуците плочицу за ручицу на њеној левој страни, или тамо притисните тастере са стрелицама.</translation>
     </message>
     <message>
         <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сада се окреће и помак: слово описује лук око координатног почетка света, од {0} до {1}.</translation>
     </message>
     <message>
         <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} има окретање лево, па оно делује последње, око координатног почетка света.</translation>
     </message>
     <message>
         <source>From the world to the camera</source>
-        <translation type="unfinished"></translation>
+        <translation>Од света до камере</translation>
     </message>
     <message>
         <source>The camera has axes of its own, and {0} takes the world to them. It undoes how the camera was placed. For a point {1} of the letter both matrices are multiplied:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Which chain takes a point of the letter to the camera&apos;s axes? Drag the tiles; the one at the bottom acts first. order: view; translate 3,0,0; rotate z 90</source>
-        <translation type="unfinished"></translation>
+        <translation>Камера има сопствене осе, и матрица {0} свет преводи у њих. Она поништава постављање камере. За тачку {1} слова множе се обе матрице:</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
-        <translation type="unfinished"></translation>
+        <translation>У ком систему су координате тачке на почетку?</translation>
     </message>
     <message>
         <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка полази из координатног система слова. Окретање и помак је преводе у свет, а матрица погледа одатле у систем камере.</translation>
     </message>
     <message>
         <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Примамљиво је прво померити, из {0} у {1}, па онда ротирати. Али ротација око координатног почетка света ротира и помак: {2} иде у {3}, где је сонда 1. То је {4}, што овај корак показује: у одељку *Објекат* ротација стоји изнад помака, па делује последња.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Са {0} слово се ротира на месту, па помера, и колона 4 је помак како сте га унели. Са {1} колона 4 је помак после ротације, {2}.</translation>
     </message>
     <message>
         <source>Practise: the matrix of a turn</source>
@@ -1163,55 +1175,43 @@
     </message>
     <message>
         <source>Practise: build the chain</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: саставите ланац</translation>
     </message>
     <message>
         <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that? order object: translate {2},0,0; rotate z {3} tiles: translate {4},0,0; rotate z {5}; rotate z {6}</source>
-        <translation type="unfinished"></translation>
+        <translation>Слово је померио један ланац, и стоји где га показује приказ **Свет**. Поређајте плочице као у производу: она на дну делује прва. Искључите оно што му не припада.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Који од та два чиниоца делује први? Он стоји на дну.</translation>
     </message>
     <message>
         <source>{0}: the factor on the right acts first.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that? order object: translate {3},0,0; rotate z {4}; scale {5},1,1</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: десни чинилац делује први.</translation>
     </message>
     <message>
         <source>A scale after the turn would bend the right angles.</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање после окретања искривило би праве углове.</translation>
     </message>
     <message>
         <source>A scale after the move would multiply the move.</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање после помака помножило би помак.</translation>
     </message>
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*. order object: translate {1},{2},0; rotate z {3} tiles: rotate z 0; translate 0,0,0</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: прво скалирање, дуж сопствених оса слова, па окретање око његовог координатног почетка, и на крају помак.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 4 је помак, ако помак делује последњи.</translation>
     </message>
     <message>
         <source>Column 1 is {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 1 је {0}.</translation>
     </message>
     <message>
         <source>Column 4 of {0} is the move itself, and columns 1 to 3 are those of the rotation.</source>
-        <translation type="unfinished"></translation>
+        <translation>Колона 4 производа {0} је сам помак, а колоне 1 до 3 су колоне ротације.</translation>
     </message>
 </context>
 <context>
@@ -2745,7 +2745,7 @@
     </message>
     <message>
         <source>It is {0} deep.</source>
-        <translation>На дубини је {0}.</translation>
+        <translation>Дубина је {0}.</translation>
     </message>
     <message>
         <source>Practise: place the middle</source>
@@ -2856,23 +2856,23 @@
     </message>
     <message>
         <source>The product</source>
-        <translation type="unfinished"></translation>
+        <translation>Производ</translation>
     </message>
     <message>
         <source>Each stop of the strip is a place, and each factor leads from one to the next. A point {0} of view space goes through all of them: what it meets first stands on the right, next to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>Свака станица траке је једно место, и сваки чинилац води са једног на следеће. Тачка {0} координатног система камере пролази кроз све: оно што прво среће стоји десно, одмах до ње.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first. order projection: M_z; M_pp; M_persp</source>
-        <translation type="unfinished"></translation>
+        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
+        <translation>Који ланац води од станице *Камера* до станице *NDC*? Превуците плочице; она на дну делује прва.</translation>
     </message>
     <message>
         <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
-        <translation type="unfinished"></translation>
+        <translation>Од које запремине полази сваки чинилац: од запремине самог објектива, од пирамиде или од квадра?</translation>
     </message>
     <message>
         <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} полази од запремине самог објектива, {1} од пирамиде, а {2} од квадра: {3}.</translation>
     </message>
     <message>
         <source>Half-way through the box</source>
@@ -3052,51 +3052,51 @@
     </message>
     <message>
         <source>Practise: build the product</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: саставите производ</translation>
     </message>
     <message>
         <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation type="unfinished"></translation>
+        <translation>Тачка координатног система камере пролази кроз пирамиду и квадар до коцке. Поређајте чиниоце; онај на дну делује први.</translation>
     </message>
     <message>
-        <source>{0} and {1}. Which chain leads from view space to NDC? order projection: M_z; M_pp; M_persp tiles: M_z; M_pp; M_persp; M_pp^-1</source>
-        <translation type="unfinished"></translation>
+        <source>{0} and {1}. Which chain leads from view space to NDC?</source>
+        <translation>{0} и {1}. Који ланац води из координатног система камере у NDC?</translation>
+    </message>
+    <message>
+        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}?</source>
+        <translation>Квадар има предњу раван на {0}, а задњу на {1}. Други програм тражи предњу на {2}, а задњу на {3}. Који ланац је његова матрица {4}?</translation>
+    </message>
+    <message>
+        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division?</source>
+        <translation>Позиција камере је {0}, а {1} и {2}. Који ланац преводи тачку света у NDC, све до дељења?</translation>
     </message>
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} преводи пирамиду у квадар. Шта прави пирамиду?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The box has near at {0} and far at {1}. Another program wants near at {2} and far at {3}. Which chain is its {4}? order: translate 0,0,{5}; scale 1,1,{6} tiles: translate 0,0,{7}; scale 1,1,{8}; scale 1,1,{9}</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} прави пирамиду, {1} је претвара у квадар, а {2} растеже његове дубине.</translation>
     </message>
     <message>
         <source>Where does near, at 0, come to? The scale leaves it at 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>Куда долази предња раван, која је на 0? Скалирање је оставља на 0.</translation>
     </message>
     <message>
         <source>Far is at {0}: the scale takes it to minus its factor.</source>
-        <translation type="unfinished"></translation>
+        <translation>Задња раван је на {0}: скалирање је доводи у минус свој чинилац.</translation>
     </message>
     <message>
         <source>{0}: the scale acts first, and the move takes near from 0 to {1}.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The eye is at {0}, {1} and {2}. Which chain takes a point of the world to NDC, up to the division? order: M_z; M_pp; M_persp; view</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}: скалирање делује прво, а помак доводи предњу раван са 0 на {1}.</translation>
     </message>
     <message>
         <source>The lens needs points in view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Објективу требају тачке у координатном систему камере.</translation>
     </message>
     <message>
         <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица погледа долази прва, јер су матрице објектива направљене за координатни систем камере.</translation>
     </message>
 </context>
 <context>
@@ -4120,51 +4120,51 @@
     </message>
     <message>
         <source>Practise: where the divide belongs</source>
-        <translation type="unfinished"></translation>
+        <translation>Вежба: где је место дељењу</translation>
     </message>
     <message>
         <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation type="unfinished"></translation>
+        <translation>Дељење са {0} је корак ланца, али није матрица. Поређајте кораке; онај на дну делује први. Искључите оно што не припада ланцу.</translation>
     </message>
     <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel? order: viewport; divide; projection tiles: viewport; divide; projection; xyz/w</source>
-        <translation type="unfinished"></translation>
+        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
+        <translation>Слика има {0} пута 400 пиксела. Који ланац преводи тачку координатног система камере у њен пиксел?</translation>
+    </message>
+    <message>
+        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
+        <translation>Слово је окренуто око y за {0}° и померено за {1} дуж x; позиција камере је {2}. Који ланац преводи тачку слова у NDC?</translation>
+    </message>
+    <message>
+        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
+        <translation>Тачка {0} се скалира са {1}, па помера за {2}, па дели. Који је то ланац?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Области приказа требају бројеви од −1 до 1.</translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>
-        <translation type="unfinished"></translation>
+        <translation>Такве бројеве прави само једно дељење. После којег остаје {0}?</translation>
     </message>
     <message>
         <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC? order: divide; projection; view; translate {3},0,0; rotate y {4}</source>
-        <translation type="unfinished"></translation>
+        <translation>Матрица објектива уписује делилац у {0}, дељење прави {1} и {2}, а област приказа од њих прави пикселе.</translation>
     </message>
     <message>
         <source>Begin at the letter: which matrix takes its points to the world?</source>
-        <translation type="unfinished"></translation>
+        <translation>Почните од слова: која матрица његове тачке преводи у свет?</translation>
     </message>
     <message>
         <source>From the letter to the world, to the camera, through the lens, and at last the division.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that? order: divide; translate {3},{4},0; scale {5},{6},{7} tiles: divide; translate {8},{9},0; scale {10},{11},{12}; scale {13},{14},{15}</source>
-        <translation type="unfinished"></translation>
+        <translation>Од слова до света, до камере, кроз објектив, и на крају дељење.</translation>
     </message>
     <message>
         <source>What acts first stands at the bottom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Што делује прво, стоји на дну.</translation>
     </message>
     <message>
         <source>The scale acts first, so it does not change the move. The division may stand anywhere: neither matrix changes {0}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Скалирање делује прво, па не мења помак. Дељење може стајати било где: ниједна од тих двеју матрица не мења {0}.</translation>
     </message>
 </context>
 <context>
@@ -4502,7 +4502,7 @@
     </message>
     <message>
         <source>Here are the test points A to E. The eye is at {0} and looks along {1}; far is 11. C is at {2}.</source>
-        <translation>Ево тест тачака од A до E. Позиција камере је {0}, а гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
+        <translation>Ево пробних тачака од A до E. Позиција камере је {0}, а гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
     </message>
     <message>
         <source>An edge runs from {0} to {1} in clip space. At which t does it meet {2}?</source>
@@ -4522,7 +4522,7 @@
     </message>
     <message>
         <source>{0} is 1 at one end and −5 at the other. Where is it 0?</source>
-        <translation>{0} је на једном крају 1, а на другом −5. Где је 0?</translation>
+        <translation>{0} је на једном крају 1, а на другом −5. Где је једнако 0?</translation>
     </message>
     <message>
         <source>{0}. Both x and w change along the edge; in NDC the same place is at 4/9.</source>
@@ -4550,11 +4550,11 @@
     </message>
     <message>
         <source>A test point with a grey name is outside.</source>
-        <translation>Тест тачка са сивим именом је изван.</translation>
+        <translation>Пробна тачка са сивим именом је изван.</translation>
     </message>
     <message>
         <source>With near and far alone, make exactly four of the five test points lie inside.</source>
-        <translation>Само помоћу предње и задње равни нека тачно четири од пет тест тачака буду унутра.</translation>
+        <translation>Само помоћу предње и задње равни нека тачно четири од пет пробних тачака буду унутра.</translation>
     </message>
     <message>
         <source>Which points lie outside because of their depth, and which are beyond a side?</source>
@@ -4562,7 +4562,7 @@
     </message>
     <message>
         <source>Take far back, and watch *test points inside*.</source>
-        <translation>Вратите задњу раван назад и пратите *тест тачке унутра*.</translation>
+        <translation>Вратите задњу раван назад и пратите *пробне тачке унутра*.</translation>
     </message>
     <message>
         <source>Neither near nor far brings back what the sides cut off.</source>
@@ -6282,7 +6282,7 @@
     </message>
     <message>
         <source>Just so many trees</source>
-        <translation>Тачно толико дрвећа</translation>
+        <translation>Тачно толико стабала</translation>
     </message>
     <message>
         <source>Each tree has 272 vertices. Set far so that exactly 10 trees are drawn, 2720 vertices.</source>
@@ -6394,7 +6394,7 @@
     </message>
     <message>
         <source>Practise: so many trees</source>
-        <translation>Вежба: толико дрвећа</translation>
+        <translation>Вежба: толико стабала</translation>
     </message>
     <message>
         <source>The first two trees are {0} ahead of the camera, and each following pair 6 farther. Set far so that exactly {1} trees are drawn; a tree that far cuts counts.</source>
@@ -7135,7 +7135,7 @@
     </message>
     <message>
         <source>The eye&apos;s x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
-        <translation>x позиције камере лежи између {0} m и {1} m, а то су степени броја 2, и она се помера дуж x. За колико пиксела теме сваки пут скочи, на дубини {2} m? Слика је висока 1080 пиксела, са видним пољем од 40°.</translation>
+        <translation>Координата x позиције камере лежи између {0} m и {1} m, а то су степени броја 2; камера се помера дуж x. За колико пиксела теме сваки пут скочи, на дубини {2} m? Слика је висока 1080 пиксела, са видним пољем од 40°.</translation>
     </message>
     <message>
         <source>An eye is off by half a gap</source>
@@ -7776,7 +7776,7 @@
     </message>
     <message>
         <source>Begin with the cone: what an eye sees. Then choose Pyramid under View volume: pictures are rectangles, so the cone is cut off by four planes. Then Box. The letters are test points; grey ones lie outside. Ask before each change which come in and which go. The volume is given by its shape and its place.</source>
-        <translation>Почните са купом: оним што види око. Затим под „Запремина погледа” изаберите пирамиду: слике су правоугаоници, па је купа одсечена са четири равни. Затим квадар. Слова су тест тачке; сива леже изван. Пре сваке промене питајте које улазе, а које излазе. Запремина је одређена обликом и положајем.</translation>
+        <translation>Почните са купом: оним што види око. Затим под „Запремина погледа” изаберите пирамиду: слике су правоугаоници, па је купа одсечена са четири равни. Затим квадар. Слова су пробне тачке; сива леже изван. Пре сваке промене питајте које улазе, а које излазе. Запремина је одређена обликом и положајем.</translation>
     </message>
     <message>
         <source>In, out, crossing</source>
@@ -8119,7 +8119,7 @@
     </message>
     <message>
         <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
-        <translation>Почните са квадром и именујте његових шест равни: лева, десна, горња, доња, предња, задња. Вратите се једном на пирамиду помоћу „Запремина погледа” у сцени, и нека студенти кажу које тест тачке долазе, а које одлазе: B има места у квадру, C нема. Затим питање, дизањем руку. Стубови се цртају једнако високи; бројеви кажу који је који. Промените „Предња раван” и „Задња раван”: мења се оно што се одсеца, а ниједна величина.</translation>
+        <translation>Почните са квадром и именујте његових шест равни: лева, десна, горња, доња, предња, задња. Вратите се једном на пирамиду помоћу „Запремина погледа” у сцени, и нека студенти кажу које пробне тачке долазе, а које одлазе: B има места у квадру, C нема. Затим питање, дизањем руку. Стубови се цртају једнако високи; бројеви кажу који је који. Промените „Предња раван” и „Задња раван”: мења се оно што се одсеца, а ниједна величина.</translation>
     </message>
     <message>
         <source>Normalised: the matrix of the box</source>
@@ -8378,35 +8378,35 @@
     </message>
     <message>
         <source>Each factor leads from one space to the next: the strip stops at *Object*, *Ry*, *World* and *View*.</source>
-        <translation type="unfinished"></translation>
+        <translation>Сваки чинилац води из једног координатног система у следећи: трака има станице *Објекат*, *Ry*, *Свет* и *Камера*.</translation>
     </message>
     <message>
         <source>Exchange the two matrices: {0}. Where is the letter then?</source>
-        <translation type="unfinished"></translation>
+        <translation>Замените места тим двема матрицама: {0}. Где је тада слово?</translation>
     </message>
     <message>
         <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
-        <translation type="unfinished"></translation>
+        <translation>Другде: окренуто је и померено дуж оса камере</translation>
     </message>
     <message>
         <source>In the same place</source>
-        <translation type="unfinished"></translation>
+        <translation>На истом месту</translation>
     </message>
     <message>
         <source>In the same place, but seen from elsewhere</source>
-        <translation type="unfinished"></translation>
+        <translation>На истом месту, али гледано са другог места</translation>
     </message>
     <message>
         <source>Both the place and the view have changed. The letter is turned about the eye and moved along u.</source>
-        <translation type="unfinished"></translation>
+        <translation>Променили су се и место и поглед. Слово је окренуто око позиције камере и померено дуж u.</translation>
     </message>
     <message>
         <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
-        <translation type="unfinished"></translation>
+        <translation>Десна матрица делује прва. Матрица погледа преводи слово у систем камере, а покрет се онда изводи дуж {0} и око позиције камере.</translation>
     </message>
     <message>
         <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
-        <translation type="unfinished"></translation>
+        <translation>Велики приказ показује координатни систем камере: камера је у координатном почетку, u удесно, v нагоре, n ка њој. Вуците траку од станице „Објекат” до станице „Камера”: на станици Ry слово је окренуто, на станици „Свет” стоји на свом месту, а од станице „Свет” до станице „Камера” све се помера, а ништа не мења положај према осталом. Врсте матрице погледа су осе камере, јер је она инверз матрице чије су оне колоне. Затим питајте шта чини производ са замењеним матрицама. Обе матрице се множе једном, а не за свако теме.</translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>

@@ -878,6 +878,425 @@
     </message>
 </context>
 <context>
+    <name>Command</name>
+    <message>
+        <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
+        <translation>--batch = {0!r}: selles ei ole dokumente (.json, .md) ega võrke.</translation>
+    </message>
+    <message>
+        <source>--batch: takes one name, the folder of the figures.</source>
+        <translation>--batch: võtab ühe nime, jooniste kausta.</translation>
+    </message>
+    <message>
+        <source>--chart = {0!r}: must end in {1}.</source>
+        <translation>--chart = {0!r}: lõpp peab olema {1}.</translation>
+    </message>
+    <message>
+        <source>--csv: is an option of lesson results, not of lesson {0}.</source>
+        <translation>--csv: on käsu lesson results valik, mitte käsu lesson {0} oma.</translation>
+    </message>
+    <message>
+        <source>--for: needs --handout OUT.pdf.</source>
+        <translation>--for: vajab valikut --handout OUT.pdf.</translation>
+    </message>
+    <message>
+        <source>--format: is for a folder or a lesson; in a list the endings decide.</source>
+        <translation>--format: on kausta või õppetunni jaoks; loendis otsustavad failinimede lõpud.</translation>
+    </message>
+    <message>
+        <source>--handout = {0!r}: must end in .pdf or .html.</source>
+        <translation>--handout = {0!r}: lõpp peab olema .pdf või .html.</translation>
+    </message>
+    <message>
+        <source>--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.</source>
+        <translation>--hidden: on vormingute .svg, .pdf, .tex ja .html jaoks, kus jooned on kujundid.</translation>
+    </message>
+    <message>
+        <source>--letters: is an option of lesson check and print, not of lesson {0}.</source>
+        <translation>--letters: on käskude lesson check ja print valik, mitte käsu lesson {0} oma.</translation>
+    </message>
+    <message>
+        <source>--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.</source>
+        <translation>--orbit = {0:g}: peab olema -{1:g} kuni {1:g} kraadi, aga mitte 0.</translation>
+    </message>
+    <message>
+        <source>--orbit: needs the pane world, and --panes = {0!r}.</source>
+        <translation>--orbit: vajab paani world, aga --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--out = {0!r}: cannot be made a folder: {1}.</source>
+        <translation>--out = {0!r}: sellest ei saa kausta teha: {1}.</translation>
+    </message>
+    <message>
+        <source>--panes = {0!r}: must be a row or a column, not both.</source>
+        <translation>--panes = {0!r}: peab olema rida või veerg, mitte mõlemad.</translation>
+    </message>
+    <message>
+        <source>--scale: is for .png; shapes are as fine at every scale.</source>
+        <translation>--scale: on vormingu .png jaoks; kujundid on igas mastaabis ühtviisi teravad.</translation>
+    </message>
+    <message>
+        <source>--screenshot = {0!r}: must end in .png.</source>
+        <translation>--screenshot = {0!r}: lõpp peab olema .png.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: has {1} variants; the limit is {2}.</source>
+        <translation>--seeds = {0!r}: variante on {1}; piir on {2}.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: must be FIRST:LAST, such as 1:30, from 1 to {1}.</source>
+        <translation>--seeds = {0!r}: peab olema FIRST:LAST, näiteks 1:30, arvudega 1 kuni {1}.</translation>
+    </message>
+    <message>
+        <source>--set scene: the steps of a lesson have scenes of their own.</source>
+        <translation>--set scene: õppetunni sammudel on omad stseenid.</translation>
+    </message>
+    <message>
+        <source>--set {0}: {1} is a lesson, whose steps set what is shown.</source>
+        <translation>--set {0}: {1} on õppetund, mille sammud määravad, mida näidatakse.</translation>
+    </message>
+    <message>
+        <source>--size = {0!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.</source>
+        <translation>--size = {0!r}: peab olema WIDTHxHEIGHT pikslites, näiteks 1800x600.</translation>
+    </message>
+    <message>
+        <source>--size {0} = {1}: {2}.</source>
+        <translation>--size {0} = {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>--size, --width and --text-size: need --chart.</source>
+        <translation>--size, --width ja --text-size: vajavad valikut --chart.</translation>
+    </message>
+    <message>
+        <source>--stages: needs the pane ndc, and --panes = {0!r}.</source>
+        <translation>--stages: vajab paani ndc, aga --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.</source>
+        <translation>--step = {0!r}: peab olema arv 1 kuni {1} või sammu nimi{2}.</translation>
+    </message>
+    <message>
+        <source>--step: is a column of the list of --batch.</source>
+        <translation>--step: on valiku --batch loendi veerg.</translation>
+    </message>
+    <message>
+        <source>--step: needs a lesson or a talk as FILE.</source>
+        <translation>--step: vajab õppetundi või ettekannet (FILE).</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: peab olema LOW:HIGH, näiteks 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = {1!r}: peab olema LOW:HIGH, näiteks 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW peab olema väiksem kui HIGH ja mõlemad {2:g} kuni {3:g}.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>
+        <translation>--topics = {0!r}: ei sisalda ühtki ülesannet, mida saab paberil lahendada.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
+        <translation>--topics = {0!r}: peavad olema teemad L1 kuni L{1} või õppetundide failid, eraldatud komadega.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: names {1} twice.</source>
+        <translation>--topics = {0!r}: nimetab {1} kaks korda.</translation>
+    </message>
+    <message>
+        <source>--transition: needs a lesson or a talk as FILE, and --step.</source>
+        <translation>--transition: vajab õppetundi või ettekannet (FILE) ja valikut --step.</translation>
+    </message>
+    <message>
+        <source>--transition: no step comes before --step {0}.</source>
+        <translation>--transition: enne valikut --step {0} ei ole ühtki sammu.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows another scene or another kind of lens than the step before; nothing moves from one to the other.</source>
+        <translation>--transition: samm {0} näitab teist stseeni või teist liiki objektiivi kui eelmine samm; ühest teise ei liigu midagi.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows the same as the step before.</source>
+        <translation>--transition: samm {0} näitab sama mis eelmine samm.</translation>
+    </message>
+    <message>
+        <source>--transparent: {0} has {1}; write .apng or .webp.</source>
+        <translation>--transparent: {0}: {1}; kirjutage .apng või .webp.</translation>
+    </message>
+    <message>
+        <source>--vectors: needs --convention.</source>
+        <translation>--vectors: vajab valikut --convention.</translation>
+    </message>
+    <message>
+        <source>--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.</source>
+        <translation>--width = {0!r}: peab olema pikkus ühikutes {1}, vahemikus {2}pt kuni {3}pt, näiteks 84mm.</translation>
+    </message>
+    <message>
+        <source>--width: is cropped, and its height is free; leave out --size and --crop.</source>
+        <translation>--width: joonis kärbitakse ja selle kõrgus on vaba; jätke --size ja --crop ära.</translation>
+    </message>
+    <message>
+        <source>--width: its height is free; leave out --size.</source>
+        <translation>--width: kõrgus on vaba; jätke --size ära.</translation>
+    </message>
+    <message>
+        <source>--{0}: cannot be used with --{1}.</source>
+        <translation>--{0}: ei saa kasutada koos valikuga --{1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: frames of a film have one size; set --size.</source>
+        <translation>--{0}: filmi kaadrid on ühesuurused; seadke --size.</translation>
+    </message>
+    <message>
+        <source>--{0}: is an option of lesson print, not of lesson {1}.</source>
+        <translation>--{0}: on käsu lesson print valik, mitte käsu lesson {1} oma.</translation>
+    </message>
+    <message>
+        <source>--{0}: is for single figures; frames of a film have one size.</source>
+        <translation>--{0}: on üksikute jooniste jaoks; filmi kaadrid on ühesuurused.</translation>
+    </message>
+    <message>
+        <source>--{0}: is not for .html, whose pictures change under a slider.</source>
+        <translation>--{0}: ei ole vormingu .html jaoks, mille pildid muutuvad liuguriga.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --format latex.</source>
+        <translation>--{0}: vajab valikut --format latex.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --sweep.</source>
+        <translation>--{0}: vajab valikut --sweep.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs {1}.</source>
+        <translation>--{0}: vajab valikut {1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: stands alone, and needs --format text or json.</source>
+        <translation>--{0}: käib üksi ja vajab valikut --format text või json.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
+        <translation>OUT = {0!r}: vormingus .mp4 on küljed paarisarv piksleid, mitte {1}; seadke --size.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .webp has at most {1} pixels along each side.</source>
+        <translation>OUT = {0!r}: vormingus .webp on kummalgi küljel ülimalt {1} pikslit.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must be a folder, for the figures.</source>
+        <translation>OUT = {0!r}: peab olema kaust jooniste jaoks.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must end in {1}{2}.</source>
+        <translation>OUT = {0!r}: lõpp peab olema {1}{2}.</translation>
+    </message>
+    <message>
+        <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
+        <translation>POINTS = {0!r}: peab olema CSV-fail või - standardsisendi jaoks; ühe punkti jaoks: echo {1} | {2} project -.</translation>
+    </message>
+    <message>
+        <source>POINTS is missing: {0} gives the camera only.</source>
+        <translation>POINTS puudub: {0} annab ainult kaamera.</translation>
+    </message>
+    <message>
+        <source>PyInstaller ended with status {0}.</source>
+        <translation>PyInstaller lõppes olekuga {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: {0}.</source>
+        <translation>Standardväljundisse ei saa kirjutada: {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output is closed.</source>
+        <translation>Standardväljund on suletud.</translation>
+    </message>
+    <message>
+        <source>The settings cannot be deleted: {0}.</source>
+        <translation>Sätteid ei saa kustutada: {0}.</translation>
+    </message>
+    <message>
+        <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
+        <translation>bundle vajab programmi PyInstaller, mis ei ole paigaldatud; käivitage: {0}</translation>
+    </message>
+    <message>
+        <source>bundle: this program has no folder of its code to make one of.</source>
+        <translation>bundle: sellel programmil ei ole lähtekoodi kausta, millest seda teha.</translation>
+    </message>
+    <message>
+        <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
+        <translation>file = {0!r}: on õppetund; nimetage selle samm veerus step või kirjutage number, näiteks %02d, väljale out = {1!r}.</translation>
+    </message>
+    <message>
+        <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
+        <translation>lens.kind = matrix: vabal maatriksil ei ole lähitasandit, kaugtasandit ega nurka, mida mõõta; peab olema üks järgmistest: {0}.</translation>
+    </message>
+    <message>
+        <source>lesson print needs --{0}.</source>
+        <translation>lesson print vajab valikut --{0}.</translation>
+    </message>
+    <message>
+        <source>lesson print takes no FILE such as {0!r}: use --topics.</source>
+        <translation>lesson print ei võta faili (FILE) nagu {0!r}: kasutage valikut --topics.</translation>
+    </message>
+    <message>
+        <source>lesson results needs a FILE.</source>
+        <translation>lesson results vajab faili (FILE).</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is a link, which may lead out of {1}.</source>
+        <translation>out = {0!r}: on nimeviit, mis võib kaustast {1} välja viia.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is written by {1}.</source>
+        <translation>out = {0!r}: selle kirjutab juba {1}.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: must be a file name without a folder.</source>
+        <translation>out = {0!r}: peab olema failinimi ilma kaustata.</translation>
+    </message>
+    <message>
+        <source>pip does not find all packages for {0}, Python {1}.</source>
+        <translation>pip ei leia kõiki pakette: {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
+        <translation>talk vajab valikut --check või --handout OUT.pdf; {0} {1} avab ettekande.</translation>
+    </message>
+    <message>
+        <source>{0!r} is in the current folder, which was deleted.</source>
+        <translation>{0!r} on praeguses kaustas, mis on kustutatud.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file nor a command; the {1}.</source>
+        <translation>{0!r} ei ole fail ega käsk; {1}.</translation>
+    </message>
+    <message>
+        <source>{0!r} is not a name that a file can have.</source>
+        <translation>{0!r} ei ole nimi, mis failil olla saab.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: has a character NUL.</source>
+        <translation>{0} = {1!r}: sisaldab märki NUL.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a folder.</source>
+        <translation>{0} = {1!r}: on kaust.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a pipe or a device, not a regular file.</source>
+        <translation>{0} = {1!r}: on toru või seade, mitte tavaline fail.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: may not be written.</source>
+        <translation>{0} = {1!r}: kirjutamine ei ole lubatud.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be one of {2}.</source>
+        <translation>{0} = {1!r}: peab olema üks järgmistest: {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be true or false.</source>
+        <translation>{0} = {1!r}: peab olema true või false.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be {2}.</source>
+        <translation>{0} = {1!r}: peab olema {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: there is no folder {2}.</source>
+        <translation>{0} = {1!r}: kausta {2} ei ole.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>{0}: ei saa lugeda: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no figures: its first row names columns, the others are one.</source>
+        <translation>Loendis {0} ei ole jooniseid: selle esimene rida nimetab veerud, iga järgmine on üks joonis.</translation>
+    </message>
+    <message>
+        <source>{0} has no points: it must have rows of x,y,z.</source>
+        <translation>Failis {0} ei ole punkte: selles peavad olema read x,y,z.</translation>
+    </message>
+    <message>
+        <source>{0} is a command and must come first: {1} {0} ...</source>
+        <translation>{0} on käsk ja peab olema esimene: {1} {0} ...</translation>
+    </message>
+    <message>
+        <source>{0} is a scene: write --set scene={0}.</source>
+        <translation>{0} on stseen: kirjutage --set scene={0}.</translation>
+    </message>
+    <message>
+        <source>{0} is not an option of {1}; the nearest is {2}.</source>
+        <translation>{0} ei ole valik, mida tunneb {1}; lähim on {2}.</translation>
+    </message>
+    <message>
+        <source>{0} must go to different files.</source>
+        <translation>{0} peavad minema eri failidesse.</translation>
+    </message>
+    <message>
+        <source>{0} takes {1}, and was given {2}.</source>
+        <translation>{0} võtab {1}, aga anti {2}.</translation>
+    </message>
+    <message>
+        <source>{0} was given an empty name.</source>
+        <translation>{0} sai tühja nime.</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: is not CSV ({2}).</source>
+        <translation>{0}, rida {1}: ei ole CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}: has no column out, for the names of the figures.</source>
+        <translation>{0}: puudub veerg out jooniste nimede jaoks.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns of the same name.</source>
+        <translation>{0}: kahel veerul on sama nimi.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns {1}.</source>
+        <translation>{0}: veerge {1} on kaks.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, but the first row names {2}.</source>
+        <translation>{0}: veerge on {1}, aga esimene rida nimetab {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
+        <translation>{0}: veerge on {1}, aga peab olema kolm: x,y,z, või ka w; muud veerud nimetage esimeses reas: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
+        <translation>{0}: on {1}, aga peab olema kolm: x,y,z, või ka w.</translation>
+    </message>
+    <message>
+        <source>{0}: is there already; remove it, or choose another folder.</source>
+        <translation>{0}: on juba olemas; eemaldage see või valige teine kaust.</translation>
+    </message>
+    <message>
+        <source>{0}: must name columns x, y and z, or hold a point.</source>
+        <translation>{0}: peab nimetama veerud x, y ja z või sisaldama punkti.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
+        <translation>{0}: {1!r} ei ole veerg; lähim on {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is one column; they are separated by commas.</source>
+        <translation>{0}: {1!r} on üks veerg; veerud eraldatakse komadega.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} = {2}: must lie within ±{3}.</source>
+        <translation>{0}: {1} = {2}: peab olema vahemikus ±{3}.</translation>
+    </message>
+</context>
+<context>
     <name>Compare</name>
     <message>
         <source>Differences between the pictures</source>
@@ -4312,7 +4731,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation>kiire pöördjuur</translation>
+        <translation>kiirmeetodil leitud pöördjuur</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
@@ -4820,7 +5239,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>MoveButton</name>
     <message>
         <source>Drag it to another place, or press the arrow keys up and down</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage see teise kohta või vajutage üles- ja allanoolt</translation>
     </message>
 </context>
 <context>
@@ -5212,7 +5631,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>OrderView</name>
     <message>
         <source>The tile at the bottom acts first.</source>
-        <translation type="unfinished">Esimesena mõjub kõige alumine lüli.</translation>
+        <translation>Esimesena mõjub kõige alumine lüli.</translation>
     </message>
 </context>
 <context>
@@ -5709,31 +6128,31 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>QPlatformTheme</name>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ei</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Jah</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Loobu</translation>
+        <translation>Loobu</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Sulge</translation>
+        <translation>Sulge</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Ära salvesta</translation>
     </message>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>OK</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Salvesta</translation>
+        <translation>Salvesta</translation>
     </message>
 </context>
 <context>
@@ -5782,7 +6201,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>A point ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkt satub kohta {0}, mitte kohta {1}.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
@@ -5790,7 +6209,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Both orders do the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Mõlemad järjekorrad teevad sama.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5810,7 +6229,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>See läheb kaarega ümber alguspunkti ja satub oma kohast {0} ühiku kaugusele.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5854,7 +6273,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The origin ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Alguspunkt satub kohta {0}, mitte kohta {1}.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
@@ -5866,11 +6285,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The w of a point becomes {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Punkti w-ks saab {0}, mitte {1}.</translation>
     </message>
     <message>
         <source>The {0} axis becomes {1} instead of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0}-teljest saab {1}, mitte {2}.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6134,7 +6553,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>has tiles that do the same in every order</source>
-        <translation type="unfinished"></translation>
+        <translation>sisaldab lülisid, mis teevad igas järjekorras sama</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6666,7 +7085,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must be in {0}</source>
-        <translation>peab olema üks järgmistest: {0}</translation>
+        <translation>ühik peab olema {0}</translation>
     </message>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
@@ -6882,7 +7301,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must have the product that the state shows, which is another {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>peab andma sama korrutise, mida näitab olek: seal on {0} teistsugune</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -8299,15 +8718,15 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>_TileRow</name>
     <message>
         <source>Divide by w</source>
-        <translation type="unfinished"></translation>
+        <translation>Jagamine w-ga</translation>
     </message>
     <message>
         <source>x, y, z divided by w</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y, z jagatud w-ga</translation>
     </message>
     <message>
         <source>Whether the product has this tile</source>
-        <translation type="unfinished">Kas see lüli on korrutises</translation>
+        <translation>Kas see lüli on korrutises</translation>
     </message>
 </context>
 <context>
@@ -9794,7 +10213,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>case, by the cut at z = −0.01</source>
-        <translation>juhtum, lõikega kohal z = −0.01</translation>
+        <translation>juhtum, kui lõige on kohal z = −0.01</translation>
     </message>
     <message>
         <source>cheap</source>
@@ -10398,7 +10817,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation>korrutised, kiire pöördjuur</translation>
+        <translation>korrutised, kiirmeetodil leitud pöördjuur</translation>
     </message>
     <message>
         <source>products, renormalised</source>

@@ -878,6 +878,425 @@
     </message>
 </context>
 <context>
+    <name>Command</name>
+    <message>
+        <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
+        <translation>--batch = {0!r}: nema ni dokumenata (.json, .md) ni mreža.</translation>
+    </message>
+    <message>
+        <source>--batch: takes one name, the folder of the figures.</source>
+        <translation>--batch: prima jedno ime, mapu za slike.</translation>
+    </message>
+    <message>
+        <source>--chart = {0!r}: must end in {1}.</source>
+        <translation>--chart = {0!r}: mora završavati na {1}.</translation>
+    </message>
+    <message>
+        <source>--csv: is an option of lesson results, not of lesson {0}.</source>
+        <translation>--csv: opcija je naredbe lesson results, a ne lesson {0}.</translation>
+    </message>
+    <message>
+        <source>--for: needs --handout OUT.pdf.</source>
+        <translation>--for: treba --handout OUT.pdf.</translation>
+    </message>
+    <message>
+        <source>--format: is for a folder or a lesson; in a list the endings decide.</source>
+        <translation>--format: vrijedi za mapu ili lekciju; u popisu odlučuju nastavci imena.</translation>
+    </message>
+    <message>
+        <source>--handout = {0!r}: must end in .pdf or .html.</source>
+        <translation>--handout = {0!r}: mora završavati na .pdf ili .html.</translation>
+    </message>
+    <message>
+        <source>--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.</source>
+        <translation>--hidden: vrijedi za .svg, .pdf, .tex i .html, u kojima su linije oblici.</translation>
+    </message>
+    <message>
+        <source>--letters: is an option of lesson check and print, not of lesson {0}.</source>
+        <translation>--letters: opcija je naredbi lesson check i print, a ne lesson {0}.</translation>
+    </message>
+    <message>
+        <source>--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.</source>
+        <translation>--orbit = {0:g}: mora biti od -{1:g} do {1:g} stupnjeva, a ne 0.</translation>
+    </message>
+    <message>
+        <source>--orbit: needs the pane world, and --panes = {0!r}.</source>
+        <translation>--orbit: treba okno world, a --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--out = {0!r}: cannot be made a folder: {1}.</source>
+        <translation>--out = {0!r}: ne može postati mapa: {1}.</translation>
+    </message>
+    <message>
+        <source>--panes = {0!r}: must be a row or a column, not both.</source>
+        <translation>--panes = {0!r}: mora biti redak ili stupac, a ne oboje.</translation>
+    </message>
+    <message>
+        <source>--scale: is for .png; shapes are as fine at every scale.</source>
+        <translation>--scale: vrijedi za .png; oblici su jednako fini u svakom mjerilu.</translation>
+    </message>
+    <message>
+        <source>--screenshot = {0!r}: must end in .png.</source>
+        <translation>--screenshot = {0!r}: mora završavati na .png.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: has {1} variants; the limit is {2}.</source>
+        <translation>--seeds = {0!r}: ima previše varijanti, {1}; granica je {2}.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: must be FIRST:LAST, such as 1:30, from 1 to {1}.</source>
+        <translation>--seeds = {0!r}: mora biti FIRST:LAST, npr. 1:30, od 1 do {1}.</translation>
+    </message>
+    <message>
+        <source>--set scene: the steps of a lesson have scenes of their own.</source>
+        <translation>--set scene: koraci lekcije imaju vlastite scene.</translation>
+    </message>
+    <message>
+        <source>--set {0}: {1} is a lesson, whose steps set what is shown.</source>
+        <translation>--set {0}: {1} je lekcija, čiji koraci određuju što se prikazuje.</translation>
+    </message>
+    <message>
+        <source>--size = {0!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.</source>
+        <translation>--size = {0!r}: mora biti WIDTHxHEIGHT u pikselima, npr. 1800x600.</translation>
+    </message>
+    <message>
+        <source>--size {0} = {1}: {2}.</source>
+        <translation>--size {0} = {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>--size, --width and --text-size: need --chart.</source>
+        <translation>--size, --width i --text-size: trebaju --chart.</translation>
+    </message>
+    <message>
+        <source>--stages: needs the pane ndc, and --panes = {0!r}.</source>
+        <translation>--stages: treba okno ndc, a --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.</source>
+        <translation>--step = {0!r}: mora biti broj od 1 do {1} ili ime koraka{2}.</translation>
+    </message>
+    <message>
+        <source>--step: is a column of the list of --batch.</source>
+        <translation>--step: stupac je popisa za --batch.</translation>
+    </message>
+    <message>
+        <source>--step: needs a lesson or a talk as FILE.</source>
+        <translation>--step: treba lekciju ili izlaganje kao FILE.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: mora biti LOW:HIGH, npr. 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = {1!r}: mora biti LOW:HIGH, npr. 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW mora biti manje od HIGH, oboje od {2:g} do {3:g}.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>
+        <translation>--topics = {0!r}: nema nijedne vježbe koja se može riješiti na papiru.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
+        <translation>--topics = {0!r}: mora sadržavati teme od L1 do L{1} ili datoteke lekcija, odvojene zarezima.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: names {1} twice.</source>
+        <translation>--topics = {0!r}: imenuje {1} dvaput.</translation>
+    </message>
+    <message>
+        <source>--transition: needs a lesson or a talk as FILE, and --step.</source>
+        <translation>--transition: treba lekciju ili izlaganje kao FILE, i --step.</translation>
+    </message>
+    <message>
+        <source>--transition: no step comes before --step {0}.</source>
+        <translation>--transition: prije --step {0} nema nijednog koraka.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows another scene or another kind of lens than the step before; nothing moves from one to the other.</source>
+        <translation>--transition: korak {0} prikazuje drugu scenu ili drugu vrstu objektiva nego prethodni; od jednoga do drugoga ništa se ne pomiče.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows the same as the step before.</source>
+        <translation>--transition: korak {0} prikazuje isto što i prethodni.</translation>
+    </message>
+    <message>
+        <source>--transparent: {0} has {1}; write .apng or .webp.</source>
+        <translation>--transparent: {0} ima {1}; zapišite .apng ili .webp.</translation>
+    </message>
+    <message>
+        <source>--vectors: needs --convention.</source>
+        <translation>--vectors: treba --convention.</translation>
+    </message>
+    <message>
+        <source>--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.</source>
+        <translation>--width = {0!r}: mora biti duljina u {1}, od {2}pt do {3}pt, npr. 84mm.</translation>
+    </message>
+    <message>
+        <source>--width: is cropped, and its height is free; leave out --size and --crop.</source>
+        <translation>--width: slika se obrezuje i visina joj je slobodna; izostavite --size i --crop.</translation>
+    </message>
+    <message>
+        <source>--width: its height is free; leave out --size.</source>
+        <translation>--width: visina je slobodna; izostavite --size.</translation>
+    </message>
+    <message>
+        <source>--{0}: cannot be used with --{1}.</source>
+        <translation>--{0}: ne može se koristiti zajedno s --{1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: frames of a film have one size; set --size.</source>
+        <translation>--{0}: kadrovi filma imaju istu veličinu; postavite --size.</translation>
+    </message>
+    <message>
+        <source>--{0}: is an option of lesson print, not of lesson {1}.</source>
+        <translation>--{0}: opcija je naredbe lesson print, a ne lesson {1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: is for single figures; frames of a film have one size.</source>
+        <translation>--{0}: vrijedi za pojedinačne slike; kadrovi filma imaju istu veličinu.</translation>
+    </message>
+    <message>
+        <source>--{0}: is not for .html, whose pictures change under a slider.</source>
+        <translation>--{0}: ne vrijedi za .html, u kojem se slike mijenjaju klizačem.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --format latex.</source>
+        <translation>--{0}: treba --format latex.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --sweep.</source>
+        <translation>--{0}: treba --sweep.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs {1}.</source>
+        <translation>--{0}: treba {1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: stands alone, and needs --format text or json.</source>
+        <translation>--{0}: stoji samostalno i treba --format text ili json.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
+        <translation>OUT = {0!r}: .mp4 ima stranice s parnim brojem piksela, a ne {1}; postavite --size.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .webp has at most {1} pixels along each side.</source>
+        <translation>OUT = {0!r}: .webp ima po stranici najviše ovoliko piksela: {1}.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must be a folder, for the figures.</source>
+        <translation>OUT = {0!r}: mora biti mapa, za slike.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must end in {1}{2}.</source>
+        <translation>OUT = {0!r}: mora završavati na {1}{2}.</translation>
+    </message>
+    <message>
+        <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
+        <translation>POINTS = {0!r}: mora biti datoteka CSV, ili - za standardni ulaz; za jednu točku: echo {1} | {2} project -.</translation>
+    </message>
+    <message>
+        <source>POINTS is missing: {0} gives the camera only.</source>
+        <translation>POINTS nedostaje: {0} daje samo kameru.</translation>
+    </message>
+    <message>
+        <source>PyInstaller ended with status {0}.</source>
+        <translation>PyInstaller je završio sa statusom {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: {0}.</source>
+        <translation>Na standardni izlaz ne može se pisati: {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output is closed.</source>
+        <translation>Standardni izlaz je zatvoren.</translation>
+    </message>
+    <message>
+        <source>The settings cannot be deleted: {0}.</source>
+        <translation>Postavke se ne mogu izbrisati: {0}.</translation>
+    </message>
+    <message>
+        <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
+        <translation>bundle treba PyInstaller, koji nije instaliran; pokrenite: {0}</translation>
+    </message>
+    <message>
+        <source>bundle: this program has no folder of its code to make one of.</source>
+        <translation>bundle: ovaj program nema mapu sa svojim kodom od koje bi se to načinilo.</translation>
+    </message>
+    <message>
+        <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
+        <translation>file = {0!r}: to je lekcija; navedite njezin korak u stupcu step ili u out = {1!r} upišite broj poput %02d.</translation>
+    </message>
+    <message>
+        <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
+        <translation>lens.kind = matrix: slobodna matrica nema ni bliske ni daleke ravnine ni kuta za mjerenje; mora biti jedno od {0}.</translation>
+    </message>
+    <message>
+        <source>lesson print needs --{0}.</source>
+        <translation>lesson print treba --{0}.</translation>
+    </message>
+    <message>
+        <source>lesson print takes no FILE such as {0!r}: use --topics.</source>
+        <translation>lesson print ne prima FILE poput {0!r}: upotrijebite --topics.</translation>
+    </message>
+    <message>
+        <source>lesson results needs a FILE.</source>
+        <translation>lesson results treba FILE.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is a link, which may lead out of {1}.</source>
+        <translation>out = {0!r}: to je poveznica, koja može voditi izvan mape {1}.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is written by {1}.</source>
+        <translation>out = {0!r}: to već zapisuje {1}.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: must be a file name without a folder.</source>
+        <translation>out = {0!r}: mora biti ime datoteke bez mape.</translation>
+    </message>
+    <message>
+        <source>pip does not find all packages for {0}, Python {1}.</source>
+        <translation>pip ne nalazi sve pakete za {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
+        <translation>talk treba --check ili --handout OUT.pdf; {0} {1} otvara izlaganje.</translation>
+    </message>
+    <message>
+        <source>{0!r} is in the current folder, which was deleted.</source>
+        <translation>{0!r} je u trenutačnoj mapi, koja je izbrisana.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file nor a command; the {1}.</source>
+        <translation>{0!r} nije ni datoteka ni naredba ({1}).</translation>
+    </message>
+    <message>
+        <source>{0!r} is not a name that a file can have.</source>
+        <translation>{0!r} nije ime koje datoteka može imati.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: has a character NUL.</source>
+        <translation>{0} = {1!r}: ima znak NUL.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a folder.</source>
+        <translation>{0} = {1!r}: to je mapa.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a pipe or a device, not a regular file.</source>
+        <translation>{0} = {1!r}: to je cijev ili uređaj, a ne obična datoteka.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: may not be written.</source>
+        <translation>{0} = {1!r}: nema dopuštenja za pisanje.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be one of {2}.</source>
+        <translation>{0} = {1!r}: mora biti jedno od {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be true or false.</source>
+        <translation>{0} = {1!r}: mora biti true ili false.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be {2}.</source>
+        <translation>{0} = {1!r}: mora biti {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: there is no folder {2}.</source>
+        <translation>{0} = {1!r}: nema mape {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>{0} se ne može pročitati: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no figures: its first row names columns, the others are one.</source>
+        <translation>{0} nema slika: prvi redak imenuje stupce, a svaki sljedeći je jedna slika.</translation>
+    </message>
+    <message>
+        <source>{0} has no points: it must have rows of x,y,z.</source>
+        <translation>{0} nema točaka: mora imati retke x,y,z.</translation>
+    </message>
+    <message>
+        <source>{0} is a command and must come first: {1} {0} ...</source>
+        <translation>{0} je naredba i mora stajati prva: {1} {0} ...</translation>
+    </message>
+    <message>
+        <source>{0} is a scene: write --set scene={0}.</source>
+        <translation>{0} je scena: napišite --set scene={0}.</translation>
+    </message>
+    <message>
+        <source>{0} is not an option of {1}; the nearest is {2}.</source>
+        <translation>{0} nije opcija za {1}; najbliža je {2}.</translation>
+    </message>
+    <message>
+        <source>{0} must go to different files.</source>
+        <translation>{0} moraju ići u različite datoteke.</translation>
+    </message>
+    <message>
+        <source>{0} takes {1}, and was given {2}.</source>
+        <translation>{0} prima {1}, a zadano je {2}.</translation>
+    </message>
+    <message>
+        <source>{0} was given an empty name.</source>
+        <translation>{0}: zadano je prazno ime.</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: is not CSV ({2}).</source>
+        <translation>{0}, redak {1}: nije CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}: has no column out, for the names of the figures.</source>
+        <translation>{0}: nema stupca out, za imena slika.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns of the same name.</source>
+        <translation>{0}: ima dva stupca istog imena.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns {1}.</source>
+        <translation>{0}: ima dva stupca {1}.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, but the first row names {2}.</source>
+        <translation>{0}: ima više stupaca, {1}, nego što ih imenuje prvi redak, {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
+        <translation>{0}: broj stupaca je {1}, a moraju biti tri: x,y,z, ili i w; druge stupce imenujte u prvom retku: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
+        <translation>{0}: ima {1}, a mora imati tri: x,y,z, ili i w.</translation>
+    </message>
+    <message>
+        <source>{0}: is there already; remove it, or choose another folder.</source>
+        <translation>{0}: već postoji; uklonite to ili odaberite drugu mapu.</translation>
+    </message>
+    <message>
+        <source>{0}: must name columns x, y and z, or hold a point.</source>
+        <translation>{0}: mora imenovati stupce x, y i z ili sadržavati točku.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
+        <translation>{0}: {1!r} nije stupac; najbliži je {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is one column; they are separated by commas.</source>
+        <translation>{0}: {1!r} je jedan stupac; stupci se odvajaju zarezima.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} = {2}: must lie within ±{3}.</source>
+        <translation>{0}: {1} = {2}: mora biti unutar ±{3}.</translation>
+    </message>
+</context>
+<context>
     <name>Compare</name>
     <message>
         <source>Differences between the pictures</source>
@@ -1626,11 +2045,11 @@
     </message>
     <message>
         <source>Depth is drawn at full length, rising at 45°.</source>
-        <translation>Dubina se crta u punoj duljini, pod kutom od 45°.</translation>
+        <translation>Dubina se crta u punoj duljini, prema gore pod kutom od 45°.</translation>
     </message>
     <message>
         <source>Depth is drawn at full length, rising at 63.4°.</source>
-        <translation>Dubina se crta u punoj duljini, pod kutom od 63.4°.</translation>
+        <translation>Dubina se crta u punoj duljini, prema gore pod kutom od 63.4°.</translation>
     </message>
     <message>
         <source>Depth is drawn at half its length, rising at 30°.</source>
@@ -1638,11 +2057,11 @@
     </message>
     <message>
         <source>Depth is drawn at half its length, rising at 45°.</source>
-        <translation>Dubina se crta u pola duljine, pod kutom od 45°.</translation>
+        <translation>Dubina se crta u pola duljine, prema gore pod kutom od 45°.</translation>
     </message>
     <message>
         <source>Depth is drawn at half its length, rising at 63.4°.</source>
-        <translation>Dubina se crta u pola duljine, pod kutom od 63.4°.</translation>
+        <translation>Dubina se crta u pola duljine, prema gore pod kutom od 63.4°.</translation>
     </message>
     <message>
         <source>Depth range</source>
@@ -2787,7 +3206,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Mouse at the top</source>
-        <translation>Miš na vrhu</translation>
+        <translation>Miš uz gornji rub</translation>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
@@ -4821,7 +5240,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>MoveButton</name>
     <message>
         <source>Drag it to another place, or press the arrow keys up and down</source>
-        <translation type="unfinished"></translation>
+        <translation>Povucite na drugo mjesto ili pritišćite strelice gore i dolje</translation>
     </message>
 </context>
 <context>
@@ -5213,7 +5632,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>OrderView</name>
     <message>
         <source>The tile at the bottom acts first.</source>
-        <translation type="unfinished">Pločica na dnu djeluje prva.</translation>
+        <translation>Pločica na dnu djeluje prva.</translation>
     </message>
 </context>
 <context>
@@ -5711,31 +6130,31 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>QPlatformTheme</name>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Ne</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Da</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Odustani</translation>
+        <translation>Odustani</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Zatvori</translation>
+        <translation>Zatvori</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Odbaci</translation>
     </message>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>U redu</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Spremi</translation>
+        <translation>Spremi</translation>
     </message>
 </context>
 <context>
@@ -5784,7 +6203,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>A point ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Točka završava u {0} umjesto u {1}.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
@@ -5792,7 +6211,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Both orders do the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Oba redoslijeda čine isto.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5812,7 +6231,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ide ukrug oko ishodišta i završava na udaljenosti {0} od svojeg mjesta.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5856,7 +6275,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>The origin ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ishodište završava u {0} umjesto u {1}.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
@@ -5868,11 +6287,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>The w of a point becomes {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>w točke postaje {0} umjesto {1}.</translation>
     </message>
     <message>
         <source>The {0} axis becomes {1} instead of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Os {0} postaje {1} umjesto {2}.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6136,7 +6555,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>has tiles that do the same in every order</source>
-        <translation type="unfinished"></translation>
+        <translation>ima pločice koje svakim redoslijedom čine isto</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6404,7 +6823,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
-        <translation>mora biti [SECTION] ili NAME = &quot;LETTER&quot;, ili počinjati s # kao napomena</translation>
+        <translation>mora biti [SECTION] ili NAME = &quot;LETTER&quot;, ili počinjati s # kao komentar</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
@@ -6572,7 +6991,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must be a type such as float64, to which numpy.asarray(points, float) converts</source>
-        <translation>mora biti vrsta poput float64 u koju pretvara numpy.asarray(points, float)</translation>
+        <translation>mora biti tip poput float64 u koji pretvara numpy.asarray(points, float)</translation>
     </message>
     <message>
         <source>must be a value of settings, camera, lens, image, object or depth, as NAME=VALUE</source>
@@ -6884,7 +7303,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>must have the product that the state shows, which is another {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>mora imati umnožak koji stanje pokazuje, a to je druga matrica {0}</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -8016,7 +8435,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>No limit on the frame time while dragging…</source>
-        <translation>Trajanje kadra pri povlačenju bez ograničenja…</translation>
+        <translation>Bez ograničenja trajanja kadra pri povlačenju…</translation>
     </message>
     <message>
         <source>While you drag a control, antialiasing and triangles may be left out to keep each frame within this many milliseconds; 0 for no limit:</source>
@@ -8301,15 +8720,15 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>_TileRow</name>
     <message>
         <source>Divide by w</source>
-        <translation type="unfinished"></translation>
+        <translation>Dijeli s w</translation>
     </message>
     <message>
         <source>x, y, z divided by w</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y, z podijeljeno s w</translation>
     </message>
     <message>
         <source>Whether the product has this tile</source>
-        <translation type="unfinished">Ima li umnožak ovu pločicu</translation>
+        <translation>Ima li umnožak ovu pločicu</translation>
     </message>
 </context>
 <context>
@@ -9404,7 +9823,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>
-        <translation>Uključite detalje: što se štedi?</translation>
+        <translation>Uključite razinu detalja: što se štedi?</translation>
     </message>
     <message>
         <source>Texture</source>
@@ -9980,7 +10399,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>faces, with both images of AB</source>
-        <translation>strane, s objema slikama AB</translation>
+        <translation>strane, s objema slikama dužine AB</translation>
     </message>
     <message>
         <source>far</source>

@@ -555,7 +555,7 @@
     </message>
     <message>
         <source>The highest y of the eye while its height changes.</source>
-        <translation>Највећи y позиције камере док се висина мења.</translation>
+        <translation>Највећа координата y позиције камере док се висина мења.</translation>
     </message>
     <message>
         <source>Look</source>
@@ -875,6 +875,425 @@
     <message>
         <source>Show the state of the question</source>
         <translation>Прикажи стање из питања</translation>
+    </message>
+</context>
+<context>
+    <name>Command</name>
+    <message>
+        <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
+        <translation>--batch = {0!r}: нема докумената (.json, .md) ни мрежа.</translation>
+    </message>
+    <message>
+        <source>--batch: takes one name, the folder of the figures.</source>
+        <translation>--batch: прима једно име, фасциклу цртежа.</translation>
+    </message>
+    <message>
+        <source>--chart = {0!r}: must end in {1}.</source>
+        <translation>--chart = {0!r}: мора да се завршава на {1}.</translation>
+    </message>
+    <message>
+        <source>--csv: is an option of lesson results, not of lesson {0}.</source>
+        <translation>--csv: опција је наредбе lesson results, а не lesson {0}.</translation>
+    </message>
+    <message>
+        <source>--for: needs --handout OUT.pdf.</source>
+        <translation>--for: тражи --handout OUT.pdf.</translation>
+    </message>
+    <message>
+        <source>--format: is for a folder or a lesson; in a list the endings decide.</source>
+        <translation>--format: служи за фасциклу или лекцију; у списку одлучују завршеци имена.</translation>
+    </message>
+    <message>
+        <source>--handout = {0!r}: must end in .pdf or .html.</source>
+        <translation>--handout = {0!r}: мора да се завршава на .pdf или .html.</translation>
+    </message>
+    <message>
+        <source>--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.</source>
+        <translation>--hidden: служи за .svg, .pdf, .tex и .html, чије су линије облици.</translation>
+    </message>
+    <message>
+        <source>--letters: is an option of lesson check and print, not of lesson {0}.</source>
+        <translation>--letters: опција је наредби lesson check и print, а не lesson {0}.</translation>
+    </message>
+    <message>
+        <source>--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.</source>
+        <translation>--orbit = {0:g}: мора да буде од -{1:g} до {1:g} степени, а не 0.</translation>
+    </message>
+    <message>
+        <source>--orbit: needs the pane world, and --panes = {0!r}.</source>
+        <translation>--orbit: тражи приказ world, а --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--out = {0!r}: cannot be made a folder: {1}.</source>
+        <translation>--out = {0!r}: не може да се направи фасцикла: {1}.</translation>
+    </message>
+    <message>
+        <source>--panes = {0!r}: must be a row or a column, not both.</source>
+        <translation>--panes = {0!r}: прикази морају да буду један поред другог или један испод другог, а не обоје.</translation>
+    </message>
+    <message>
+        <source>--scale: is for .png; shapes are as fine at every scale.</source>
+        <translation>--scale: служи за .png; облици су у свакој размери једнако фини.</translation>
+    </message>
+    <message>
+        <source>--screenshot = {0!r}: must end in .png.</source>
+        <translation>--screenshot = {0!r}: мора да се завршава на .png.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: has {1} variants; the limit is {2}.</source>
+        <translation>--seeds = {0!r}: број варијанти је {1}; граница је {2}.</translation>
+    </message>
+    <message>
+        <source>--seeds = {0!r}: must be FIRST:LAST, such as 1:30, from 1 to {1}.</source>
+        <translation>--seeds = {0!r}: мора да буде FIRST:LAST, као 1:30, од 1 до {1}.</translation>
+    </message>
+    <message>
+        <source>--set scene: the steps of a lesson have scenes of their own.</source>
+        <translation>--set scene: кораци лекције имају сопствене сцене.</translation>
+    </message>
+    <message>
+        <source>--set {0}: {1} is a lesson, whose steps set what is shown.</source>
+        <translation>--set {0}: {1} је лекција, а њени кораци одређују шта се приказује.</translation>
+    </message>
+    <message>
+        <source>--size = {0!r}: must be WIDTHxHEIGHT in pixels, such as 1800x600.</source>
+        <translation>--size = {0!r}: мора да буде WIDTHxHEIGHT у пикселима, као 1800x600.</translation>
+    </message>
+    <message>
+        <source>--size {0} = {1}: {2}.</source>
+        <translation>--size {0} = {1}: {2}.</translation>
+    </message>
+    <message>
+        <source>--size, --width and --text-size: need --chart.</source>
+        <translation>--size, --width и --text-size: траже --chart.</translation>
+    </message>
+    <message>
+        <source>--stages: needs the pane ndc, and --panes = {0!r}.</source>
+        <translation>--stages: тражи приказ ndc, а --panes = {0!r}.</translation>
+    </message>
+    <message>
+        <source>--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.</source>
+        <translation>--step = {0!r}: мора да буде број од 1 до {1}, или име корака{2}.</translation>
+    </message>
+    <message>
+        <source>--step: is a column of the list of --batch.</source>
+        <translation>--step: колона је списка за --batch.</translation>
+    </message>
+    <message>
+        <source>--step: needs a lesson or a talk as FILE.</source>
+        <translation>--step: тражи лекцију или презентацију као FILE.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: мора да буде LOW:HIGH, као 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = {1!r}: мора да буде LOW:HIGH, као 0.001:10.</translation>
+    </message>
+    <message>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW мора да буде мање од HIGH, а оба од {2:g} до {3:g}.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>
+        <translation>--topics = {0!r}: нема задатка који може да се реши на папиру.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
+        <translation>--topics = {0!r}: мора да буде списак тема од L1 до L{1}, или датотека лекција, раздвојених зарезима.</translation>
+    </message>
+    <message>
+        <source>--topics = {0!r}: names {1} twice.</source>
+        <translation>--topics = {0!r}: наводи {1} двапут.</translation>
+    </message>
+    <message>
+        <source>--transition: needs a lesson or a talk as FILE, and --step.</source>
+        <translation>--transition: тражи лекцију или презентацију као FILE, и --step.</translation>
+    </message>
+    <message>
+        <source>--transition: no step comes before --step {0}.</source>
+        <translation>--transition: пре --step {0} нема корака.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows another scene or another kind of lens than the step before; nothing moves from one to the other.</source>
+        <translation>--transition: корак {0} приказује другу сцену или другу врсту објектива него корак пре њега; од једног до другог се ништа не помера.</translation>
+    </message>
+    <message>
+        <source>--transition: step {0} shows the same as the step before.</source>
+        <translation>--transition: корак {0} приказује исто што и корак пре њега.</translation>
+    </message>
+    <message>
+        <source>--transparent: {0} has {1}; write .apng or .webp.</source>
+        <translation>--transparent: {0} има {1}; упишите .apng или .webp.</translation>
+    </message>
+    <message>
+        <source>--vectors: needs --convention.</source>
+        <translation>--vectors: тражи --convention.</translation>
+    </message>
+    <message>
+        <source>--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.</source>
+        <translation>--width = {0!r}: мора да буде дужина у {1}, од {2}pt до {3}pt, као 84mm.</translation>
+    </message>
+    <message>
+        <source>--width: is cropped, and its height is free; leave out --size and --crop.</source>
+        <translation>--width: цртеж се опсеца, и висина му је слободна; изоставите --size и --crop.</translation>
+    </message>
+    <message>
+        <source>--width: its height is free; leave out --size.</source>
+        <translation>--width: висина је слободна; изоставите --size.</translation>
+    </message>
+    <message>
+        <source>--{0}: cannot be used with --{1}.</source>
+        <translation>--{0}: не може уз --{1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: frames of a film have one size; set --size.</source>
+        <translation>--{0}: кадрови филма су једне величине; поставите --size.</translation>
+    </message>
+    <message>
+        <source>--{0}: is an option of lesson print, not of lesson {1}.</source>
+        <translation>--{0}: опција је наредбе lesson print, а не lesson {1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: is for single figures; frames of a film have one size.</source>
+        <translation>--{0}: служи за појединачне цртеже; кадрови филма су једне величине.</translation>
+    </message>
+    <message>
+        <source>--{0}: is not for .html, whose pictures change under a slider.</source>
+        <translation>--{0}: није за .html, чије се слике мењају клизачем.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --format latex.</source>
+        <translation>--{0}: тражи --format latex.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs --sweep.</source>
+        <translation>--{0}: тражи --sweep.</translation>
+    </message>
+    <message>
+        <source>--{0}: needs {1}.</source>
+        <translation>--{0}: тражи {1}.</translation>
+    </message>
+    <message>
+        <source>--{0}: stands alone, and needs --format text or json.</source>
+        <translation>--{0}: стоји сама, и тражи --format text или json.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
+        <translation>OUT = {0!r}: .mp4 има парне странице у пикселима, а не {1}; поставите --size.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: .webp has at most {1} pixels along each side.</source>
+        <translation>OUT = {0!r}: .webp има дуж сваке странице највише {1} пиксела.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must be a folder, for the figures.</source>
+        <translation>OUT = {0!r}: мора да буде фасцикла, за цртеже.</translation>
+    </message>
+    <message>
+        <source>OUT = {0!r}: must end in {1}{2}.</source>
+        <translation>OUT = {0!r}: мора да се завршава на {1}{2}.</translation>
+    </message>
+    <message>
+        <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
+        <translation>POINTS = {0!r}: мора да буде датотека CSV, или - за стандардни улаз; за једну тачку: echo {1} | {2} project -.</translation>
+    </message>
+    <message>
+        <source>POINTS is missing: {0} gives the camera only.</source>
+        <translation>POINTS недостаје: {0} даје само камеру.</translation>
+    </message>
+    <message>
+        <source>PyInstaller ended with status {0}.</source>
+        <translation>PyInstaller је завршио са статусом {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output cannot be written: {0}.</source>
+        <translation>Не може да се пише на стандардни излаз: {0}.</translation>
+    </message>
+    <message>
+        <source>Standard output is closed.</source>
+        <translation>Стандардни излаз је затворен.</translation>
+    </message>
+    <message>
+        <source>The settings cannot be deleted: {0}.</source>
+        <translation>Подешавања не могу да се избришу: {0}.</translation>
+    </message>
+    <message>
+        <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
+        <translation>bundle тражи PyInstaller, који није инсталиран; покрените: {0}</translation>
+    </message>
+    <message>
+        <source>bundle: this program has no folder of its code to make one of.</source>
+        <translation>bundle: овај програм нема фасциклу свог кода од које би се пакет направио.</translation>
+    </message>
+    <message>
+        <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
+        <translation>file = {0!r}: ово је лекција; наведите њен корак у колони step, или упишите број као %02d у out = {1!r}.</translation>
+    </message>
+    <message>
+        <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
+        <translation>lens.kind = matrix: слободна матрица нема предњу раван, задњу раван ни угао који би се мерили; мора да буде једно од {0}.</translation>
+    </message>
+    <message>
+        <source>lesson print needs --{0}.</source>
+        <translation>lesson print тражи --{0}.</translation>
+    </message>
+    <message>
+        <source>lesson print takes no FILE such as {0!r}: use --topics.</source>
+        <translation>lesson print не прима FILE као {0!r}: користите --topics.</translation>
+    </message>
+    <message>
+        <source>lesson results needs a FILE.</source>
+        <translation>lesson results тражи FILE.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is a link, which may lead out of {1}.</source>
+        <translation>out = {0!r}: ово је веза, која може да води изван {1}.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: is written by {1}.</source>
+        <translation>out = {0!r}: већ га уписује {1}.</translation>
+    </message>
+    <message>
+        <source>out = {0!r}: must be a file name without a folder.</source>
+        <translation>out = {0!r}: мора да буде име датотеке без фасцикле.</translation>
+    </message>
+    <message>
+        <source>pip does not find all packages for {0}, Python {1}.</source>
+        <translation>pip не налази све пакете за {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
+        <translation>talk тражи --check или --handout OUT.pdf; {0} {1} отвара презентацију.</translation>
+    </message>
+    <message>
+        <source>{0!r} is in the current folder, which was deleted.</source>
+        <translation>{0!r} је у текућој фасцикли, која је избрисана.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file nor a command; the {1}.</source>
+        <translation>{0!r} није ни датотека ни наредба; {1}.</translation>
+    </message>
+    <message>
+        <source>{0!r} is not a name that a file can have.</source>
+        <translation>{0!r} није име које датотека може да има.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: has a character NUL.</source>
+        <translation>{0} = {1!r}: садржи знак NUL.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a folder.</source>
+        <translation>{0} = {1!r}: ово је фасцикла.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: is a pipe or a device, not a regular file.</source>
+        <translation>{0} = {1!r}: ово је цев или уређај, а не обична датотека.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: may not be written.</source>
+        <translation>{0} = {1!r}: упис није дозвољен.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be one of {2}.</source>
+        <translation>{0} = {1!r}: мора да буде једно од {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be true or false.</source>
+        <translation>{0} = {1!r}: мора да буде true или false.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: must be {2}.</source>
+        <translation>{0} = {1!r}: мора да буде {2}.</translation>
+    </message>
+    <message>
+        <source>{0} = {1!r}: there is no folder {2}.</source>
+        <translation>{0} = {1!r}: нема фасцикле {2}.</translation>
+    </message>
+    <message>
+        <source>{0} cannot be read: {1}.</source>
+        <translation>{0} не може да се прочита: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} has no figures: its first row names columns, the others are one.</source>
+        <translation>{0} нема цртежа: први ред именује колоне, а сваки од осталих је један цртеж.</translation>
+    </message>
+    <message>
+        <source>{0} has no points: it must have rows of x,y,z.</source>
+        <translation>{0} нема тачака: мора да има редове x,y,z.</translation>
+    </message>
+    <message>
+        <source>{0} is a command and must come first: {1} {0} ...</source>
+        <translation>{0} је наредба и мора да буде прва: {1} {0} ...</translation>
+    </message>
+    <message>
+        <source>{0} is a scene: write --set scene={0}.</source>
+        <translation>{0} је сцена: напишите --set scene={0}.</translation>
+    </message>
+    <message>
+        <source>{0} is not an option of {1}; the nearest is {2}.</source>
+        <translation>{0} није опција за {1}; најближа је {2}.</translation>
+    </message>
+    <message>
+        <source>{0} must go to different files.</source>
+        <translation>{0} морају да иду у различите датотеке.</translation>
+    </message>
+    <message>
+        <source>{0} takes {1}, and was given {2}.</source>
+        <translation>{0} прима {1}, а дато је {2}.</translation>
+    </message>
+    <message>
+        <source>{0} was given an empty name.</source>
+        <translation>{0}: дато је празно име.</translation>
+    </message>
+    <message>
+        <source>{0}, line {1}: is not CSV ({2}).</source>
+        <translation>{0}, ред {1}: није CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}: has no column out, for the names of the figures.</source>
+        <translation>{0}: нема колоне out, за имена цртежа.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns of the same name.</source>
+        <translation>{0}: има две колоне истог имена.</translation>
+    </message>
+    <message>
+        <source>{0}: has two columns {1}.</source>
+        <translation>{0}: има две колоне {1}.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, but the first row names {2}.</source>
+        <translation>{0}: број колона је {1}, а први ред их именује {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
+        <translation>{0}: број колона је {1}, а мора да их буде три: x,y,z, или и w; друге колоне именујте у првом реду: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
+        <translation>{0}: има {1}, а мора да их буде три: x,y,z, или и w.</translation>
+    </message>
+    <message>
+        <source>{0}: is there already; remove it, or choose another folder.</source>
+        <translation>{0}: већ постоји; уклоните је, или изаберите другу фасциклу.</translation>
+    </message>
+    <message>
+        <source>{0}: must name columns x, y and z, or hold a point.</source>
+        <translation>{0}: мора да именује колоне x, y и z, или да садржи тачку.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
+        <translation>{0}: {1!r} није колона; најближа је {2}.</translation>
+    </message>
+    <message>
+        <source>{0}: {1!r} is one column; they are separated by commas.</source>
+        <translation>{0}: {1!r} је једна колона; колоне се раздвајају зарезима.</translation>
+    </message>
+    <message>
+        <source>{0}: {1} = {2}: must lie within ±{3}.</source>
+        <translation>{0}: {1} = {2}: мора да лежи унутар ±{3}.</translation>
     </message>
 </context>
 <context>
@@ -2599,7 +3018,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Compare side by side or overlaid</source>
-        <translation>Поређење једно поред другог или преклопљено</translation>
+        <translation>Пореди једно поред другог или преклопљено</translation>
     </message>
     <message>
         <source>Controls</source>
@@ -2647,7 +3066,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Draw on the slide, or put the pen away</source>
-        <translation>Цртање по слајду, или одлагање оловке</translation>
+        <translation>Црта по слајду, или одлаже оловку</translation>
     </message>
     <message>
         <source>Draw; with the right mouse button, erase</source>
@@ -2679,7 +3098,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Export the panes as a picture</source>
-        <translation>Извоз приказа као слике</translation>
+        <translation>Извози приказе као слику</translation>
     </message>
     <message>
         <source>Eye, target</source>
@@ -2715,7 +3134,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Go nearer or farther</source>
-        <translation>Приближавање или удаљавање</translation>
+        <translation>Приближава или удаљава</translation>
     </message>
     <message>
         <source>Go to the next number; Esc leaves the field</source>
@@ -2883,7 +3302,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Present on the full screen, in letters for the back row; again to end</source>
-        <translation>Излагање на целом екрану, словима видљивим из последњег реда; поново за крај</translation>
+        <translation>Излаже на целом екрану, словима видљивим из последњег реда; поново за крај</translation>
     </message>
     <message>
         <source>Presenting</source>
@@ -4821,7 +5240,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>MoveButton</name>
     <message>
         <source>Drag it to another place, or press the arrow keys up and down</source>
-        <translation type="unfinished"></translation>
+        <translation>Превуците на друго место, или притисните тастер са стрелицом нагоре или надоле</translation>
     </message>
 </context>
 <context>
@@ -5213,7 +5632,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>OrderView</name>
     <message>
         <source>The tile at the bottom acts first.</source>
-        <translation type="unfinished">Плочица на дну делује прва.</translation>
+        <translation>Плочица на дну делује прва.</translation>
     </message>
 </context>
 <context>
@@ -5711,31 +6130,31 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>QPlatformTheme</name>
     <message>
         <source>&amp;No</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Не</translation>
     </message>
     <message>
         <source>&amp;Yes</source>
-        <translation type="unfinished"></translation>
+        <translation>&amp;Да</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation type="unfinished">Откажи</translation>
+        <translation>Откажи</translation>
     </message>
     <message>
         <source>Close</source>
-        <translation type="unfinished">Затвори</translation>
+        <translation>Затвори</translation>
     </message>
     <message>
         <source>Discard</source>
-        <translation type="unfinished"></translation>
+        <translation>Одбаци</translation>
     </message>
     <message>
         <source>OK</source>
-        <translation type="unfinished"></translation>
+        <translation>У реду</translation>
     </message>
     <message>
         <source>Save</source>
-        <translation type="unfinished">Сачувај</translation>
+        <translation>Сачувај</translation>
     </message>
 </context>
 <context>
@@ -5784,7 +6203,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>A point ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Једна тачка завршава у {0} уместо у {1}.</translation>
     </message>
     <message>
         <source>All signs are turned round.</source>
@@ -5792,7 +6211,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Both orders do the same.</source>
-        <translation type="unfinished"></translation>
+        <translation>Оба редоследа чине исто.</translation>
     </message>
     <message>
         <source>It is close, but not exact enough.</source>
@@ -5812,7 +6231,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation type="unfinished"></translation>
+        <translation>Описује лук око координатног почетка и завршава {0} јединица далеко од свог места.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -5856,7 +6275,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>The origin ends at {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Координатни почетак завршава у {0} уместо у {1}.</translation>
     </message>
     <message>
         <source>The sign is wrong, and so is the size.</source>
@@ -5868,11 +6287,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>The w of a point becomes {0} instead of {1}.</source>
-        <translation type="unfinished"></translation>
+        <translation>w једне тачке постаје {0} уместо {1}.</translation>
     </message>
     <message>
         <source>The {0} axis becomes {1} instead of {2}.</source>
-        <translation type="unfinished"></translation>
+        <translation>Оса {0} постаје {1} уместо {2}.</translation>
     </message>
     <message>
         <source>There is no preview of {0} triangles and points.</source>
@@ -6136,7 +6555,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>has tiles that do the same in every order</source>
-        <translation type="unfinished"></translation>
+        <translation>има плочице које у сваком редоследу чине исто</translation>
     </message>
     <message>
         <source>has too few variants, about {0}; it needs at least {1}</source>
@@ -6884,7 +7303,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>must have the product that the state shows, which is another {0}</source>
-        <translation type="unfinished"></translation>
+        <translation>мора да има производ који показује стање, а то је друга матрица {0}</translation>
     </message>
     <message>
         <source>must have three numbers for each rotation, which has three or nine</source>
@@ -8301,15 +8720,15 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>_TileRow</name>
     <message>
         <source>Divide by w</source>
-        <translation type="unfinished"></translation>
+        <translation>Дељење са w</translation>
     </message>
     <message>
         <source>x, y, z divided by w</source>
-        <translation type="unfinished"></translation>
+        <translation>x, y, z подељени са w</translation>
     </message>
     <message>
         <source>Whether the product has this tile</source>
-        <translation type="unfinished">Да ли производ садржи ову плочицу</translation>
+        <translation>Да ли производ садржи ову плочицу</translation>
     </message>
 </context>
 <context>
@@ -9192,7 +9611,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Only what lies in the view volume is drawn. An eye sees a truncated cone. A perspective lens uses the pyramid around it, because a picture is a rectangle. A parallel lens has a box, straight or oblique: the view from very far away. A test point with a grey name is outside.</source>
-        <translation>Црта се само оно што лежи у запремини погледа. Око види зарубљену купу. Перспективни објектив користи пирамиду око ње, јер је слика правоугаоник. Паралелни објектив има квадар или коси паралелепипед: поглед са веома велике удаљености. Тест тачка са сивим именом је изван.</translation>
+        <translation>Црта се само оно што лежи у запремини погледа. Око види зарубљену купу. Перспективни објектив користи пирамиду око ње, јер је слика правоугаоник. Паралелни објектив има квадар или коси паралелепипед: поглед са веома велике удаљености. Пробна тачка са сивим именом је изван.</translation>
     </message>
     <message>
         <source>P = (1 − t)·C + t·(D : 0): at the corner C for t = 0, at infinity for t = 1; above 1 it comes back from the other side</source>
@@ -10032,7 +10451,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation>float32, далеко од почетка</translation>
+        <translation>float32, далеко од координатног почетка</translation>
     </message>
     <message>
         <source>float32, from the object</source>
@@ -10556,7 +10975,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>test points inside</source>
-        <translation>тест тачке унутра</translation>
+        <translation>пробне тачке унутра</translation>
     </message>
     <message>
         <source>the angles α and β give scale and angle before the picture is stretched</source>
@@ -10796,7 +11215,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation>два float-а, од почетка</translation>
+        <translation>два float-а, од координатног почетка</translation>
     </message>
     <message>
         <source>upright</source>

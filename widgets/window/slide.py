@@ -12,6 +12,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 from app.document.view import PANES
 from app.drawings.label_placement import Floats, Ground
 from widgets.panes.pane import Pane
+from widgets.panes.stage_strip import StageStrip
 from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
 from widgets.window.equation import EquationSlide
@@ -75,8 +76,9 @@ class Slide(QWidget):
             to_pixels, _ = from_pixels.inverted()
             size = drawing.state.size_px if drawing.pane == "image" else (0, 0)
             yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels, size)
-        titles = [each for each in self.findChildren(Title) if each.isVisible() and each.text()]
-        others = [QRectF(each.rect()).translated(each.mapTo(self, QPointF())) for each in titles]
+        titles = [each for each in self.findChildren(Title) if each.text()]
+        beside = [each for each in (*titles, *self.findChildren(StageStrip)) if each.isVisible()]
+        others = [QRectF(each.rect()).translated(each.mapTo(self, QPointF())) for each in beside]
         at = self.equation.mapTo(self, QPointF())
         others += [cell.translated(at) for cell in self.equation.cells if self.equation.isVisible()]
         yield others, lambda boxes: np.zeros(len(boxes))

@@ -1,0 +1,70 @@
+"""Every text of the program is translated, and says what the English one says."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+from xml.etree import ElementTree
+
+import pytest
+
+from app.languages import TRANSLATIONS
+from tests import texts
+
+FORMS = {"hr": 3, "sr": 3, "et": 2}
+_PLACES = re.compile(r"\{\d*(?::[^{}]*)?\}|%n")
+_NUMBER = re.compile(r"\d+(?:\.\d+)?")
+
+
+class Message(NamedTuple):
+    """A message of a file: its context, its text in English, and its forms."""
+
+    context: str
+    source: str
+    forms: tuple[str, ...]
+    counts: bool
+
+
+def messages(path: Path) -> Iterator[Message]:
+    for context in ElementTree.parse(path).getroot().iter("context"):
+        for each in context.iter("message"):
+            translation = each.find("translation")
+            assert translation is not None
+            if translation.get("type") in ("vanished", "obsolete"):
+                continue
+            is_done = translation.get("type") != "unfinished"
+            forms = tuple(form.text or "" for form in translation) or (translation.text or "",)
+            counts = each.get("numerus") == "yes"
+            name, source = context.findtext("name", ""), each.findtext("source", "")
+            yield Message(name, source, forms if is_done else (), counts)
+
+
+FILES = [f"{part}_{language}" for part in ("program", "lessons") for language in FORMS]
+
+
+@pytest.mark.parametrize("file", FILES)
+def test_every_text_is_translated_and_keeps_what_is_inserted(file: str) -> None:
+    faults = []
+    for message in messages(TRANSLATIONS / f"{file}.ts"):
+        count = FORMS[file[-2:]] if message.counts else 1
+        if len(message.forms) != count or not all(map(str.strip, message.forms)):
+            faults.append(f"{message.context}: {message.source[:60]!r} is not translated")
+        for form in message.forms:
+            for pattern in (_PLACES, _NUMBER, re.compile(r"\*\*"), re.compile(r"&(?=\w)")):
+                there, here = pattern.findall(message.source), pattern.findall(form)
+                if Counter(there) != Counter(here):
+                    faults.append(f"{message.source[:60]!r}: {there}, and {here} in {form[:60]!r}")
+    assert not faults, "\n".join(faults[:20])
+
+
+def test_the_files_are_up_to_date(tmp_path: Path) -> None:
+    for path in TRANSLATIONS.glob("*.ts"):
+        shutil.copy(path, tmp_path)
+    texts.update(tmp_path)
+    old = [path.name for path in sorted(tmp_path.glob("*.ts"))
+           if path.read_text("utf-8") != (TRANSLATIONS / path.name).read_text("utf-8")]  # fmt: skip
+    assert not old, "run python3 -m tests.texts, and translate what is new"
