@@ -7,6 +7,7 @@ from dataclasses import replace
 import pytest
 
 from app import api
+from app.drawings import describing
 from app.drawings.describing import describe
 from app.model.refusal import HEALTH
 from app.scenes.scene import load
@@ -95,18 +96,19 @@ def test_views_stages_and_comparisons_are_said() -> None:
     assert typed == "Cube: the scene on its way from view to normalized device coordinates."
 
 
-def test_another_language_gets_every_sentence() -> None:
+def test_another_language_gets_every_sentence(monkeypatch: pytest.MonkeyPatch) -> None:
     texts = list[tuple[str, str]]()
 
     def marked(text: str, context: str) -> str:
         texts.append((text, context))
         return f"<{text}>"
 
+    monkeypatch.setattr(describing, "translate", marked)
     away = api.load("letter-f", "camera.eye=0,2.5,9", "camera.target=0,2.5,20")
-    (risk,) = describe(away, load("letter-f"), translate=marked).risky
+    (risk,) = describe(away, load("letter-f")).risky
     assert risk.endswith("the <near> plane>.")
     document = api.load("focus", "camera.eye=0,1.3,-4", "lens.near=1e-9")
-    found = describe(document, load("focus"), ("world",), marked)
+    found = describe(document, load("focus"), ("world",))
     assert {context for _, context in texts} == {
         "Description", "Health", "Lens", "Plane", "phenomena"
     }  # fmt: skip
