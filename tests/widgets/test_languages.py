@@ -16,7 +16,7 @@ from app.lessons.course import contained
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, settle
-from widgets.program.application import Translator
+from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
 
 OTHERS = [each for each in languages.LANGUAGES if each != languages.ENGLISH]

@@ -963,8 +963,9 @@ def test_the_translator_gives_qt_the_texts_of_the_language(display: Any) -> None
     from PySide6.QtCore import QCoreApplication
 
     from app import languages
+    from widgets.parts.translator import Translator
 
-    translator = application.Translator(display)
+    translator = Translator(display)
     display.installTranslator(translator)
     try:
         assert QCoreApplication.translate("Report", "Copy details") == "Copy details"

@@ -6,11 +6,10 @@ from collections.abc import Mapping
 from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, QSizeF, Qt, QUuid
+from PySide6.QtCore import QBuffer, QMarginsF, QPointF, QRectF, QSizeF, Qt, QUuid
 from PySide6.QtGui import (
     QColor,
     QFont,
-    QGuiApplication,
     QImage,
     QPageSize,
     QPaintDevice,
@@ -27,6 +26,7 @@ from app.measure.results import Measurements, Sweep, Trade
 from app.scenes.phenomena.words import Diagram
 from widgets.parts.diagram_painter import SMALL, DiagramPainter
 from widgets.parts.saving import png_of
+from widgets.parts.translator import off_screen_application
 from widgets.parts.typeset import resized, words_font
 
 ONE_PX, COLUMN_PX, ROW_PX = QSizeF(800.0, 490.0), 550.0, 350.0
@@ -64,8 +64,7 @@ def picture(
     `chart.diagrams`; `other` is drawn over the charts of the same name. For bytes, draw
     `results.by_cost`.
     """
-    application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
-    assert isinstance(application, QGuiApplication)
+    off_screen_application()
     font = words_font()  # whatever the letters of the window
     font.setPixelSize(FONT_PX)
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]

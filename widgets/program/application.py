@@ -37,7 +37,6 @@ from PySide6.QtCore import (
     QLocale,
     QSocketNotifier,
     Qt,
-    QTranslator,
     qInstallMessageHandler,
 )
 from PySide6.QtWidgets import QApplication, QWidget
@@ -48,6 +47,7 @@ from app.document.files import write_bytes_atomically
 from app.lecture.letters import Letters
 from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.saving import png_of
+from widgets.parts.translator import Translator
 from widgets.program import opengl
 from widgets.program.display import display
 from widgets.program.logs import EncodingNotes, log_qt, log_vtk, start_log
@@ -91,16 +91,6 @@ def make_application() -> QApplication:
     # a number at its point: 0.5 would be 0.
     locale.setlocale(locale.LC_NUMERIC, "C")
     return application
-
-
-class Translator(QTranslator):
-    """Gives Qt the texts of `app.languages`."""
-
-    def translate(
-        self, context: str, text: str, _disambiguation: str | None = None, count: int = -1
-    ) -> str:
-        """Return a text of the window in its language; as it is where none is known."""
-        return languages.translate(text, context, None if count < 0 else count)
 
 
 def choose_language(asked: str) -> None:

@@ -10,7 +10,7 @@ from functools import cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
-from PySide6.QtCore import QBuffer, QCoreApplication, QMarginsF, QPointF, QRectF, Qt
+from PySide6.QtCore import QBuffer, QMarginsF, QPointF, QRectF, Qt
 from PySide6.QtGui import (
     QColor,
     QFont,
@@ -32,6 +32,7 @@ from app.lessons.course import panes_of, scene_of
 from app.model.refusal import REFUSALS, Refusal
 from widgets.parts.lesson_text import SPACIOUS, set_text
 from widgets.parts.plain import TextDocument
+from widgets.parts.translator import off_screen_application
 from widgets.parts.typeset import words_font
 from widgets.window.pictures import image_of
 
@@ -55,8 +56,7 @@ def pdf(title: str, lay_out: Callable[[float, float], Iterable[PaintPage]]) -> b
 
     `lay_out` returns what paints each page, for the width and height between the margins in points.
     """
-    application = QCoreApplication.instance() or QGuiApplication(["app", "-platform", "offscreen"])
-    assert isinstance(application, QGuiApplication)
+    off_screen_application()
     buffer = QBuffer()
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
     writer = QPdfWriter(buffer)

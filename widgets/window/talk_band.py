@@ -28,6 +28,7 @@ from app.lessons.text import spoken_text
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import TextDocument
+from widgets.parts.translator import off_screen_application
 
 TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
@@ -190,7 +191,7 @@ class TalkBand(QFrame):
 
 def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bool, bool]]:
     """Yield for each step whether its band `is_cut` on a screen, and whether words are left out."""
-    application = QApplication.instance() or QApplication(["app", "-platform", "offscreen"])
+    application = off_screen_application()
     assert isinstance(application, QApplication)  # it lives as long as the band
     band = TalkBand()
     band.set_screen(float(size[1]))
