@@ -332,7 +332,7 @@ def test_every_drag_has_a_key(make_window: MakeWindow, name: str) -> None:
             by_mouse |= drag_from(window, at, way, kind)
         count += len(by_mouse)
         lacks[kind] = by_mouse - moved_by_keys(window, kind)
-    assert count >= 2 and not any(lacks.values()), lacks
+    assert count and not any(lacks.values()), lacks
 
 
 @pytest.mark.parametrize("by", ["face", "edge", "label"])
