@@ -855,12 +855,12 @@
         <translation>Harjutus: pange vaatemaatriks kokku</translation>
     </message>
     <message>
-        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation>Vaatemaatriks võtab kaamera paigutamise tagasi. Järjestage selle tegurid: lohistage lülisid ja lülitage välja need, mis korrutisse ei kuulu. Esimesena mõjub kõige alumine lüli.</translation>
-    </message>
-    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Silm on kohal {0}. Maatriksi {1} read on {2}, {3}, {4} ja {5} nihutab vektori {6} võrra. Milline korrutis on vaatemaatriks?</translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} moves the wrong way.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
@@ -875,12 +875,12 @@
         <translation>Kus on silm pärast vaatemaatriksit?</translation>
     </message>
     <message>
-        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation>Alguspunktis, seega mõjub nihutav tegur esimesena. {0} nihutab vektori {1} võrra.</translation>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation>{0} viib silma alguspunkti ja {1} pöörab selle ümber. {2} ja {3} seevastu paigutavad kaamera.</translation>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation>Alguspunktis, seega mõjub nihutav tegur esimesena. {0} nihutab vektori {1} võrra.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
@@ -1016,6 +1016,10 @@
     <message>
         <source>Back to the prediction</source>
         <translation>Tagasi ennustuse juurde</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
@@ -1176,10 +1180,6 @@
     <message>
         <source>Practise: build the chain</source>
         <translation>Harjutus: pange ahel kokku</translation>
-    </message>
-    <message>
-        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation>Tähte liigutati ahelaga ja see on seal, kus seda näitab **Maailm**. Järjestage lülid nii nagu korrutises: esimesena mõjub kõige alumine. Lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
@@ -3055,10 +3055,6 @@
         <translation>Harjutus: pange korrutis kokku</translation>
     </message>
     <message>
-        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation>Kaamerafreimi punkt läheb läbi püramiidi ja risttahuka kuupi. Järjestage tegurid; esimesena mõjub kõige alumine.</translation>
-    </message>
-    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} ja {1}. Milline ahel viib kaamerafreimist NDC-sse?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} teeb püramiidist risttahuka. Mis teeb püramiidi?</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,14 +4123,6 @@
         <translation>Harjutus: kuhu kuulub jagamine</translation>
     </message>
     <message>
-        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation>Jagamine suurusega {0} on ahela samm, aga mitte maatriks. Järjestage sammud; esimesena mõjub kõige alumine. Lülitage välja see, mis ahelasse ei kuulu.</translation>
-    </message>
-    <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
-        <translation>Pildis on {0} korda 400 pikslit. Milline ahel viib kaamerafreimi punkti selle pikslisse?</translation>
-    </message>
-    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Tähte pöörati ümber y-telje {0}° ja nihutati {1} võrra piki x-telge; silm on kohal {2}. Milline ahel viib tähe punkti NDC-sse?</translation>
     </message>
@@ -4141,6 +4133,14 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Viewport vajab arve −1-st 1-ni.</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from view space to {0} by 400 pixels?</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>

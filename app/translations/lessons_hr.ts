@@ -855,12 +855,12 @@
         <translation>Vježba: složite matricu pogleda</translation>
     </message>
     <message>
-        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation>Matrica pogleda poništava postavljanje kamere. Složite njezine faktore: povlačite pločice i isključite one koje ne pripadaju umnošku. Pločica na dnu djeluje prva.</translation>
-    </message>
-    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Kamera je u {0}. Retci od {1} su {2}, {3}, {4}, a {5} pomiče za {6}. Koji je umnožak matrica pogleda?</translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} moves the wrong way.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
@@ -875,12 +875,12 @@
         <translation>Gdje je kamera nakon matrice pogleda?</translation>
     </message>
     <message>
-        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation>U ishodištu, pa faktor koji pomiče djeluje prvi. {0} pomiče za {1}.</translation>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation>{0} pomiče kameru u ishodište, a {1} rotira oko njega. {2} i {3}, naprotiv, postavljaju kameru.</translation>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation>U ishodištu, pa faktor koji pomiče djeluje prvi. {0} pomiče za {1}.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
@@ -1016,6 +1016,10 @@
     <message>
         <source>Back to the prediction</source>
         <translation>Natrag na predviđanje</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
@@ -1176,10 +1180,6 @@
     <message>
         <source>Practise: build the chain</source>
         <translation>Vježba: složite lanac</translation>
-    </message>
-    <message>
-        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation>Slovo je pomaknuto nekim lancem i stoji ondje gdje ga pokazuje **Svijet**. Složite pločice kao u umnošku: ona na dnu djeluje prva. Isključite ono što mu ne pripada.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
@@ -3055,10 +3055,6 @@
         <translation>Vježba: složite umnožak</translation>
     </message>
     <message>
-        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation>Točka koordinatnog sustava kamere ide kroz piramidu i kvadar do kocke. Složite faktore; onaj na dnu djeluje prvi.</translation>
-    </message>
-    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} i {1}. Koji lanac vodi od koordinatnog sustava kamere do NDC?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} prebacuje piramidu u kvadar. Što čini piramidu?</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,14 +4123,6 @@
         <translation>Vježba: gdje je mjesto dijeljenju</translation>
     </message>
     <message>
-        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation>Dijeljenje s {0} jest korak lanca, ali nije matrica. Složite korake; onaj na dnu djeluje prvi. Isključite ono što ne pripada lancu.</translation>
-    </message>
-    <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
-        <translation>Slika ima {0} puta 400 piksela. Koji lanac točku koordinatnog sustava kamere prebacuje u njezin piksel?</translation>
-    </message>
-    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Slovo je okrenuto oko y za {0}° i pomaknuto za {1} duž x; kamera je u {2}. Koji lanac točku slova prebacuje u NDC?</translation>
     </message>
@@ -4141,6 +4133,14 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Prozoru prikaza trebaju brojevi od −1 do 1.</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from view space to {0} by 400 pixels?</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>

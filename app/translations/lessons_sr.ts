@@ -855,12 +855,12 @@
         <translation>Вежба: саставите матрицу погледа</translation>
     </message>
     <message>
-        <source>The view matrix undoes how the camera was placed. Arrange its factors: drag the tiles, and switch off those that do not belong to the product. The tile at the bottom acts first.</source>
-        <translation>Матрица погледа поништава постављање камере. Поређајте њене чиниоце: превуците плочице и искључите оне које не припадају производу. Плочица на дну делује прва.</translation>
-    </message>
-    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Позиција камере је {0}. Врсте матрице {1} су {2}, {3}, {4}, а {5} помера за {6}. Који производ је матрица погледа?</translation>
+    </message>
+    <message>
+        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} moves the wrong way.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
@@ -875,12 +875,12 @@
         <translation>Где је позиција камере после матрице погледа?</translation>
     </message>
     <message>
-        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
-        <translation>У координатном почетку, па прво делује чинилац који помера. {0} помера за {1}.</translation>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>{0} moves the eye to the origin, and {1} rotates about it. {2} and {3} place a camera instead.</source>
-        <translation>{0} помера позицију камере у координатни почетак, а {1} ротира око њега. {2} и {3} чине обрнуто: постављају камеру.</translation>
+        <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
+        <translation>У координатном почетку, па прво делује чинилац који помера. {0} помера за {1}.</translation>
     </message>
     <message>
         <source>The view matrix undoes both, the last one first.</source>
@@ -1016,6 +1016,10 @@
     <message>
         <source>Back to the prediction</source>
         <translation>Назад на предвиђање</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
@@ -1176,10 +1180,6 @@
     <message>
         <source>Practise: build the chain</source>
         <translation>Вежба: саставите ланац</translation>
-    </message>
-    <message>
-        <source>The letter was moved by a chain, and stands where **World** shows it. Arrange the tiles as in the product: the one at the bottom acts first. Switch off what does not belong to it.</source>
-        <translation>Слово је померио један ланац, и стоји где га показује приказ **Свет**. Поређајте плочице као у производу: она на дну делује прва. Искључите оно што му не припада.</translation>
     </message>
     <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
@@ -3055,10 +3055,6 @@
         <translation>Вежба: саставите производ</translation>
     </message>
     <message>
-        <source>A point of view space goes through the pyramid and the box to the cube. Arrange the factors; the one at the bottom acts first.</source>
-        <translation>Тачка координатног система камере пролази кроз пирамиду и квадар до коцке. Поређајте чиниоце; онај на дну делује први.</translation>
-    </message>
-    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} и {1}. Који ланац води из координатног система камере у NDC?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} преводи пирамиду у квадар. Шта прави пирамиду?</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,14 +4123,6 @@
         <translation>Вежба: где је место дељењу</translation>
     </message>
     <message>
-        <source>The division by {0} is a step of the chain, but no matrix. Arrange the steps; the one at the bottom acts first. Switch off what does not belong to the chain.</source>
-        <translation>Дељење са {0} је корак ланца, али није матрица. Поређајте кораке; онај на дну делује први. Искључите оно што не припада ланцу.</translation>
-    </message>
-    <message>
-        <source>The picture has {0} times 400 pixels. Which chain takes a point of view space to its pixel?</source>
-        <translation>Слика има {0} пута 400 пиксела. Који ланац преводи тачку координатног система камере у њен пиксел?</translation>
-    </message>
-    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Слово је окренуто око y за {0}° и померено за {1} дуж x; позиција камере је {2}. Који ланац преводи тачку слова у NDC?</translation>
     </message>
@@ -4141,6 +4133,14 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Области приказа требају бројеви од −1 до 1.</translation>
+    </message>
+    <message>
+        <source>Drag the tiles, and switch off what does not belong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which chain leads from view space to {0} by 400 pixels?</source>
+        <translation type="unfinished"></translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>

@@ -284,8 +284,8 @@
         <translation>Jätab praeguse pildi meelde ja võrdleb seda hilisematega, või lõpetab võrdluse</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>Kee&amp;l</translation>
+        <source>Language</source>
+        <translation>Keel</translation>
     </message>
     <message>
         <source>Light</source>

@@ -284,8 +284,8 @@
         <translation>Zadržava trenutačnu sliku i uspoređuje je s kasnijima ili završava usporedbu</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>&amp;Jezik</translation>
+        <source>Language</source>
+        <translation>Jezik</translation>
     </message>
     <message>
         <source>Light</source>

@@ -284,8 +284,8 @@
         <translation>Задржи тренутну слику и упореди је са каснијим, или заврши поређење</translation>
     </message>
     <message>
-        <source>Lan&amp;guage</source>
-        <translation>Је&amp;зик</translation>
+        <source>Language</source>
+        <translation>Језик</translation>
     </message>
     <message>
         <source>Light</source>
