@@ -860,7 +860,7 @@
     </message>
     <message>
         <source>{0} moves the eye to the origin, and {1} rotates about it. {2} moves the wrong way.</source>
-        <translation type="unfinished"></translation>
+        <translation>{0} viib silma alguspunkti ja {1} pöörab selle ümber. {2} nihutab vales suunas.</translation>
     </message>
     <message>
         <source>A camera at the origin looks along {0}. It was turned about y by {1}°, then moved by {2}. Which product is its view matrix?</source>
@@ -876,7 +876,7 @@
     </message>
     <message>
         <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
@@ -1019,7 +1019,7 @@
     </message>
     <message>
         <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
@@ -3072,7 +3072,7 @@
     </message>
     <message>
         <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4136,11 +4136,11 @@
     </message>
     <message>
         <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>Which chain leads from view space to {0} by 400 pixels?</source>
-        <translation type="unfinished"></translation>
+        <translation>Milline ahel viib kaamerafreimist pildile, milles on {0} korda 400 pikslit?</translation>
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>

@@ -37,7 +37,7 @@ from widgets.parts.wording import Wording
 
 WORDS = Wording(__file__)
 WORD = 16  # longest word that fits the narrowest dock
-LONGEST_LINE = 30  # most letters of the names of compared pictures on one line of it
+LONGEST_LINE = 32  # most letters of the names of compared pictures on one line of it
 TITLE = 1.25  # size of the scene's name, relative to ordinary text
 
 
