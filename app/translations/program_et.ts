@@ -10817,7 +10817,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation>korrutised, kiirmeetodil leitud pöördjuur</translation>
+        <translation>korrutised, kiire pöördjuur</translation>
     </message>
     <message>
         <source>products, renormalised</source>

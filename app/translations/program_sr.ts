@@ -3620,7 +3620,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>dimetric</source>
-        <translation>диметријска</translation>
+        <translation>диметрија</translation>
     </message>
     <message>
         <source>front</source>
@@ -3628,7 +3628,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>isometric</source>
-        <translation>изометријска</translation>
+        <translation>изометрија</translation>
     </message>
     <message>
         <source>multiview</source>
@@ -3692,7 +3692,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>trimetric</source>
-        <translation>триметријска</translation>
+        <translation>триметрија</translation>
     </message>
     <message>
         <source>two axes are parallel to the image plane</source>
@@ -10451,7 +10451,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation>float32, далеко од координатног почетка</translation>
+        <translation>float32, далеко од почетка</translation>
     </message>
     <message>
         <source>float32, from the object</source>
@@ -11215,7 +11215,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation>два float-а, од координатног почетка</translation>
+        <translation>два float-а, од почетка</translation>
     </message>
     <message>
         <source>upright</source>
