@@ -195,6 +195,10 @@ def test_a_change_reaches_only_the_listeners_that_it_concerns(
     assert told == {"FramePanel"}
 
 
+def test_the_cube_says_its_limits_from_the_start(window: MainWindow) -> None:
+    assert window.panes["ndc"].header.note.text() == "x, y ±1, z −1 … 1"
+
+
 def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWindow) -> None:
     window.slots.make_large("world")
     settle()

@@ -109,6 +109,7 @@ class StageStrip(QWidget, Playing):
         self.from_left = False
         self._make_stops()
         self._show_state()
+        self._emitted = ("", "")  # nobody has heard it yet
         lettering.changed.connect(self._emit_title)
 
     # -- where it is
