@@ -143,7 +143,7 @@ def texts(part: str, language: str) -> Mapping[tuple[str, str], Forms]:
             if all(forms):
                 source = message.findtext("source", "")
                 is_typed = name == "Options" or _TYPED.search(source)
-                known_texts[name, source] = forms if is_typed else tuple(map(with_comma, forms))
+                known_texts[name, source] = forms if is_typed else tuple(map(_with_comma, forms))
     return known_texts
 
 
@@ -174,8 +174,10 @@ def with_comma(text: str, *, in_tex: bool = False) -> str:
     """Return a text with its numbers as the language writes them: 1,5 and (0,5; 1; 2)."""
     if _Chosen.program == ENGLISH or "." not in text:
         return text
-    if in_tex:  # where a bare comma has a space behind it
-        return _POINT.sub("{,}", text)
+    return _POINT.sub("{,}", text) if in_tex else _with_comma(text)  # TeX parts what a comma ends
+
+
+def _with_comma(text: str) -> str:
     text = _NUMBERS.sub(
         lambda match: re.sub(", *", "; ", match[0]) if "." in match[0] else match[0], text
     )

@@ -68,6 +68,17 @@ def test_numbers_have_a_comma(english: str, other: str) -> None:
     assert languages.with_comma(english) == other
 
 
+def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
+    languages.texts.cache_clear()
+    languages.follow_lesson("hr")
+    try:
+        said = languages.translate("A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell"
+                                   " (Enter)", "MatrixAnswerView")  # fmt: skip
+    finally:
+        languages.follow_lesson("")
+    assert "0,5" in said
+
+
 def test_only_the_sentences_of_a_lesson_change() -> None:
     for path in contained():
         text = path.read_text("utf-8")

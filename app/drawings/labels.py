@@ -159,8 +159,13 @@ class Board:
         before, self._kept = self._kept, {key: each.kept for key, each in placed.items()}
         for key, each in placed.items() if best else ():
             goal = best[key].kept if key in best else None
+            faded = self._fades.get(key, (FADE_S, None))[0]
+            leaves = faded < FADE_S / 2.0  # for where it stood best at the rest before
             if each.kept.is_elsewhere(goal):
-                self._fades.setdefault(key, (0.0, goal))
+                self._fades[key] = faded if leaves else 0.0, goal
+            elif leaves:
+                self._fade(key, 1.0)
+                del self._fades[key]
         self._waits = {
             key: self._waits.get(key, 0.0)
             for key, each in placed.items()

@@ -855,6 +855,10 @@
         <translation>Harjutus: pange vaatemaatriks kokku</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Seadke lülid järjekorda ja jätke välja see, mis sinna ei kuulu.</translation>
+    </message>
+    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Silm on kohal {0}. Maatriksi {1} read on {2}, {3}, {4} ja {5} nihutab vektori {6} võrra. Milline korrutis on vaatemaatriks?</translation>
     </message>
@@ -873,10 +877,6 @@
     <message>
         <source>Where is the eye after the view matrix?</source>
         <translation>Kus on silm pärast vaatemaatriksit?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
@@ -1018,20 +1018,12 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
-    </message>
-    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Tähte pöörati ümber z-telje {0}° ja nihutati siis {1} võrra piki x-telge. Milline korrutis seda tegi?</translation>
     </message>
     <message>
         <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
         <translation>Täht tehti {0} korda nii laiaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi?</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
-        <translation>Sisestage lülidesse arvud ja järjestage lülid: korrutis peab olema {0} paneelis *Maatriksid*.</translation>
     </message>
     <message>
         <source>Object, world, camera</source>
@@ -1182,6 +1174,10 @@
         <translation>Harjutus: pange ahel kokku</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Seadke lülid järjekorda ja jätke välja see, mis sinna ei kuulu.</translation>
+    </message>
+    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Kumb neist mõjub esimesena? See on all.</translation>
     </message>
@@ -1200,6 +1196,10 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: enne skaleerimine piki tähe enda telgi, siis pööre ümber selle enda alguspunkti ja viimasena nihe.</translation>
+    </message>
+    <message>
+        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
+        <translation>Andke lülidele arvud ja seadke need järjekorda: korrutis peab olema {0}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -3055,6 +3055,10 @@
         <translation>Harjutus: pange korrutis kokku</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Seadke lülid järjekorda ja jätke välja see, mis sinna ei kuulu.</translation>
+    </message>
+    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} ja {1}. Milline ahel viib kaamerafreimist NDC-sse?</translation>
     </message>
@@ -3069,10 +3073,6 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} teeb püramiidist risttahuka. Mis teeb püramiidi?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,6 +4123,10 @@
         <translation>Harjutus: kuhu kuulub jagamine</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Seadke lülid järjekorda ja jätke välja see, mis sinna ei kuulu.</translation>
+    </message>
+    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Tähte pöörati ümber y-telje {0}° ja nihutati {1} võrra piki x-telge; silm on kohal {2}. Milline ahel viib tähe punkti NDC-sse?</translation>
     </message>
@@ -4133,10 +4137,6 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Viewport vajab arve −1-st 1-ni.</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Lohistage lülisid ja lülitage välja see, mis sinna ei kuulu.</translation>
     </message>
     <message>
         <source>Which chain leads from view space to {0} by 400 pixels?</source>

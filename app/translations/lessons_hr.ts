@@ -855,6 +855,10 @@
         <translation>Vježba: složite matricu pogleda</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Poredajte pločice i izostavite ono što ne pripada umnošku.</translation>
+    </message>
+    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Kamera je u {0}. Retci od {1} su {2}, {3}, {4}, a {5} pomiče za {6}. Koji je umnožak matrica pogleda?</translation>
     </message>
@@ -873,10 +877,6 @@
     <message>
         <source>Where is the eye after the view matrix?</source>
         <translation>Gdje je kamera nakon matrice pogleda?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Povlačite pločice i isključite ono što ne pripada umnošku.</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
@@ -1018,20 +1018,12 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Povlačite pločice i isključite ono što ne pripada umnošku.</translation>
-    </message>
-    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Slovo je okrenuto oko z za {0}°, a zatim pomaknuto za {1} duž x. Koji je umnožak to učinio?</translation>
     </message>
     <message>
         <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
         <translation>Slovo je rašireno {0} puta, okrenuto oko z za {1}° i pomaknuto za {2} duž x. Zadržalo je prave kutove. Koji je umnožak to učinio?</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
-        <translation>Upišite brojeve u pločice i složite ih: umnožak mora biti {0} u ploči *Matrice*.</translation>
     </message>
     <message>
         <source>Object, world, camera</source>
@@ -1182,6 +1174,10 @@
         <translation>Vježba: složite lanac</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Poredajte pločice i izostavite ono što ne pripada umnošku.</translation>
+    </message>
+    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Što od toga dvoga djeluje prvo? Ono stoji na dnu.</translation>
     </message>
@@ -1200,6 +1196,10 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: najprije skaliranje, duž vlastitih osi slova, zatim okret oko njegova ishodišta, a pomak posljednji.</translation>
+    </message>
+    <message>
+        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
+        <translation>Dajte pločicama brojeve i poredajte ih: umnožak mora biti {0}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -3055,6 +3055,10 @@
         <translation>Vježba: složite umnožak</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Poredajte pločice i izostavite ono što ne pripada umnošku.</translation>
+    </message>
+    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} i {1}. Koji lanac vodi od koordinatnog sustava kamere do NDC?</translation>
     </message>
@@ -3069,10 +3073,6 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} prebacuje piramidu u kvadar. Što čini piramidu?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Povlačite pločice i isključite ono što ne pripada umnošku.</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,6 +4123,10 @@
         <translation>Vježba: gdje je mjesto dijeljenju</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Poredajte pločice i izostavite ono što ne pripada umnošku.</translation>
+    </message>
+    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Slovo je okrenuto oko y za {0}° i pomaknuto za {1} duž x; kamera je u {2}. Koji lanac točku slova prebacuje u NDC?</translation>
     </message>
@@ -4133,10 +4137,6 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Prozoru prikaza trebaju brojevi od −1 do 1.</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Povlačite pločice i isključite ono što ne pripada lancu.</translation>
     </message>
     <message>
         <source>Which chain leads from view space to {0} by 400 pixels?</source>

@@ -855,6 +855,10 @@
         <translation>Вежба: саставите матрицу погледа</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Поређајте плочице и изоставите оно што ту не спада.</translation>
+    </message>
+    <message>
         <source>The eye is at {0}. The rows of {1} are {2}, {3}, {4}, and {5} moves by {6}. Which product is the view matrix?</source>
         <translation>Позиција камере је {0}. Врсте матрице {1} су {2}, {3}, {4}, а {5} помера за {6}. Који производ је матрица погледа?</translation>
     </message>
@@ -873,10 +877,6 @@
     <message>
         <source>Where is the eye after the view matrix?</source>
         <translation>Где је позиција камере после матрице погледа?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Превуците плочице и искључите оно што ту не спада.</translation>
     </message>
     <message>
         <source>At the origin, so the factor that moves acts first. {0} moves by {1}.</source>
@@ -1018,20 +1018,12 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Превуците плочице и искључите оно што ту не спада.</translation>
-    </message>
-    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Слово је окренуто око z за {0}°, па померено за {1} дуж x. Који производ је то учинио?</translation>
     </message>
     <message>
         <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
         <translation>Слово је растегнуто на {0} пута већу ширину, окренуто око z за {1}°, и померено за {2} дуж x. Задржало је праве углове. Који производ је то учинио?</translation>
-    </message>
-    <message>
-        <source>Type the numbers into the tiles, and arrange them: the product must be {0} in *Matrices*.</source>
-        <translation>Унесите бројеве у плочице и поређајте их: производ мора бити {0} у панелу *Матрице*.</translation>
     </message>
     <message>
         <source>Object, world, camera</source>
@@ -1182,6 +1174,10 @@
         <translation>Вежба: саставите ланац</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Поређајте плочице и изоставите оно што ту не спада.</translation>
+    </message>
+    <message>
         <source>Which of the two acts first? It stands at the bottom.</source>
         <translation>Који од та два чиниоца делује први? Он стоји на дну.</translation>
     </message>
@@ -1200,6 +1196,10 @@
     <message>
         <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: прво скалирање, дуж сопствених оса слова, па окретање око његовог координатног почетка, и на крају помак.</translation>
+    </message>
+    <message>
+        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
+        <translation>Дајте плочицама бројеве и поређајте их: производ мора бити {0}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -3055,6 +3055,10 @@
         <translation>Вежба: саставите производ</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Поређајте плочице и изоставите оно што ту не спада.</translation>
+    </message>
+    <message>
         <source>{0} and {1}. Which chain leads from view space to NDC?</source>
         <translation>{0} и {1}. Који ланац води из координатног система камере у NDC?</translation>
     </message>
@@ -3069,10 +3073,6 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} преводи пирамиду у квадар. Шта прави пирамиду?</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Превуците плочице и искључите оно што ту не спада.</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>
@@ -4123,6 +4123,10 @@
         <translation>Вежба: где је место дељењу</translation>
     </message>
     <message>
+        <source>Put the tiles in order, and leave out what does not belong.</source>
+        <translation>Поређајте плочице и изоставите оно што ту не спада.</translation>
+    </message>
+    <message>
         <source>The letter was turned about y by {0}° and moved by {1} along x; the eye is at {2}. Which chain takes a point of the letter to NDC?</source>
         <translation>Слово је окренуто око y за {0}° и померено за {1} дуж x; позиција камере је {2}. Који ланац преводи тачку слова у NDC?</translation>
     </message>
@@ -4133,10 +4137,6 @@
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
         <translation>Области приказа требају бројеви од −1 до 1.</translation>
-    </message>
-    <message>
-        <source>Drag the tiles, and switch off what does not belong.</source>
-        <translation>Превуците плочице и искључите оно што ту не спада.</translation>
     </message>
     <message>
         <source>Which chain leads from view space to {0} by 400 pixels?</source>

@@ -10451,7 +10451,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>float32, far from the origin</source>
-        <translation>float32, далеко од почетка</translation>
+        <translation>float32, далеко од нуле</translation>
     </message>
     <message>
         <source>float32, from the object</source>
@@ -11215,7 +11215,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>two floats, from the origin</source>
-        <translation>два float-а, од почетка</translation>
+        <translation>два float-а, од нуле</translation>
     </message>
     <message>
         <source>upright</source>

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+import app.measure.meaning as meaning_module
 from app.bootstrap import ROOT
 from app.commands.arguments import check_out
 from app.commands.terminal import CliError
@@ -201,10 +202,14 @@ def choice(name: str, cost: float | None, error: float | None, note: str = "") -
         ([], "Nothing could be measured: -."),
     ],
 )
-def test_a_trade_has_one_sentence(choices: list[ChartPoint], words: str) -> None:
+def test_a_trade_has_one_sentence(
+    choices: list[ChartPoint], words: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     trade = Trade("arithmetic", "ns", "px", tuple(choices), 5)
-    assert words in meaning(trade)
-    assert meaning(trade, lambda template: template.upper()) != meaning(trade)
+    said = meaning(trade)
+    assert words in said
+    monkeypatch.setattr(meaning_module, "of_measure", str.upper)
+    assert meaning(trade) != said
 
 
 @pytest.mark.parametrize(

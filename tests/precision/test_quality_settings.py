@@ -501,6 +501,7 @@ def test_late_frames_are_reported_during_a_drag_at_no_cost(
             window.store.end_gesture()
             assert said_to_be_late(window) == []
             settle()
+        resting["world"] = 1  # and another where a label moves at rest
         assert said_to_be_late(window) == []
         assert (at_first, late) == {20.0: (0, 0), 40.0: (0, 1), 60.0: (1, 1)}[first]
         drawn.append((dragging, resting))

@@ -275,10 +275,15 @@ def key_of(text: str) -> QKeySequence:
     return QKeySequence(f"Alt+{letter[1]}") if letter else QKeySequence.mnemonic(text)
 
 
+def label_button(button: QAbstractButton, text: str, tip: str) -> None:
+    """Give a button its text, with the key that the text promises, and its tooltip."""
+    button.setText(text)
+    button.setShortcut(key_of(text))
+    set_tip(button, tip)
+
+
 def _labelled(made: _Button, text: str, tip: str, act: object, name: str) -> _Button:
-    made.setText(text)
-    made.setShortcut(key_of(text))
-    set_tip(made, tip)
+    label_button(made, text, tip)
     if name:
         made.setAccessibleName(name)
     if act is not None:

@@ -25,10 +25,18 @@ from app.lessons.practice import Sheet, marked
 from app.lessons.record import Attempt, Record
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
-from widgets.parts.layouts import FREE, TOP, in_column, in_row, push_button, tool_button
+from widgets.parts.layouts import (
+    FREE,
+    TOP,
+    in_column,
+    in_row,
+    label_button,
+    push_button,
+    tool_button,
+)
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
-from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.plain import PlainLabel
 from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lessons import Lessons
 from widgets.window.overview import SelfTestMarks
@@ -119,8 +127,7 @@ class LessonCard(QFrame):
             (self.hint, self.tr("H&int"), self.tr("Show the next hint (Alt+I)")),
             (self.next, self.tr("&Next"), self.tr("Next step ({0})").format(next_key)),
         ):
-            button.setText(text)
-            set_tip(button, tip)
+            label_button(button, text, tip)
         self.again.setAccessibleName(self.tr("Show the step again"))
 
     # -- what is open
