@@ -110,11 +110,11 @@ def command_texts() -> set[str]:
 
 
 def error_texts() -> set[str]:
-    """The sentences with which commands end: what a `CliError` is made with."""
+    """The sentences with which commands end, and their parts."""
     texts = set()
     for path in (ROOT / "app" / "commands").glob("*.py"):
         for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.Call) and ast.unparse(node.func) == "CliError":
+            if isinstance(node, ast.Call) and ast.unparse(node.func) in ("CliError", "said"):
                 match node.args[0]:
                     case ast.Constant(value=str(text)):
                         texts.add(text)

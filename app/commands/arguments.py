@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 
 from app import bootstrap, python_packages, system_packages
 from app.commands.options import check_file
-from app.commands.terminal import CANNOT_DRAW, CliError, print_error
+from app.commands.terminal import CANNOT_DRAW, CliError, print_error, said
 from app.document.document import Document, is_mesh
 from app.document.files import blamed_on, read_letters
 from app.document.settings import open_with, set_values
@@ -70,7 +70,7 @@ def place_of(course: Course, step: str | None) -> int:
     if step in names:
         return names.index(step)
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
-        near = "" if step.isdigit() else f"; the nearest is {nearest(step, names)}"
+        near = "" if step.isdigit() else said("; the nearest is {0}", nearest(step, names))
         raise CliError(
             "--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.",
             step,

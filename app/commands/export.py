@@ -19,7 +19,7 @@ from app.commands.arguments import (
     set_letters,
 )
 from app.commands.options import Parser, choices
-from app.commands.terminal import CliError, print_error
+from app.commands.terminal import CliError, print_error, said
 from app.document.document import Document
 from app.document.files import blamed_on
 from app.document.view import PANES
@@ -88,7 +88,8 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
         option = "crop" if options.crop else "width"
         raise CliError("--{0}: is for single figures; frames of a film have one size.", option)
     if options.transparent and _ending(out) in (".gif", ".mp4"):
-        lack = "no smooth edges then" if _ending(out) == ".gif" else "no transparency"
+        is_gif = _ending(out) == ".gif"
+        lack = said("no smooth edges then") if is_gif else said("no transparency")
         raise CliError("--transparent: {0} has {1}; write .apng or .webp.", _ending(out), lack)
     states = sweep.states(options, file)
     scene = load_scene(states[0].scene, states[0].mesh, file)
@@ -153,10 +154,10 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
     if ending not in endings:
         film = ", or have one number such as %03d" if endings is _FILMS else ""
         if ending in _FILMS and not options.batch:
-            film = "; for a film add --sweep, --orbit, --stages or --transition"
+            film = said("; for a film add --sweep, --orbit, --stages or --transition")
         known = f"{', '.join(endings[:-1])} or {endings[-1]}"
         if endings is _ENDINGS and not options.batch:
-            known += ", or in .html for a page"
+            known += said(", or in .html for a page")
         raise CliError("OUT = {0!r}: must end in {1}{2}.", out, known, film)
     has_pixels = ending not in (*_ENDINGS[1:], ".html")
     if not has_pixels and options.scale != 1.0:

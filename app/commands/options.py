@@ -17,7 +17,7 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from app import __version__, bootstrap, languages
-from app.commands.terminal import CliError, write_out
+from app.commands.terminal import CliError, said, write_out
 from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
@@ -118,17 +118,17 @@ class Parser(argparse.ArgumentParser):
         for word in extra:
             option = word.partition("=")[0]
             names = [name for action in self._actions for name in action.option_strings]
-            where, near = self._command or "the window", nearest(option.lower(), names)
+            where, near = self._command or said("the window"), nearest(option.lower(), names)
             raise CliError("{0} is not an option of {1}; the nearest is {2}.", option, where, near)
         words: list[str] = [*options.words, *arguments[end + 1 :]]
-        command = self._command or "The window"
+        command = self._command or said("The window")
         if "" in words:
             raise CliError("{0} was given an empty name.", command)
         most = len(self._names.split())
         if self._names.endswith("...]"):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
-            takes = self._names or "no names"
+            takes = self._names or said("no names")
             raise CliError(
                 "{0} takes {1}, and was given {2}.", command, takes, counted(len(words), "name")
             )
@@ -189,7 +189,8 @@ def check_file(word: str) -> None:
     if word in SUMMARIES:
         raise CliError("{0} is a command and must come first: {1} {0} ...", word, bootstrap.PROGRAM)
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
-    known = f"nearest command is {near[0]}" if near else f"commands are {', '.join(SUMMARIES)}"
+    known = said("commands are {0}", ", ".join(SUMMARIES))
+    known = said("nearest command is {0}", near[0]) if near else known
     raise CliError("{0!r} is neither a file nor a command; the {1}.", word, known)
 
 

@@ -22,12 +22,17 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 
+def said(template: str, *values: object) -> str:
+    """Return a sentence of a command, or a part of one, in the language and filled in."""
+    sentence = translate(template, "Command")
+    return sentence.format(*values) if values else sentence
+
+
 class CliError(Exception):
     """One sentence for standard error, in the language and filled in; and the exit status."""
 
     def __init__(self, template: str, *values: object, status: int = BAD_INPUT) -> None:
-        sentence = translate(template, "Command")
-        super().__init__(sentence.format(*values) if values else sentence)
+        super().__init__(said(template, *values))
         self.status = status
 
 

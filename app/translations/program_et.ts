@@ -880,6 +880,10 @@
 <context>
     <name>Command</name>
     <message>
+        <source>, or in .html for a page</source>
+        <translation>, või .html lehe jaoks</translation>
+    </message>
+    <message>
         <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
         <translation>--batch = {0!r}: selles ei ole dokumente (.json, .md) ega võrke.</translation>
     </message>
@@ -1080,6 +1084,14 @@
         <translation>--{0}: käib üksi ja vajab valikut --format text või json.</translation>
     </message>
     <message>
+        <source>; for a film add --sweep, --orbit, --stages or --transition</source>
+        <translation>; filmi jaoks lisage --sweep, --orbit, --stages või --transition</translation>
+    </message>
+    <message>
+        <source>; the nearest is {0}</source>
+        <translation>; lähim on {0}</translation>
+    </message>
+    <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
         <translation>OUT = {0!r}: vormingus .mp4 on küljed paarisarv piksleid, mitte {1}; seadke --size.</translation>
     </message>
@@ -1120,12 +1132,20 @@
         <translation>Sätteid ei saa kustutada: {0}.</translation>
     </message>
     <message>
+        <source>The window</source>
+        <translation>Aken</translation>
+    </message>
+    <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
         <translation>bundle vajab programmi PyInstaller, mis ei ole paigaldatud; käivitage: {0}</translation>
     </message>
     <message>
         <source>bundle: this program has no folder of its code to make one of.</source>
         <translation>bundle: sellel programmil ei ole lähtekoodi kausta, millest seda teha.</translation>
+    </message>
+    <message>
+        <source>commands are {0}</source>
+        <translation>käsud on {0}</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
@@ -1148,6 +1168,22 @@
         <translation>lesson results vajab faili (FILE).</translation>
     </message>
     <message>
+        <source>nearest command is {0}</source>
+        <translation>lähim käsk on {0}</translation>
+    </message>
+    <message>
+        <source>no names</source>
+        <translation>mitte ühtegi nime</translation>
+    </message>
+    <message>
+        <source>no smooth edges then</source>
+        <translation>siis ei ole servad sujuvad</translation>
+    </message>
+    <message>
+        <source>no transparency</source>
+        <translation>läbipaistvust ei ole</translation>
+    </message>
+    <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
         <translation>out = {0!r}: on nimeviit, mis võib kaustast {1} välja viia.</translation>
     </message>
@@ -1166,6 +1202,10 @@
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk vajab valikut --check või --handout OUT.pdf; {0} {1} avab ettekande.</translation>
+    </message>
+    <message>
+        <source>the window</source>
+        <translation>aken</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>

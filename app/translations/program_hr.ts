@@ -880,6 +880,10 @@
 <context>
     <name>Command</name>
     <message>
+        <source>, or in .html for a page</source>
+        <translation>, ili na .html za stranicu</translation>
+    </message>
+    <message>
         <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
         <translation>--batch = {0!r}: nema ni dokumenata (.json, .md) ni mreža.</translation>
     </message>
@@ -1080,6 +1084,14 @@
         <translation>--{0}: stoji samostalno i treba --format text ili json.</translation>
     </message>
     <message>
+        <source>; for a film add --sweep, --orbit, --stages or --transition</source>
+        <translation>; za film dodajte --sweep, --orbit, --stages ili --transition</translation>
+    </message>
+    <message>
+        <source>; the nearest is {0}</source>
+        <translation>; najbliže je {0}</translation>
+    </message>
+    <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
         <translation>OUT = {0!r}: .mp4 ima stranice s parnim brojem piksela, a ne {1}; postavite --size.</translation>
     </message>
@@ -1120,12 +1132,20 @@
         <translation>Postavke se ne mogu izbrisati: {0}.</translation>
     </message>
     <message>
+        <source>The window</source>
+        <translation>Prozor</translation>
+    </message>
+    <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
         <translation>bundle treba PyInstaller, koji nije instaliran; pokrenite: {0}</translation>
     </message>
     <message>
         <source>bundle: this program has no folder of its code to make one of.</source>
         <translation>bundle: ovaj program nema mapu sa svojim kodom od koje bi se to načinilo.</translation>
+    </message>
+    <message>
+        <source>commands are {0}</source>
+        <translation>naredbe su {0}</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
@@ -1148,6 +1168,22 @@
         <translation>lesson results treba FILE.</translation>
     </message>
     <message>
+        <source>nearest command is {0}</source>
+        <translation>najbliža je naredba {0}</translation>
+    </message>
+    <message>
+        <source>no names</source>
+        <translation>nijedno ime</translation>
+    </message>
+    <message>
+        <source>no smooth edges then</source>
+        <translation>tada samo oštre rubove</translation>
+    </message>
+    <message>
+        <source>no transparency</source>
+        <translation>samo neprozirne piksele</translation>
+    </message>
+    <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
         <translation>out = {0!r}: to je poveznica, koja može voditi izvan mape {1}.</translation>
     </message>
@@ -1166,6 +1202,10 @@
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk treba --check ili --handout OUT.pdf; {0} {1} otvara izlaganje.</translation>
+    </message>
+    <message>
+        <source>the window</source>
+        <translation>prozor</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>

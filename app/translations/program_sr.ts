@@ -880,6 +880,10 @@
 <context>
     <name>Command</name>
     <message>
+        <source>, or in .html for a page</source>
+        <translation>, или на .html за страницу</translation>
+    </message>
+    <message>
         <source>--batch = {0!r}: has no documents (.json, .md) and no meshes.</source>
         <translation>--batch = {0!r}: нема докумената (.json, .md) ни мрежа.</translation>
     </message>
@@ -1080,6 +1084,14 @@
         <translation>--{0}: стоји сама, и тражи --format text или json.</translation>
     </message>
     <message>
+        <source>; for a film add --sweep, --orbit, --stages or --transition</source>
+        <translation>; за филм додајте --sweep, --orbit, --stages или --transition</translation>
+    </message>
+    <message>
+        <source>; the nearest is {0}</source>
+        <translation>; најближе је {0}</translation>
+    </message>
+    <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
         <translation>OUT = {0!r}: .mp4 има парне странице у пикселима, а не {1}; поставите --size.</translation>
     </message>
@@ -1120,12 +1132,20 @@
         <translation>Подешавања не могу да се избришу: {0}.</translation>
     </message>
     <message>
+        <source>The window</source>
+        <translation>Прозор</translation>
+    </message>
+    <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
         <translation>bundle тражи PyInstaller, који није инсталиран; покрените: {0}</translation>
     </message>
     <message>
         <source>bundle: this program has no folder of its code to make one of.</source>
         <translation>bundle: овај програм нема фасциклу свог кода од које би се пакет направио.</translation>
+    </message>
+    <message>
+        <source>commands are {0}</source>
+        <translation>наредбе су {0}</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
@@ -1148,6 +1168,22 @@
         <translation>lesson results тражи FILE.</translation>
     </message>
     <message>
+        <source>nearest command is {0}</source>
+        <translation>најближа је наредба {0}</translation>
+    </message>
+    <message>
+        <source>no names</source>
+        <translation>ниједно име</translation>
+    </message>
+    <message>
+        <source>no smooth edges then</source>
+        <translation>тада само оштре ивице</translation>
+    </message>
+    <message>
+        <source>no transparency</source>
+        <translation>само непровидне пикселе</translation>
+    </message>
+    <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
         <translation>out = {0!r}: ово је веза, која може да води изван {1}.</translation>
     </message>
@@ -1166,6 +1202,10 @@
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk тражи --check или --handout OUT.pdf; {0} {1} отвара презентацију.</translation>
+    </message>
+    <message>
+        <source>the window</source>
+        <translation>прозор</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
