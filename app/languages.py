@@ -16,6 +16,8 @@ from pathlib import Path
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 from xml.etree import ElementTree
 
+from app.strangers import log_warning
+
 _T = TypeVar("_T")
 _P = ParamSpec("_P")
 Forms: TypeAlias = tuple[str, ...]
@@ -133,7 +135,13 @@ def texts(part: str, language: str) -> Mapping[tuple[str, str], Forms]:
         cyrillic = texts(part, "sr")
         return {key: tuple(map(in_latin, forms)) for key, forms in cyrillic.items()}
     known_texts: dict[tuple[str, str], Forms] = {}
-    for context in ElementTree.parse(TRANSLATIONS / f"{part}_{language}.ts").getroot():
+    path = TRANSLATIONS / f"{part}_{language}.ts"
+    try:
+        root = ElementTree.parse(path).getroot()
+    except (OSError, ElementTree.ParseError) as error:  # a translator may have left it so
+        log_warning(path, f"cannot be read, and the texts stay English: {error}")
+        return {}
+    for context in root:
         name = context.findtext("name", "")
         for message in context.iter("message"):
             translation = message.find("translation")

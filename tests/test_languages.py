@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Iterator
+from pathlib import Path
 
 import pytest
 
@@ -77,6 +78,23 @@ def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
     finally:
         languages.follow_lesson("")
     assert "0,5" in said
+
+
+def test_a_broken_file_is_named_and_the_texts_stay_english(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    (tmp_path / "program_hr.ts").write_text("<TS><context><name>Field", encoding="utf-8")
+    monkeypatch.setattr(languages, "TRANSLATIONS", tmp_path)
+    languages.texts.cache_clear()
+    languages.choose("hr")
+    try:
+        assert languages.translate("Near", "Field") == "Near"
+        assert languages.sentence_of("l03-field-of-view", "A text") == "A text"
+    finally:
+        languages.texts.cache_clear()
+    assert [("program_hr.ts" in each, "lessons_hr.ts" in each) for each in caplog.messages] == [
+        (True, False), (False, True),
+    ]  # fmt: skip
 
 
 def test_only_the_sentences_of_a_lesson_change() -> None:

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from typing import NamedTuple
 from urllib.parse import quote
 
+from app import languages
 from app.commands import sweep
 from app.commands.arguments import course_of, full_path, lesson_file
 from app.commands.options import SETTABLE, Parser
@@ -58,14 +59,17 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
         raise CliError("--batch: takes one name, the folder of the figures.")
     lines = list(_lines(options))
     _make(folder)
+    own = languages.chosen()
     parser, entries, taken = Parser("export"), list[tuple[str, str, str]](), dict[str, str]()
     for number, line in enumerate(lines, 1):
         out, wrong, said, about = printable(line.cells.get("out", "")), "", "", ""
+        languages.choose(own)
         try:
             if line.wrong:
                 raise CliError(line.wrong)
             target = _target(folder, line.cells["out"], line.where, taken)
             asked, file = _asked(parser, options, line)
+            languages.choose(asked.language or own)
             if options.resume and _is_new(target, *line.sources, file):
                 said = " is there already"
             elif warning := draw(asked, target, file):
@@ -78,6 +82,7 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
             print_error(f"{line.where}: {wrong}", 0)
         entries.append((out, wrong, about))
         write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
+    languages.choose(own)
     page = os.path.join(folder, INDEX)
     write_bytes_atomically(page, _page(os.path.basename(full_path(options.batch)), entries))
     return BAD_INPUT if any(wrong for _, wrong, _ in entries) else 0

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from app import languages
 from app.document.document import Document
 from app.document.files import write
 from app.strangers import LATIN_1
@@ -68,6 +69,18 @@ def test_a_list_gives_the_figures_of_single_commands_and_names_each_line_that_fa
     again = run_here("export", out, "--batch", source, *SMALL, "--set=lens.far=12", "--resume")
     assert again.stdout.splitlines()[:2] == ["1/9 a.png is there already", "2/9 b&b.svg"]
     assert (out / "b&b.svg").stat().st_mtime > 1
+
+
+def test_each_figure_of_a_list_has_its_language(tmp_path: Path) -> None:
+    source, out = tmp_path / "list.csv", tmp_path / "out"
+    rows = ["out,language", "a.svg,hr", "b.svg,", "c.svg,xx", "d.svg,et"]
+    source.write_text("\n".join(rows), encoding="utf-8")
+    done = run_here("export", out, "--batch", source)
+    assert done.stderr.endswith("'xx': must be one of en, hr, sr, sr-Latn, et.\n")
+    titles = [re.findall("<title>(.*?)</title>", (out / f"{name}.svg").read_text("utf-8"))[0]
+              for name in "abd"]  # fmt: skip
+    assert titles == ["Slovo F", "Letter F", "F-täht"]
+    assert languages.chosen() == "en"
 
 
 def test_a_list_in_latin_1_is_read_with_a_note(tmp_path: Path) -> None:

@@ -35,9 +35,9 @@ def show_icon(shown: QAction | QAbstractButton, name: str) -> None:
         _fit(shown)
 
 
-def icon(name: str) -> QIcon:
+def icon(name: str, role: QPalette.ColorRole = QPalette.ColorRole.ButtonText) -> QIcon:
     """Return an icon for something other than an action or a button, such as a list item."""
-    return QIcon(_PaintedIcon(name))
+    return QIcon(_PaintedIcon(name, role))
 
 
 def paint_icon(painter: QPainter, rect: QRect, name: str, *, enabled: bool = True) -> None:
@@ -61,28 +61,30 @@ def _fit(button: QAbstractButton) -> None:
 class _PaintedIcon(QIconEngine):
     """An icon that is drawn when it becomes visible, in the palette's current colours."""
 
-    def __init__(self, name: str) -> None:
+    def __init__(self, name: str, role: QPalette.ColorRole) -> None:
         super().__init__()
-        self._name = name
+        self._name, self._role = name, role
 
     def clone(self) -> QIconEngine:
-        made = _PaintedIcon(self._name)
+        made = _PaintedIcon(self._name, self._role)
         _clones.append(made)
         return made
 
     def pixmap(self, size: QSize, mode: QIcon.Mode, _state: QIcon.State) -> QPixmap:
         if size.isEmpty():  # the button has no room, and no image to paint on
             return QPixmap()
-        return QPixmap.fromImage(_image(self._name, size, *_colour(mode)))
+        return QPixmap.fromImage(_image(self._name, size, *_colour(mode, self._role)))
 
     def paint(self, painter: QPainter, rect: QRect, mode: QIcon.Mode, _state: QIcon.State) -> None:
-        _draw(painter, rect, self._name, *_colour(mode))
+        _draw(painter, rect, self._name, *_colour(mode, self._role))
 
 
-def _colour(mode: QIcon.Mode) -> tuple[str, float]:
+def _colour(
+    mode: QIcon.Mode, role: QPalette.ColorRole = QPalette.ColorRole.ButtonText
+) -> tuple[str, float]:
     disabled = mode is QIcon.Mode.Disabled
     group = QPalette.ColorGroup.Disabled if disabled else QPalette.ColorGroup.Active
-    colour = QApplication.palette().color(group, QPalette.ColorRole.ButtonText)
+    colour = QApplication.palette().color(group, role)
     return colour.name(), colour.alphaF()
 
 

@@ -95,7 +95,10 @@ def make_application() -> QApplication:
 
 def choose_language(asked: str) -> None:
     """Speak the language that is asked for, or that of the system."""
-    languages.choose(asked or languages.known(QLocale.system().uiLanguages()))
+    language = asked or languages.known(QLocale.system().uiLanguages())
+    languages.choose(language)
+    is_english = language == languages.ENGLISH  # of which country, the system says
+    QLocale.setDefault(QLocale.system() if is_english else QLocale(language))  # of dates
 
 
 def close_on_interrupt(application: QApplication) -> Callable[[], None]:
@@ -189,8 +192,7 @@ def run_window(
         if options.theme or options.screenshot:
             settings.override("theme", options.theme or "light")
         application.installTranslator(Translator(application))
-        if options.language is None:
-            choose_language(settings.language)
+        choose_language(options.language or settings.language)
 
         with python_packages.for_good():
             from widgets.window.main_window import Work

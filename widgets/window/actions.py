@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
-from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence
+from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence, QPalette
 from PySide6.QtWidgets import (
     QLineEdit,
     QMainWindow,
@@ -24,7 +24,7 @@ from app.scenes.built_in import WORDS
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from widgets.panes.pane import Pane
-from widgets.parts.icons import Combo, show_icon
+from widgets.parts.icons import Combo, icon, show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files
@@ -305,6 +305,8 @@ class Actions(QObject):
             button = tools.widgetForAction(action)
             assert isinstance(button, QToolButton)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
+            if action is self.present:  # on the colour of a choice
+                button.setIcon(icon("present", QPalette.ColorRole.HighlightedText))
         button.setObjectName("presentButton")  # the style sheet refers to this name
         button.style().unpolish(button)
         button.style().polish(button)
