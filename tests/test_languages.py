@@ -5,11 +5,16 @@ from __future__ import annotations
 import subprocess
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from app import languages
+from app import api, languages
+from app.document.document import Document
+from app.drawings import DrawingWords
+from app.drawings.label import SceneLabel
+from app.drawings.style import LIGHT
 from app.lessons.course import contained, ideas
 from app.lessons.lesson import head_of, read
 from app.lessons.translating import in_language
@@ -119,6 +124,23 @@ def test_a_lesson_is_the_same_in_every_language() -> None:
                 assert (one.name, one.samples) == (other.name, other.samples)
                 assert [type(part) for part in one.parts] == [type(part) for part in other.parts]
         assert len(ideas().lesson.steps) > 30
+
+
+def test_a_figure_has_the_words_and_the_numbers_of_the_language() -> None:
+    near = replace(Document().projection.lens, near=4.5)
+    document = replace(Document(), projection=replace(Document().projection, lens=near))
+    languages.choose("hr")
+    drawn = api.figure(document, panes="world", size=(640, 640)).svg()
+    assert "bliska" in drawn and "4,5" in drawn and "4.5<" not in drawn
+
+
+def test_the_marks_of_a_scene_are_in_the_language() -> None:
+    languages.choose("hr")
+    assert DrawingWords()["smooth path"] == "glatki put"
+    label = SceneLabel("1.5", LIGHT)
+    before = label.text
+    label.set_text("2.5")
+    assert (before, label.text) == ("1,5", "2,5")
 
 
 def test_a_refusal_speaks_the_language() -> None:

@@ -64,6 +64,7 @@ class Board:
         """Whether labels wait for `pass_time` before they leave a place that is not free."""
         self.director: Director | None = None
         """Who says where labels stand in a frame of a film, and how visible they are."""
+        self._moves = 0  # how often labels were placed since they rested
         self._asked: tuple[list[Wish], Ground, int] | None = None
         """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
@@ -134,7 +135,7 @@ class Board:
         """Place the wanted labels, and hide the others; return whether one has changed its place.
 
         If not `afresh`, labels stay where they are as long as possible; `at_rest`, those that would
-        stand elsewhere afresh begin to fade.
+        stand elsewhere afresh begin to fade. After a single change they stand there at once.
         """
         self._wishes = [wish for wish in self._wishes if not _is_outside(wish, ground)]
         lights = dict[Hashable, float]()
@@ -146,7 +147,8 @@ class Board:
             lights = {key: light for key, (_, light) in stands.items()}
         self._asked = self._wishes, ground, len(ground.taken)
         best = self._place(None) if afresh or at_rest else {}
-        afresh |= at_rest and not self.is_patient
+        afresh |= at_rest and (not self.is_patient or self._moves <= 1)
+        self._moves = 0 if afresh or at_rest else self._moves + 1
         placed = best if afresh else self._place(self._kept)
         if afresh:
             for key in self._fades:

@@ -1089,10 +1089,14 @@ def test_a_label_waits_before_it_leaves_a_place_that_is_not_free(make_view: Make
         board.pass_time(0.03, is_soft=True)
     assert offset(200.0) == first and light() == 1.0 and not board.is_restless
     assert offset(200.0, afresh=True) == first and light() == 1.0 and not board.is_restless
+    assert offset(232.0) == offset(268.0) == first
     assert offset(268.0, at_rest=True) == first and board.is_restless
+    assert offset(232.0) == offset(200.0) == first
     assert offset(200.0, at_rest=True) == first and not board.is_restless, "another rest, back"
     board.pass_time(1.0)
-    assert offset(200.0) == first and light() == 1.0
+    assert offset(200.0, at_rest=True) == first and light() == 1.0
+    assert offset(268.0) == first and offset(268.0, at_rest=True) != first, "a single change"
+    assert not board.is_restless and light() == 1.0
 
 
 def test_lengths_that_were_never_wanted_are_no_ink(make_view: MakeView) -> None:

@@ -436,7 +436,6 @@ def test_a_step_with_highlight_costs_what_it_costs_without(window: MainWindow) -
     hover(window, window.controls.rows["near"])
     settle()
     props = {name: list(pane.canvas.renderer.GetViewProps()) for name, pane in window.panes.items()}
-    window.store.begin_gesture()  # at its end, labels that stand elsewhere at rest move
     with counted_repaints(window) as counts:
         for step in range(3):
             lens = Perspective(46.0 + step, 1.0, 30.0)

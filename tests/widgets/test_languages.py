@@ -92,6 +92,7 @@ def test_another_language_keeps_the_work(speak: Any, make_window: MakeWindow) ->
     second = make_window(work.document)
     second.store.take_steps(work.store)
     assert second.menus.undo.text().replace("&", "") == "Poništi"
+    assert second.controls.rows["far"].field.text() == "12,5"
     second.store.undo()
     assert second.store.document.projection.lens.near == 5.0
     assert second.controls.rows["near"].field.text() == "5"

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QRect, QSize
-from PySide6.QtGui import QFont
+from PySide6.QtGui import QFont, QPalette
 from PySide6.QtWidgets import (
     QApplication,
     QCheckBox,
@@ -30,6 +30,7 @@ from widgets.parts.gestures import HeldSlider
 from widgets.parts.icons import Combo, icon
 from widgets.parts.labels import WarningLabel
 from widgets.parts.plain import PlainLabel
+from widgets.window.main_window import MainWindow
 
 
 @pytest.fixture
@@ -232,6 +233,21 @@ def test_a_warning_has_its_sign_beside_its_text(dressed: Callable[..., None], qt
     label.set_is_warning(False)
     label.setText("")
     assert label.indent() == 0
+
+
+@pytest.mark.undrawn
+def test_the_icon_of_present_has_the_colour_of_its_text(window: MainWindow) -> None:
+    action = window.menus.present
+    button = window.menus.tools.widgetForAction(action)
+    assert isinstance(button, QToolButton)
+    colours = []
+    for shown, role in ((button.icon(), "HighlightedText"), (action.icon(), "ButtonText")):
+        image = shown.pixmap(QSize(32, 32)).toImage()
+        drawn = {image.pixelColor(x, y).name() for x in range(32) for y in range(32)
+                 if image.pixelColor(x, y).alpha() == 255}  # fmt: skip
+        assert drawn == {QApplication.palette().color(QPalette.ColorRole[role]).name()}
+        colours += drawn
+    assert colours[0] != colours[1]
 
 
 def test_an_icon_without_room_paints_nothing(qapp: object, qtlog: Any) -> None:

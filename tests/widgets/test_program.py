@@ -960,9 +960,8 @@ def test_numbers_in_files_keep_their_points_in_every_locale(comma_locale: dict[s
 
 
 def test_the_translator_gives_qt_the_texts_of_the_language(display: Any) -> None:
-    from PySide6.QtCore import QCoreApplication
+    from PySide6.QtCore import QCoreApplication, QLocale
 
-    from app import languages
     from widgets.parts.translator import Translator
 
     translator = Translator(display)
@@ -970,13 +969,15 @@ def test_the_translator_gives_qt_the_texts_of_the_language(display: Any) -> None
     try:
         assert QCoreApplication.translate("Report", "Copy details") == "Copy details"
         application.choose_language("hr")
+        assert QLocale().language() == QLocale.Language.Croatian
         assert QCoreApplication.translate("Actions", "&File") == "&Datoteka"
         count = QCoreApplication.translate("SelfTestDialog", "%n exercises", "", 22)
         assert count == "broj vježbi: 22"
         assert QCoreApplication.translate("Nowhere", "as it is") == "as it is"
     finally:
-        languages.choose("en")
+        application.choose_language("en")
         display.removeTranslator(translator)
+    assert QLocale() == QLocale.system()
 
 
 # --------------------------------------------------------------------------- the screenshot

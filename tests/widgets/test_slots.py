@@ -201,15 +201,12 @@ def test_docked_panes_take_the_room_of_floating_ones(window: MainWindow, qtbot: 
 
         if docked:
             assert ends(places(window)) == ends(start), "no gap"
-        window.store.begin_gesture()  # at its end, labels that stand elsewhere at rest move
         with counted_repaints(window) as counts:
             lens = Perspective(46.0 + len(changed), 1.0, 30.0)
             changed.append(lens)
             window.store.set_projection(seen(window, lens=lens))
             settle()
         assert counts == dict.fromkeys(PANES, 1)
-        window.store.end_gesture()
-        settle()
         for name in afloat:
             window.panes[name].close()  # by the button of its window
             settle()
@@ -279,7 +276,6 @@ def test_a_scene_brings_the_pane_that_it_is_about_and_undo_brings_back(window: M
 
 def test_after_every_arrangement_a_change_repaints_each_visible_pane_once(
     window: MainWindow,
-    qtbot: QtBot,
 ) -> None:
     fov_deg = 46.0
     for layout, large, whole in (
@@ -288,16 +284,11 @@ def test_after_every_arrangement_a_change_repaints_each_visible_pane_once(
     ):
         window.slots.arrange(layout, large, whole)
         settle()
-        boards = [pane.drawing.board for pane in window.panes.values() if pane.drawing is not None]
-        qtbot.waitUntil(lambda of=boards: not any(board.is_restless for board in of))
         fov_deg += 1.0
-        window.store.begin_gesture()  # at its end, labels that stand elsewhere at rest move
         with counted_repaints(window) as counts:
             window.store.set_projection(seen(window, lens=Perspective(fov_deg, 1.0, 30.0)))
             settle()
         assert counts == {name: int(whole in ("", name)) for name in PANES}, (layout, whole)
-        window.store.end_gesture()
-        settle()
 
 
 def test_arranging_draws_nothing_that_is_hidden_or_stays(window: MainWindow) -> None:

@@ -109,7 +109,6 @@ from widgets.window.status_line import StatusLine
 
 
 def test_one_change_is_seen_in_every_pane_by_one_repaint_of_each(window: MainWindow) -> None:
-    window.store.begin_gesture()  # at its end, labels that stand elsewhere at rest move
     with counted_repaints(window) as counts:
         for step in range(1, 4):
             before = {name: pixels(window, name) for name in window.panes}
@@ -209,13 +208,10 @@ def test_a_hidden_pane_neither_computes_nor_draws_and_catches_up(window: MainWin
         asked.append(projection),
         show(projection, illustration),
     )
-    window.store.begin_gesture()  # at its end, labels that stand elsewhere at rest move
     with counted_repaints(window) as counts:
         for step in range(3):
             window.store.set_projection(seen(window, lens=Perspective(46.0 + step, 1.0, 30.0)))
             settle()
-    window.store.end_gesture()
-    settle()
     assert asked == []
     assert counts == {"world": 3, "ndc": 0, "image": 0}
     window.slots.make_large("world")
