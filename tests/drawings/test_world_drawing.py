@@ -1097,6 +1097,13 @@ def test_a_label_waits_before_it_leaves_a_place_that_is_not_free(make_view: Make
     assert offset(200.0, at_rest=True) == first and light() == 1.0
     assert offset(268.0) == first and offset(268.0, at_rest=True) != first, "a single change"
     assert not board.is_restless and light() == 1.0
+    assert offset(200.0, afresh=True) == offset(232.0) == offset(268.0) == first
+    assert offset(268.0, at_rest=True) == offset(290.0) == offset(308.0) == first
+    assert offset(308.0, at_rest=True) == first and board.is_restless, "bound for elsewhere"
+    for _ in range(4):
+        board.pass_time(0.03, is_soft=True)
+    there = offset(308.0)
+    assert there != first and there == offset(308.0, afresh=True)
 
 
 def test_lengths_that_were_never_wanted_are_no_ink(make_view: MakeView) -> None:
