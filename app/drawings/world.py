@@ -342,6 +342,8 @@ class WorldDrawing(Drawing):
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
+        if not self._canvas.is_laid_out:  # a layout will
+            return
         self.layers.follow()
         self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
