@@ -152,6 +152,7 @@ class WorldDrawing(Drawing):
         self._name()
         self.show_projection(scene.start)
         self.reset_view()
+        self.layers.follow()  # what is asked for before a layout has its size
 
     # -- fixed views and layers
 
