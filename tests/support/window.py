@@ -182,12 +182,17 @@ def edit(window: MainWindow) -> None:
 
 
 def turn(window: MainWindow, name: str) -> None:
-    """Turn a pane with the mouse, and go nearer."""
-    canvas = window.panes[name].canvas
+    """Turn a pane with the mouse, and go nearer; then let the hand rest."""
+    pane = window.panes[name]
+    canvas = pane.canvas
     QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
     QTest.mouseMove(canvas, QPoint(180, 130))
     QTest.mouseRelease(canvas, LEFT, pos=QPoint(180, 130))
     QTest.keyClick(canvas, Qt.Key.Key_Plus)
+    window.look.adaptive._end_turn()
+    assert pane.drawing is not None
+    board = pane.drawing.board
+    assert QTest.qWaitFor(lambda: not board.is_restless, PATIENCE_MS)
     settle()
 
 
