@@ -152,7 +152,6 @@ class WorldDrawing(Drawing):
         self._name()
         self.show_projection(scene.start)
         self.reset_view()
-        self.layers.follow()  # what is asked for before a layout has its size
 
     # -- fixed views and layers
 
@@ -343,9 +342,8 @@ class WorldDrawing(Drawing):
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
-        if not self._canvas.is_laid_out:  # a layout will
-            return
         self.layers.follow()
         self.own.fit_range(self.layers.reach(), *self.camera.depths)
-        self.layers.settle()
-        self.layers.place_labels(afresh=afresh)
+        if self._canvas.is_laid_out:  # otherwise a layout will
+            self.layers.settle()
+            self.layers.place_labels(afresh=afresh)
