@@ -6,17 +6,9 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
+from app.commands import terminal
 from app.commands.arguments import check_out, document_of, load_scene
 from app.commands.options import Parser, parse_number
-from app.commands.terminal import (
-    CANNOT_DRAW,
-    INTERRUPTED,
-    CliError,
-    interrupt,
-    print_error,
-    standard_output,
-    write_out,
-)
 from app.document.files import write_bytes_atomically
 from app.document.lengths import PX_PER, Size
 from app.drawings import off_screen
@@ -38,19 +30,19 @@ def run(arguments: Sequence[str]) -> int:
     asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
     targets = {option: out for option, out in asked.items() if out is not None}
     if len(set(targets.values())) < len(targets):
-        raise CliError("{0} must go to different files.", " and ".join(targets))
+        raise terminal.CliError("{0} must go to different files.", " and ".join(targets))
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
         known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
-        raise CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
+        raise terminal.CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
     if options.size and options.width:
-        raise CliError("--width: its height is free; leave out --size.")
+        raise terminal.CliError("--width: its height is free; leave out --size.")
     if not options.chart and (options.size or options.width or options.text_size is not None):
-        raise CliError("--size, --width and --text-size: need --chart.")
+        raise terminal.CliError("--size, --width and --text-size: need --chart.")
     # Check now: the measurement takes long.
     for option, out in targets.items():
         if out != "-":
             check_out(option, out)
-    standard_output()
+    terminal.standard_output()
     settings = [*options.set, *([f"scene={options.scene}"] if options.scene else [])]
     file = words[0] if words else None
     document = document_of(file, settings)
@@ -61,7 +53,7 @@ def run(arguments: Sequence[str]) -> int:
         # A chart has the bounds of a pane: this is a `Refusal` beyond them.
         Figure(document, scene, ("ndc",), size, text_pt=options.text_size)
     if document.projection.lens.planes is None:
-        raise CliError(
+        raise terminal.CliError(
             "lens.kind = matrix: a free matrix has no near, no far and no angle to "
             "measure; it must be one of {0}.",
             ", ".join(LENSES),
@@ -77,10 +69,10 @@ def run(arguments: Sequence[str]) -> int:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
-            print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
+            terminal.print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
-            return CANNOT_DRAW
+            return terminal.CANNOT_DRAW
     with _watched(options.attended) as watch:
         results = measuring.measure_all(
             document, scene, trades, swept, quick=options.quick, opengl=opengl, watch=watch
@@ -90,7 +82,7 @@ def run(arguments: Sequence[str]) -> int:
         options.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
     }
     try:
-        write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
+        terminal.write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
     finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
@@ -101,7 +93,7 @@ def run(arguments: Sequence[str]) -> int:
             paper = Paper(options.size, options.width, options.text_size, options.palette)
             drawn = picture(results.by_cost(options.cost), options.chart, paper=paper)
             write_bytes_atomically(options.chart, drawn)
-    return 0 if results.complete else INTERRUPTED
+    return 0 if results.complete else terminal.INTERRUPTED
 
 
 def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
@@ -111,12 +103,12 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     try:
         low, high = (parse_number(end) for end in ends.split(":"))
     except ValueError:
-        raise CliError(
+        raise terminal.CliError(
             "--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.", name, ends
         ) from None
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
-        raise CliError(
+        raise terminal.CliError(
             "--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.",
             name,
             ends,
@@ -156,7 +148,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
         cancelled.set()  # also when the starting program has ended
         going.set()
 
-    with interrupt() as cancelled:
+    with terminal.interrupt() as cancelled:
         if attended:
             threading.Thread(target=obey, daemon=True).start()
         try:

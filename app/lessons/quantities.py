@@ -116,11 +116,7 @@ def _called(name: str, arguments: Sequence[float]) -> float:
         raise Refusal("formula", name, REFUSALS["quantities-not-defined"]) from None
 
 
-def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
-    return Fraction(_called(name, [*map(float, arguments)]))
-
-
-RATIONAL = Arithmetic(Fraction, _rational)
+RATIONAL = Arithmetic(Fraction, lambda name, of: Fraction(_called(name, [*map(float, of)])))
 """Rationals, with the functions in float64; a `KeyError` names an unknown one."""
 
 NEGLIGIBLE = 1.0 / LARGEST  # a number nearer to 0 counts as 0

@@ -35,9 +35,7 @@ class EscapeKey(QObject):
 
     pressed = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._watched: QObject | None = None
+    _watched: QObject | None = None
 
     @property
     def is_watched(self) -> bool:
@@ -72,9 +70,8 @@ class HeldSlider(QSlider):
     abandoned = Signal()
 
     def __init__(self) -> None:
-        super().__init__(Qt.Orientation.Horizontal)
+        super().__init__(Qt.Orientation.Horizontal, focusPolicy=Qt.FocusPolicy.StrongFocus)
         self.is_abandoned = False  # whether mouse moves are ignored until the button is released
-        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._abandon)
         self.sliderPressed.connect(lambda: self._escape.watch(self))

@@ -32,7 +32,6 @@ from app.document.document import Document
 from app.document.store import Store
 from app.drawings.style import Style
 from app.lessons.record import Record
-from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
@@ -59,7 +58,6 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.cover_card import CoverCard
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
-from widgets.window.help import Help
 from widgets.window.history import History
 from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
@@ -129,9 +127,7 @@ class MainWindow(QMainWindow):
         scene: Scene | None = None,
         canvas: str = "raster",
     ) -> None:
-        super().__init__()
-        self.setObjectName("mainWindow")
-        self.setAcceptDrops(True)
+        super().__init__(objectName="mainWindow", acceptDrops=True)
         self._is_closed = self._was_painted = self._is_narrow = False
         self.cover: CoverCard | None = None  # the card over the window
         self._folded: Panel | None = None
@@ -140,7 +136,9 @@ class MainWindow(QMainWindow):
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
-        settings.cannot_save = self._show_unsaved
+        settings.cannot_save = lambda why: self.messages.show_message(
+            WORDS.say("unsaved", sentence(why))
+        )
         dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
@@ -175,9 +173,8 @@ class MainWindow(QMainWindow):
             self.look.words, settings,
         )  # fmt: skip
         self.menus = Actions(
-            self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
-            panes=self.panes, theme=settings.theme, language=settings.language,
-            all_digits=settings.all_digits,
+            self, files=self.files, pictures=self.pictures, slots=self.slots, panes=self.panes,
+            theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self.laser = Laser(self)
@@ -332,9 +329,6 @@ class MainWindow(QMainWindow):
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
         text, undo = WORDS.say("deleted", title), WORDS.say("undo")
         self.messages.show_message(text, (undo, take_back), warns=False)
-
-    def _show_unsaved(self, why: Refusal) -> None:
-        self.messages.show_message(WORDS.say("unsaved", sentence(why)))
 
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on

@@ -69,8 +69,7 @@ class Pen(QWidget):
     switched = Signal(bool)  # the pen was taken up, or put away
 
     def __init__(self, slide: QWidget) -> None:
-        super().__init__(slide)
-        self.setAccessibleName(WORDS.say("name"))
+        super().__init__(slide, accessibleName=WORDS.say("name"))
         self._slide = slide
         self.strokes: dict[str, list[Stroke]] = {}
         self.pictures: dict[str, QImage] = {}
@@ -92,8 +91,7 @@ class Pen(QWidget):
 
     def _make_bar(self) -> QFrame:
         """Make the bar, of which only the dot of the colour is seen until the mouse is on it."""
-        bar = QFrame(self)
-        bar.setObjectName("card")
+        bar = QFrame(self, objectName="card")
         self.dot = tool_button("●", WORDS.say("dot"))
         self.colours: dict[str, QToolButton] = {
             name: tool_button(
