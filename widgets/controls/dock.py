@@ -87,12 +87,11 @@ class Dock(QScrollArea):
     """A column of widgets below a search box."""
 
     def __init__(self, parent: QWidget | None = None) -> None:
-        bars = Qt.ScrollBarPolicy.ScrollBarAlwaysOff
-        super().__init__(
-            parent, widgetResizable=True, horizontalScrollBarPolicy=bars,
-            frameShape=QFrame.Shape.NoFrame,
-        )  # fmt: skip
+        super().__init__(parent)
         self._is_for_class = False
+        self.setWidgetResizable(True)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
+        self.setFrameShape(QFrame.Shape.NoFrame)
         FocusRing(self)
         self.search = SearchBox(self)
         self._column = QWidget()

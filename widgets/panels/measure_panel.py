@@ -68,13 +68,12 @@ class _ResultsTable(QTableWidget):
     """A table of whole rows, whose last column, the notes, has the remaining width."""
 
     def __init__(self) -> None:
-        super().__init__(
-            editTriggers=QAbstractItemView.EditTrigger.NoEditTriggers,
-            selectionBehavior=QAbstractItemView.SelectionBehavior.SelectRows,
-            selectionMode=QAbstractItemView.SelectionMode.SingleSelection,
-            tabKeyNavigation=False,  # the keyboard could not leave the table
-        )
+        super().__init__()
         self._least_notes = 0
+        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setTabKeyNavigation(False)  # the keyboard could not leave the table
+        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.verticalHeader().hide()
         self.setMinimumSize(200, 40)
         self.horizontalHeader().sectionResized.connect(self._fit_notes)

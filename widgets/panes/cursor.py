@@ -324,7 +324,8 @@ class _Ring(QWidget):
     """A ring with a rim of another colour, visible on bright and on dark pictures."""
 
     def __init__(self, parent: QWidget) -> None:
-        super().__init__(parent, objectName="cursorRing")
+        super().__init__(parent)
+        self.setObjectName("cursorRing")
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
         self._is_held = False
         self.hide()

@@ -96,7 +96,9 @@ class Pane(QFrame):
         orbits: bool,
         make_canvas: type[AnyCanvas],
     ) -> None:
-        super().__init__(frameShape=QFrame.Shape.StyledPanel, accessibleName=title)
+        super().__init__()
+        self.setFrameShape(QFrame.Shape.StyledPanel)
+        self.setAccessibleName(title)
         self.make_drawing = make_drawing
         self.drawing: Drawing | None = None
         self.shown: ShownData | None = None  # what the pane shows, or will show when it appears

@@ -376,7 +376,8 @@ class _Narrow(QToolButton):
     """A name that may be narrower than its text."""
 
     def __init__(self) -> None:
-        super().__init__(autoRaise=True, checkable=True)
+        super().__init__(autoRaise=True)
+        self.setCheckable(True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self.setFocusPolicy(Qt.FocusPolicy.NoFocus)  # the slider's arrow keys reach all stops
 

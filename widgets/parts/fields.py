@@ -330,7 +330,8 @@ class CheckRow(Row):
     def __init__(self, name: str, tip: str) -> None:
         super().__init__(name, tip)
         self._value = False
-        self.box = QCheckBox(accessibleName=name)
+        self.box = QCheckBox()
+        self.box.setAccessibleName(name)
         self._set_tip(self.box, self._tip)
         self.box.clicked.connect(self._make_edit)  # by the user only
         self.name_label.setBuddy(self.box)

@@ -70,8 +70,9 @@ class HeldSlider(QSlider):
     abandoned = Signal()
 
     def __init__(self) -> None:
-        super().__init__(Qt.Orientation.Horizontal, focusPolicy=Qt.FocusPolicy.StrongFocus)
+        super().__init__(Qt.Orientation.Horizontal)
         self.is_abandoned = False  # whether mouse moves are ignored until the button is released
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._escape = EscapeKey(self)
         self._escape.pressed.connect(self._abandon)
         self.sliderPressed.connect(lambda: self._escape.watch(self))

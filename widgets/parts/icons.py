@@ -121,7 +121,8 @@ class Combo(QComboBox):
     def __init__(
         self, name: str = "", tip: str = "", options: Iterable[tuple[str, object]] = ()
     ) -> None:
-        super().__init__(accessibleName=name)
+        super().__init__()
+        self.setAccessibleName(name)
         set_tip(self, tip)
         for text, value in options:
             self.addItem(text, value)

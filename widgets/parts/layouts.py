@@ -210,8 +210,10 @@ def discard(line: QLayout, widgets: Iterable[QWidget]) -> None:
 
 def scrolled(inside: QWidget, name: str) -> QScrollArea:
     """Put a widget into a scroll area, named for screen readers."""
-    area = QScrollArea(widgetResizable=True, frameShape=QFrame.Shape.NoFrame, accessibleName=name)
+    area = QScrollArea(widgetResizable=True)
+    area.setFrameShape(QFrame.Shape.NoFrame)
     area.setWidget(inside)
+    area.setAccessibleName(name)
     FocusRing(area)
     return area
 

@@ -196,7 +196,8 @@ class MessageBar(QFrame):
     """
 
     def __init__(self) -> None:
-        super().__init__(objectName="messageBar")
+        super().__init__()
+        self.setObjectName("messageBar")
         self.setAccessibleName(self.tr("Message"))
         self._text = WarningLabel()
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.TextSelectableByMouse)

@@ -41,7 +41,8 @@ class FixedViews(QWidget):
     """A button for each viewpoint; `menu` combines them in one button for a narrow pane."""
 
     def __init__(self) -> None:
-        super().__init__(objectName="fixedViews")
+        super().__init__()
+        self.setObjectName("fixedViews")
         self.buttons = {
             name: WORDS.tool(name or "free", flat=True, checkable=True) for name in ("", *FIXED)
         }

@@ -31,7 +31,8 @@ class ControlStrip(QFrame):
     """The values that have grips at rest: those that the slide names; None for the scene's own."""
 
     def __init__(self, controls: Controls, stages: StageStrip) -> None:
-        super().__init__(objectName="controlStrip")
+        super().__init__()
+        self.setObjectName("controlStrip")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Maximum)
         self._controls, self._stages = controls, stages
         self._named: tuple[str, ...] = ()

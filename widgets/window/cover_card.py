@@ -19,12 +19,16 @@ class CoverCard(QWidget):
     left = Signal()  # the card has closed; emitted before the signal of what was chosen
 
     def __init__(self, window: QWidget, name: str) -> None:
-        focus = Qt.FocusPolicy.StrongFocus
-        super().__init__(window, objectName="cover", accessibleName=name, focusPolicy=focus)
+        super().__init__(window)
+        self.setObjectName("cover")
+        self.setAccessibleName(name)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self.setAttribute(Qt.WidgetAttribute.WA_StyledBackground)
         self._window = window
-        frame = QFrame.Shape.StyledPanel
-        self.card = QFrame(objectName="card", autoFillBackground=True, frameShape=frame)
+        self.card = QFrame()
+        self.card.setObjectName("card")
+        self.card.setAutoFillBackground(True)
+        self.card.setFrameShape(QFrame.Shape.StyledPanel)
         around = QGridLayout(self)
         around.setContentsMargins(8, 8, 8, 8)
         around.addWidget(self.card, 0, 0, Qt.AlignmentFlag.AlignCenter)

@@ -71,7 +71,8 @@ class Panels(QWidget):
         self._why_closed = ""
         self._empty: set[Panel] = set()  # the panels that have nothing to show
         self._wanted: Panel | None = None  # the panel that was to be opened while all were closed
-        self.names = QWidget(objectName="drawerNames")  # which the owner places where it is visible
+        self.names = QWidget()  # the row of names, which the owner places where it is visible
+        self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
         self.rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._stack = QStackedWidget()
@@ -80,13 +81,16 @@ class Panels(QWidget):
 
     def add(self, name: str, panel: Panel, tip: str) -> None:
         """Add a folded panel under a translated name with a tooltip."""
-        button = _DrawerHead(autoRaise=True, text=name, checkable=True)
+        button = _DrawerHead(autoRaise=True)
+        button.setText(name)
         set_tip(button, tip)
+        button.setCheckable(True)
         button.setSizePolicy(QSizePolicy.Policy.Maximum, QSizePolicy.Policy.Fixed)
         button.clicked.connect(partial(self._clicked, panel))
         self._row.addWidget(button)
         self._heads[panel] = button, tip
-        area = QScrollArea(widgetResizable=True, frameShape=QFrame.Shape.NoFrame)
+        area = QScrollArea(widgetResizable=True)
+        area.setFrameShape(QFrame.Shape.NoFrame)
         self._stack.addWidget(area)
         area.setWidget(panel)
         area.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -70,7 +70,8 @@ class LessonCard(QFrame):
     buttons_changed = Signal()  # the step changed or a block was answered: buttons may change
 
     def __init__(self, lessons: Lessons, store: Store, settings: Settings, record: Record) -> None:
-        super().__init__(objectName="lesson")
+        super().__init__()
+        self.setObjectName("lesson")
         self.setAccessibleName(self.tr("Lesson"))
         self._lessons, self._store, self._settings = lessons, store, settings
         self._record = record

@@ -127,7 +127,9 @@ class MainWindow(QMainWindow):
         scene: Scene | None = None,
         canvas: str = "raster",
     ) -> None:
-        super().__init__(objectName="mainWindow", acceptDrops=True)
+        super().__init__()
+        self.setObjectName("mainWindow")
+        self.setAcceptDrops(True)
         self._is_closed = self._was_painted = self._is_narrow = False
         self.cover: CoverCard | None = None  # the card over the window
         self._folded: Panel | None = None

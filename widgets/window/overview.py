@@ -67,9 +67,9 @@ class Overview(QDialog):
             for column, widget in enumerate(self._row(name, course)):
                 grid.addWidget(widget, row, column)
         grid.setRowStretch(len(topics), 1)
-        no_bar = Qt.ScrollBarPolicy.ScrollBarAlwaysOff
-        area = QScrollArea(widgetResizable=True, horizontalScrollBarPolicy=no_bar)
+        area = QScrollArea(widgetResizable=True)
         area.setWidget(holder)
+        area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(holder.minimumSizeHint().width() + 30)
         warning = WarningLabel()
         warning.setText(problem)

@@ -69,7 +69,8 @@ class Pen(QWidget):
     switched = Signal(bool)  # the pen was taken up, or put away
 
     def __init__(self, slide: QWidget) -> None:
-        super().__init__(slide, accessibleName=WORDS.say("name"))
+        super().__init__(slide)
+        self.setAccessibleName(WORDS.say("name"))
         self._slide = slide
         self.strokes: dict[str, list[Stroke]] = {}
         self.pictures: dict[str, QImage] = {}
@@ -91,7 +92,8 @@ class Pen(QWidget):
 
     def _make_bar(self) -> QFrame:
         """Make the bar, of which only the dot of the colour is seen until the mouse is on it."""
-        bar = QFrame(self, objectName="card")
+        bar = QFrame(self)
+        bar.setObjectName("card")
         self.dot = tool_button("●", WORDS.say("dot"))
         self.colours: dict[str, QToolButton] = {
             name: tool_button(

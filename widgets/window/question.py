@@ -45,7 +45,8 @@ class QuestionOverlay(QFrame):
     def __init__(
         self, slide: QWidget, named: Callable[[], Iterable[tuple[list[QRectF], HiddenInk]]]
     ) -> None:
-        super().__init__(slide, objectName="question")
+        super().__init__(slide)
+        self.setObjectName("question")
         self._slide, self._named = slide, named
         self._document = TextDocument(self)
         self._texts, self._screen_px, self._moved_px = ("", ""), 0.0, 0

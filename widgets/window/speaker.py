@@ -103,8 +103,9 @@ class SpeakerWindow(QWidget):
     jump_wanted = Signal(int)  # the number of a step, from 1
 
     def __init__(self, settings: Settings, parent: QWidget) -> None:
-        super().__init__(parent, Qt.WindowType.Window, objectName="speaker")
+        super().__init__(parent, Qt.WindowType.Window)
         self.setWindowTitle(self.tr("Speaker's window – Frustum Lab"))
+        self.setObjectName("speaker")
         self._settings = settings
         self.clock = TalkClock()
         self._player: Player | None = None
@@ -119,10 +120,12 @@ class SpeakerWindow(QWidget):
         self._number, self._clock, self._elapsed, self._plan = (PlainLabel() for _ in range(4))
         wrapped = (PlainLabel(wordWrap=True) for _ in range(3))
         self._title, self._next_title, self._message = wrapped
-        self.notes = QTextEdit(readOnly=True, accessibleName=self.tr("Notes"))
+        self.notes = QTextEdit(readOnly=True)
         self.notes.setDocument(TextDocument(self.notes))
+        self.notes.setAccessibleName(self.tr("Notes"))
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
-        self.steps = QListWidget(accessibleName=self.tr("Steps"))
+        self.steps = QListWidget()
+        self.steps.setAccessibleName(self.tr("Steps"))
         for chosen in (self.steps.itemActivated, self.steps.itemClicked):
             chosen.connect(lambda item: self.jump_wanted.emit(self.steps.row(item) + 1))
         self.pause = push_button("", act=self.clock.toggle)

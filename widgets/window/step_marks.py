@@ -22,7 +22,8 @@ class StepMarks(QWidget):
     chosen = Signal(int)  # the user wants to go to a step, from 0
 
     def __init__(self) -> None:
-        super().__init__(objectName="stepMarks")
+        super().__init__()
+        self.setObjectName("stepMarks")
         self.setAccessibleName(self.tr("Steps"))
         give_role(self, QAccessible.Role.PageTabList)
         self._numbers: list[QToolButton] = []

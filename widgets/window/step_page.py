@@ -33,10 +33,9 @@ class StepPage(QScrollArea):
     hinting_changed = Signal(bool)  # emits whether a block can give a hint
 
     def __init__(self) -> None:
-        no_bar = Qt.ScrollBarPolicy.ScrollBarAlwaysOff
-        super().__init__(
-            widgetResizable=True, horizontalScrollBarPolicy=no_bar, frameShape=QFrame.Shape.NoFrame
-        )
+        super().__init__(widgetResizable=True)
+        self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setAccessibleName(self.tr("Step"))
         self.blocks: list[BlockView] = []
         self._player: Player | None = None

@@ -56,7 +56,8 @@ class TalkBand(QFrame):
     concerns = frozenset({"scene", "view"})
 
     def __init__(self) -> None:
-        super().__init__(objectName="talkBand")
+        super().__init__()
+        self.setObjectName("talkBand")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._title, self._words = TextDocument(self), TextDocument(self)
         self._number = self.message = self.left_out = ""

@@ -20,7 +20,8 @@ class _ChoiceButton(QWidget):
 
     def __init__(self, text: str) -> None:
         super().__init__()
-        self.button = QRadioButton(accessibleName=spoken_text(text))
+        self.button = QRadioButton()
+        self.button.setAccessibleName(spoken_text(text))
         self.button.installEventFilter(self)
         self._text = LessonText(text)
         self._text.setTextInteractionFlags(Qt.TextInteractionFlag.NoTextInteraction)

@@ -69,8 +69,10 @@ class BlockView(QFrame):
     responded = Signal()  # a response to the answer appeared
 
     def __init__(self, played: PlayedBlock, question: Asked, *sign: QWidget) -> None:
-        super().__init__(objectName="asked", accessibleName=spoken_text(question.text))
+        super().__init__()
+        self.setObjectName("asked")
         self.played = played
+        self.setAccessibleName(spoken_text(question.text))
         self._responses: list[QWidget] = []
         self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
