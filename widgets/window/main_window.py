@@ -138,9 +138,7 @@ class MainWindow(QMainWindow):
         self._before_presenting: tuple[bool, str, list[int]] = True, "", []
         """Whether the dock was shown, the whole pane, and the splitter's sizes."""
         self.settings = settings
-        settings.cannot_save = lambda why: self.messages.show_message(
-            WORDS.say("unsaved", sentence(why))
-        )
+        settings.cannot_save = self._show_unsaved
         dress(settings)  # before the first widget is made, which would keep its font
         self.store = Store(document, self, saved=saved)
         self.messages = MessageBar()
@@ -331,6 +329,9 @@ class MainWindow(QMainWindow):
     def offer_answers(self, title: str, take_back: Callable[[], object]) -> None:
         text, undo = WORDS.say("deleted", title), WORDS.say("undo")
         self.messages.show_message(text, (undo, take_back), warns=False)
+
+    def _show_unsaved(self, why: Refusal) -> None:
+        self.messages.show_message(WORDS.say("unsaved", sentence(why)))
 
     def set_all_digits(self, on: bool) -> None:
         self.settings.all_digits = on
