@@ -32,6 +32,7 @@ from app.document.document import Document
 from app.document.store import Store
 from app.drawings.style import Style
 from app.lessons.record import Record
+from app.model.refusal import Refusal
 from app.scenes.scene import Scene
 from widgets.panels.frame_panel import FramePanel
 from widgets.panels.kinds_panel import KindsPanel
