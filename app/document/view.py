@@ -6,7 +6,7 @@ The view is not part of the model: changing it creates neither an undo step nor 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from app.document.compare import ComparedPicture, check_pictures
@@ -146,6 +146,14 @@ def _check_names(names: tuple[str, ...] | None) -> None:
 
 
 AS_EVER = View()  # the default view
+
+
+def without_scene(view: View) -> View:
+    """Drop what concerns a scene; keep what is set up for a class."""
+    return replace(
+        view, large="", panel=None, probes=(), pinned=frozenset(), compare=(), dividers=(),
+        slide=(), controls=(), equation="", names=None,
+    )  # fmt: skip
 
 
 # --------------------------------------------------------------------------- as JSON
