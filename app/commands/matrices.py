@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from app.arithmetic.rationals import Rationals
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of, set_letters
 from app.commands.options import Parser
@@ -19,7 +20,7 @@ from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.camera import taken_apart
 from app.model.matrix_text import read_matrix
-from app.model.projection import Array, Projection, Rationals
+from app.model.projection import Array, Projection
 from app.model.refusal import format_value
 from app.model.tables import rounded
 

@@ -6,9 +6,17 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
-from app.commands import terminal
 from app.commands.arguments import check_out, document_of, load_scene
 from app.commands.options import Parser, parse_number
+from app.commands.terminal import (
+    CANNOT_DRAW,
+    INTERRUPTED,
+    CliError,
+    interrupt,
+    print_error,
+    standard_output,
+    write_out,
+)
 from app.document.files import write_bytes_atomically
 from app.document.lengths import PX_PER, Size
 from app.drawings import off_screen
@@ -30,19 +38,19 @@ def run(arguments: Sequence[str]) -> int:
     asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
     targets = {option: out for option, out in asked.items() if out is not None}
     if len(set(targets.values())) < len(targets):
-        raise terminal.CliError("{0} must go to different files.", " and ".join(targets))
+        raise CliError("{0} must go to different files.", " and ".join(targets))
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
         known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
-        raise terminal.CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
+        raise CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
     if options.size and options.width:
-        raise terminal.CliError("--width: its height is free; leave out --size.")
+        raise CliError("--width: its height is free; leave out --size.")
     if not options.chart and (options.size or options.width or options.text_size is not None):
-        raise terminal.CliError("--size, --width and --text-size: need --chart.")
+        raise CliError("--size, --width and --text-size: need --chart.")
     # Check now: the measurement takes long.
     for option, out in targets.items():
         if out != "-":
             check_out(option, out)
-    terminal.standard_output()
+    standard_output()
     settings = [*options.set, *([f"scene={options.scene}"] if options.scene else [])]
     file = words[0] if words else None
     document = document_of(file, settings)
@@ -53,7 +61,7 @@ def run(arguments: Sequence[str]) -> int:
         # A chart has the bounds of a pane: this is a `Refusal` beyond them.
         Figure(document, scene, ("ndc",), size, text_pt=options.text_size)
     if document.projection.lens.planes is None:
-        raise terminal.CliError(
+        raise CliError(
             "lens.kind = matrix: a free matrix has no near, no far and no angle to "
             "measure; it must be one of {0}.",
             ", ".join(LENSES),
@@ -69,10 +77,10 @@ def run(arguments: Sequence[str]) -> int:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
-            terminal.print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
+            print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
-            return terminal.CANNOT_DRAW
+            return CANNOT_DRAW
     with _watched(options.attended) as watch:
         results = measuring.measure_all(
             document, scene, trades, swept, quick=options.quick, opengl=opengl, watch=watch
@@ -82,7 +90,7 @@ def run(arguments: Sequence[str]) -> int:
         options.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
     }
     try:
-        terminal.write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
+        write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
     finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
@@ -93,7 +101,7 @@ def run(arguments: Sequence[str]) -> int:
             paper = Paper(options.size, options.width, options.text_size, options.palette)
             drawn = picture(results.by_cost(options.cost), options.chart, paper=paper)
             write_bytes_atomically(options.chart, drawn)
-    return 0 if results.complete else terminal.INTERRUPTED
+    return 0 if results.complete else INTERRUPTED
 
 
 def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
@@ -103,12 +111,12 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     try:
         low, high = (parse_number(end) for end in ends.split(":"))
     except ValueError:
-        raise terminal.CliError(
+        raise CliError(
             "--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.", name, ends
         ) from None
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
-        raise terminal.CliError(
+        raise CliError(
             "--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.",
             name,
             ends,
@@ -148,7 +156,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
         cancelled.set()  # also when the starting program has ended
         going.set()
 
-    with terminal.interrupt() as cancelled:
+    with interrupt() as cancelled:
         if attended:
             threading.Thread(target=obey, daemon=True).start()
         try:

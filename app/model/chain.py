@@ -348,7 +348,6 @@ class Chain:
         return Chain((*self.tiles[:place], *tiles, *self.tiles[place + over :]))
 
     def moved(self, place: int, to: int) -> Chain:
-        """The chain with one tile at another place."""
         return self.with_tile(place, over=1).with_tile(to, self.tiles[place])
 
     @property

@@ -240,7 +240,6 @@ def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Para
 
 
 def read_content(path: Path) -> str:
-    """Return the text of a content file."""
     return path.read_text(encoding="utf-8")
 
 

@@ -17,7 +17,8 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import Rationals, nearest
-from app.model.projection import Array, Projection, Vector, checked_points
+from app.model.pipeline import checked_points
+from app.model.projection import Array, Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import cell_terms
 

@@ -27,9 +27,10 @@ from numpy.typing import ArrayLike, NDArray
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.formats import Quotients
+from app.model.chain import WorldPoints
 from app.model.infinity import trace_at_infinity
 from app.model.pipeline import empty_trace
-from app.model.projection import Array, Projection, Space, Trace, Vector, WorldPoints
+from app.model.projection import Array, Projection, Space, Trace, Vector
 from app.model.refusal import REFUSALS, Refusal
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]

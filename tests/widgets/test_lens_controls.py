@@ -12,9 +12,9 @@ from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
     LENSES,
-    OBLIQUE_PRESETS,
     Frustum,
     Intrinsics,
     Oblique,

@@ -241,7 +241,6 @@ class MeasurePanel(DiagramPanel):
         self._readable.changed()  # the style may have another font, which changes the columns
 
     def close_process(self) -> None:
-        """End the measuring process."""
         self.measuring.kill()
         self._show_running()
 

@@ -283,7 +283,6 @@ class Compare(QObject):
 
     @property
     def is_on(self) -> bool:
-        """Whether pictures are compared."""
         return bool(self.pictures)
 
     @property

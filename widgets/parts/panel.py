@@ -120,7 +120,6 @@ class ShownData:
 
     @classmethod
     def of(cls, document: Document, scene: Scene) -> "ShownData":
-        """Make the snapshot of a document with its loaded scene."""
         return cls(document, scene, scene.illustration(document.projection, document.settings))
 
     @cached_property
@@ -233,7 +232,6 @@ class Readable(QObject):
         self._gestures += 1
 
     def end_gesture(self) -> None:
-        """End a gesture; after the last one its values are shown."""
         self._gestures = max(self._gestures - 1, 0)
         if not self._gestures:
             self.settle()
@@ -289,6 +287,7 @@ class ReadablePanel(Panel):
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
+        """End a gesture; after the last one its values are shown."""
         self._readable.end_gesture()
 
     def showEvent(self, event: QShowEvent) -> None:

@@ -192,7 +192,6 @@ class Files(QObject):
         return QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
 
     def note_opened(self, path: Path) -> None:
-        """Note that the current document was opened from a file."""
         self._set_path(self._place(path))
         self._remember(str(path))
 
