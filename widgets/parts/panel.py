@@ -232,6 +232,7 @@ class Readable(QObject):
         self._gestures += 1
 
     def end_gesture(self) -> None:
+        """End a gesture; after the last one its values are shown."""
         self._gestures = max(self._gestures - 1, 0)
         if not self._gestures:
             self.settle()
@@ -287,7 +288,6 @@ class ReadablePanel(Panel):
         self._readable.begin_gesture()
 
     def end_gesture(self) -> None:
-        """End a gesture; after the last one its values are shown."""
         self._readable.end_gesture()
 
     def showEvent(self, event: QShowEvent) -> None:
