@@ -30,6 +30,7 @@ from app.model.limits import (
     Array,
     Row,
     Vector,
+    check_name,
     finite,
     finite_vector,
     keep_checked,
@@ -543,8 +544,7 @@ class FiveTiles:
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
             keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
-        if not isinstance(self.order, str) or self.order not in ORDERS:
-            raise Refusal("order", self.order, REFUSALS["one-of"], ", ".join(ORDERS))
+        check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

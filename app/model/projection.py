@@ -52,10 +52,10 @@ from app.model.limits import (
     DepthRange,
     Vector,
     between,
+    check_name,
     read_only,
 )
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
-from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
 
@@ -173,8 +173,7 @@ class Projection(Pipeline):
         plane through the target stays. A typed matrix starts with the cells of the lens, and
         returns to that lens.
         """
-        if kind not in kinds():
-            raise Refusal("kind", kind, REFUSALS["one-of"], ", ".join(kinds()))
+        check_name("kind", kind, kinds())
         if kind == self.lens.kind:
             return self
         if self.lens.former is not self.lens:
