@@ -19,12 +19,5 @@ def kinds() -> tuple[str, ...]:
 
 
 __all__ = [
-    "LENSES",
-    "FreeMatrix",
-    "Frustum",
-    "Lens",
-    "Oblique",
-    "Orthographic",
-    "Perspective",
-    "kinds",
-]
+    "LENSES", "FreeMatrix", "Frustum", "Lens", "Oblique", "Orthographic", "Perspective", "kinds",
+]  # fmt: skip
