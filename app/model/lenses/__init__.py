@@ -1,7 +1,5 @@
 """The lenses, one file each; to add one, write its file and add it to `LENSES`."""
 
-from __future__ import annotations
-
 from app.model.lenses.free import FreeMatrix
 from app.model.lenses.frustum import Frustum
 from app.model.lenses.geometry import LENSES
