@@ -114,7 +114,7 @@ def within(field: str, number: float, low: float, high: float) -> float:
 def check_name(field: str, value: Any, known: Collection[str], *, or_none: bool = False) -> None:
     """Refuse what is none of the known names, nor empty if there may be `or_none`."""
     if (not isinstance(value, str) or value not in known) and not (or_none and value == ""):
-        bound = REFUSALS["one-or-none" if or_none else "one-of"]
+        bound = REFUSALS["one-or-none"] if or_none else REFUSALS["one-of"]
         raise Refusal(field, value, bound, ", ".join(known))
 
 
