@@ -259,11 +259,8 @@ def _window_with(
         window.resize(*options.size)
     elif settings.geometry is None and not options.screenshot:
         window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
-    if work.store is not None:
-        window.store.take_steps(work.store)
     window.lessons.letters = options.letters
-    if work.lesson is not None:
-        window.lesson_card.open(work.lesson, work.step)
+    window.go_on(work)
     if graphics is opengl.NO_OPENGL:
         said = QCoreApplication.translate(
             "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
