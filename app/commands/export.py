@@ -48,7 +48,7 @@ def run(arguments: Sequence[str]) -> int:
         if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
         return batch.run(options, out, files, _draw)
-    moving = "--sweep, --orbit, --stages or --transition"
+    moving = said("{0} or {1}", "--sweep, --orbit, --stages", "--transition")
     for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in names:
             if sweep.is_given(options, option):

@@ -39,7 +39,9 @@ def run(arguments: Sequence[str]) -> int:
     asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
     targets = {option: out for option, out in asked.items() if out is not None}
     if len(set(targets.values())) < len(targets):
-        raise CliError("{0} must go to different files.", " and ".join(targets))
+        *first, last = targets
+        options_of = said("{0} and {1}", ", ".join(first), last)
+        raise CliError("{0} must go to different files.", options_of)
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
         known = said("{0} or {1}", ", ".join(chart.ENDINGS[:-1]), chart.ENDINGS[-1])
         raise CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
