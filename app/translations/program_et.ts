@@ -2155,7 +2155,11 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} ja {1}</translation></message></context>
+<message><source>{0} and {1}</source><translation>{0} ja {1}</translation></message><message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
+    </message>
+</context>
 <context>
     <name>Compare</name>
     <message>
@@ -7049,11 +7053,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 </context>
 <context>
     <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
-    </message>
-</context>
+    </context>
 <context>
     <name>Progress</name>
     <message>

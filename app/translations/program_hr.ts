@@ -2155,7 +2155,11 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} i {1}</translation></message></context>
+<message><source>{0} and {1}</source><translation>{0} i {1}</translation></message><message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
+    </message>
+</context>
 <context>
     <name>Compare</name>
     <message>
@@ -7065,11 +7069,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 </context>
 <context>
     <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
-    </message>
-</context>
+    </context>
 <context>
     <name>Progress</name>
     <message>

@@ -2155,7 +2155,11 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} и {1}</translation></message></context>
+<message><source>{0} and {1}</source><translation>{0} и {1}</translation></message><message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
+    </message>
+</context>
 <context>
     <name>Compare</name>
     <message>
@@ -7065,11 +7069,7 @@ An error in {3} is {2} times as large in u and v.</source>
 </context>
 <context>
     <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
-    </message>
-</context>
+    </context>
 <context>
     <name>Progress</name>
     <message>
