@@ -71,7 +71,8 @@ def divided(
     """Return triangles (k, 3) of polygons as indices of points, and the polygon of each.
 
     A polygon that crosses itself becomes its ears or the fan about its first corner, whichever is
-    closer to its area; one whose parts cancel, the fan. `tell` is called with each polygon that takes long, before it is divided.
+    closer to its area; one whose parts cancel, the fan. `tell` is called with each polygon that
+    takes long, before it is divided.
     """
     counts, areas = np.diff(offsets), area_vectors(points, offsets, corners)
     waiting, returning = np.arange(len(counts)), _returning(points[corners], counts)
