@@ -38,12 +38,12 @@ class Answer(MarkedQuestion):
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         given = [item for item in items if item.key in WAYS]
         if not given:
-            ways = said("“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices")
-            raise refused(body.line, REFUSALS["lacks"], ways)
+            kinds = said("“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices")
+            raise refused(body.line, REFUSALS["lacks"], kinds)
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
-            ways = said("{0} and choices", ", ".join(WAYS[:-1]))
-            raise refused(other.line, REFUSALS["answer-either"], ways)
+            kinds = said("{0} and choices", ", ".join(WAYS[:-1]))
+            raise refused(other.line, REFUSALS["answer-either"], kinds)
         if given[0].key in _KINDS:
             return _KINDS[given[0].key].of(body, text, items)
         value = items.single(given[0].key)
