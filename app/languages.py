@@ -169,9 +169,10 @@ def texts(part: str, language: str) -> Mapping[tuple[str, str], str]:
         if not content.rstrip().endswith("</TS>"):
             raise ValueError("its end is missing")
     except (OSError, ValueError) as error:  # a translator may have left it so
-        from app.strangers import log_warning  # which says its own sentences through this
+        import logging  # seldom: not at the start
 
-        log_warning(path, f"cannot be read, and the texts stay English: {error}")
+        text = "%s cannot be read, and the texts stay English: %s."
+        logging.getLogger("app.strangers").warning(text, path, error)  # which the window shows
         return {}
     for name, source, gone, translation in _MESSAGE.findall(content):
         context = name or context
