@@ -31,7 +31,6 @@ from tests import claims
 from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
-PANES = ("world", "ndc", "image")
 
 
 def main() -> int:

@@ -170,7 +170,6 @@ DISTORTED = (
     "is a lens with distortion, and here straight lines stay straight: undistort the pictures, and"
     " use the camera of the new ones."
 )
-MISSING = "transforms.json: {} is missing."
 TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
 
 

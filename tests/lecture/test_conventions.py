@@ -128,7 +128,6 @@ class Does(NamedTuple):
 
 
 SYMMETRIC = Perspective(FOV, NEAR, FAR)
-WIDE = NEAR / COT * ASPECT
 LIBRARIES: dict[Callable[[], Any], Does] = {
     glm_perspective: Does("opengl", 1, 1, False, SYMMETRIC),
     glm_perspective_lh: Does("opengl", 1, -1, False, SYMMETRIC),

@@ -29,7 +29,6 @@ from tests.support.samples import pairwise
 IDENTITY: Cells = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
 EPS = float(np.finfo(np.float64).eps)
 FIXED = [name for name, kind in FORMATS.items() if kind.float_type is None]
-FLOATS = [name for name in FORMATS if name not in FIXED]
 
 # near, far: usual, absurdly near, infinite, far/near 1e12 and 1 + 1e-6, and the model's own limits
 RANGES = [

@@ -366,18 +366,6 @@ def test_looking_level_remembers_what_to_look_at(bar: AnimationBar, record: Reco
     assert record.cameras[-1].target == (0.0, 2.0, 0.0)
 
 
-def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Record) -> None:
-    choose(bar.look, "level")
-    bar.play()
-    bar.advance(1.0)
-    bar.pause()
-    bar.show_camera(START)
-    choose(bar.look, "target")
-    bar.play()
-    bar.advance(1.0)
-    assert record.cameras[-1].target == START.target
-
-
 def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record) -> None:
     bar.show_camera(Camera((0.0, 9.0, 0.0), (0.0, 2.0, 0.0), (0.0, 0.0, -1.0)))
     choose(bar.look, "level")

@@ -442,16 +442,3 @@ def test_a_ready_comparison_ends_with_the_picture_from_before(window: MainWindow
         compared = window.store.document
         window.comparing.end()
         assert window.store.document == (before if goes_back else compared)
-
-
-@pytest.mark.undrawn
-def test_l18_what_is_compared_follows_the_camera(window: MainWindow) -> None:
-    show_scene(window, "interpolation")
-    click(window.controls.card.comparisons[0])
-    window.store.set_projection(
-        seen(window, camera=replace(window.store.document.projection.camera, eye=(4.0, 3.0, 9.0)))
-    )
-    settle()
-    (other,) = window.comparing.pictures.others
-    assert other.shown.projection == window.store.document.projection
-    assert other.shown.document.settings["interpolation"] == "correct"

@@ -25,11 +25,10 @@ from app.lecture.camera_frame import (
     nudged_up,
     turned_up,
     up_and_view,
-    view_matrix,
 )
 from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW
-from app.model.projection import Camera, Perspective, Projection
+from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal, format_value
 from app.scenes.scene import load
 from tests.support.digits import all_digits_shown, plain
@@ -40,7 +39,6 @@ from tests.support.window import (
     activate,
     click,
     counted_repaints,
-    enter,
     pixels,
     present,
     settle,
@@ -96,16 +94,6 @@ def test_up_and_view_agree_with_80_digits(eye: Any, up: Any) -> None:
     assert found.length == pytest.approx(float(length), rel=1e-15)
     assert found.magnified == pytest.approx(magnified, rel=1e-14)
     assert found.cross == pytest.approx([float(part) for part in cross], rel=1e-14, abs=1e-30)
-
-
-def test_the_view_matrix_is_the_stages() -> None:
-    random = np.random.default_rng(6)
-    for _ in range(60):
-        scale = 10.0 ** random.uniform(-6, 9)
-        eye, target, up = (tuple(part) for part in random.normal(size=(3, 3)) * scale)
-        projection = Projection(Camera(eye, target, up))
-        (stage,) = (stage for stage in projection.stages if stage.name == "view_from_world")
-        assert view_matrix(projection.camera) == tuple(map(tuple, stage.matrix.tolist()))
 
 
 @pytest.mark.parametrize("angle_deg", [178.0, 45.0, 1e-3, 1e-9])
@@ -292,27 +280,6 @@ def test_a_row_turns_up_and_undo_brings_it_back(window: MainWindow) -> None:
     assert panel.warning.text() == "" and panel.angle.value() == pytest.approx(103.7014, rel=1e-5)
 
 
-def test_a_drag_of_the_row_is_one_step(window: MainWindow) -> None:
-    panel, before = window.frame_panel, window.store.document.projection
-    panel.angle.slider.sliderPressed.emit()
-    for position in (200, 150, 100):
-        panel.angle.slider.setValue(position)
-    panel.angle.slider.sliderReleased.emit()
-    assert up_and_view(window.store.document.projection.camera).angle_deg == pytest.approx(10.0)
-    window.store.undo()
-    assert window.store.document.projection == before and not window.store.can_undo
-
-
-@pytest.mark.undrawn
-def test_a_refused_angle_shows_the_models_sentence(window: MainWindow) -> None:
-    panel, before = window.frame_panel, window.store.document.projection
-    enter(panel.angle.field, "0")
-    assert "must not be parallel to the view direction" in panel.angle.error
-    assert window.store.document.projection == before
-    QTest.keyClick(panel.angle.field, Qt.Key.Key_Escape)
-    assert panel.angle.error == ""
-
-
 @pytest.mark.undrawn
 def test_the_warning_comes_at_one_degree(window: MainWindow) -> None:
     panel = window.frame_panel
@@ -368,18 +335,6 @@ def test_each_step_is_seen_and_all_comes_back(make_window: MakeWindow) -> None:
     settle()
     for name, picture in before.items():
         assert np.array_equal(pixels(window, name), picture), name
-
-
-def test_steps_add_no_actor_after_the_first(window: MainWindow) -> None:
-    renderer = window.panes["world"].canvas.renderer
-    props = list(renderer.GetViewProps())
-    click(window.frame_panel.all)
-    window.panels.open(None)
-    window.panels.open(window.frame_panel)
-    for camera in (Camera((1.0, 2.0, 3.0)), turned_up(START.camera, 1e-9)):
-        window.store.set_projection(replace(START, camera=camera))
-    settle()
-    assert list(renderer.GetViewProps()) == props
 
 
 def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(window: MainWindow) -> None:
@@ -451,22 +406,6 @@ def test_the_row_and_the_arrow_of_up_are_linked(window: MainWindow) -> None:
     QTest.mouseMove(window.windowHandle(), place)
     settle()
     assert highlighted.now == {"up"} and row.is_marked
-
-
-@pytest.mark.undrawn
-def test_cameras_at_their_ends_are_drawn(window: MainWindow) -> None:
-    window.frame_panel.go_to(6)
-    for camera in (
-        turned_up(START.camera, 1e-12),
-        Camera((6e11, 5e11, 9e11), (0.0, 2.2, 0.0)),
-        Camera((1e-9, 0.0, 0.0), (0.0, 0.0, 0.0)),
-        Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1e100)),
-        Camera((0.0, 14.0, 0.0), (0.0, 0.0, 0.0), (0.0, 0.0, -1e-100)),
-    ):
-        window.store.set_projection(Projection(camera))
-        settle()
-        assert len(numbers(window.frame_panel).split()) == 16
-        assert "nan" not in window.frame_panel.figures.text()
 
 
 @pytest.mark.undrawn

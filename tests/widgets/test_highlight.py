@@ -523,22 +523,6 @@ def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(
     assert not changed(before, pictures(window)) and not matrix.is_marked
 
 
-def test_l6_each_number_of_the_window_lights_its_edge(
-    window: MainWindow, highlighted: Highlighted
-) -> None:
-    window.guide.choose("off-axis-window")
-    settle()
-    before = pictures(window)
-    lines = window.controls.card.readout.lines
-    for name in ("left", "right", "bottom", "top", "near", "far"):
-        hover(window, window.controls.rows[name].name_label)
-        assert highlighted.now == {name}
-        assert "world" in changed(before, pictures(window)), name
-        assert lines[2][1].is_marked == (name in ("left", "right"))
-    leave(window)
-    assert not changed(before, pictures(window))
-
-
 @pytest.mark.undrawn
 def test_l15_the_plane_of_a_step_lights_the_rows_that_it_is_made_of(
     window: MainWindow, highlighted: Highlighted

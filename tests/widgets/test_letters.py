@@ -106,22 +106,6 @@ def test_l1_the_numbers_of_the_frame_have_lecture_004s_names(window: MainWindow)
     assert "M_W\u2192E = R T" in panel.formula.formula
 
 
-def test_a_figure_is_written_in_the_views_letters() -> None:
-    scene = load("letter-f")
-    figures = {
-        letters: figure_of(
-            scene,
-            scene.start,
-            panes=("world",),
-            size=(320, 240),
-            view=View(letters=letters, names=("n",)),
-        ).pixels()
-        for letters in ("own", "001", "002")
-    }
-    assert (figures["own"] != figures["001"]).any()
-    assert np.array_equal(figures["own"], figures["002"])
-
-
 def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:
     scene = load("off-axis-window")
     own, lecture_000, lecture_003 = (

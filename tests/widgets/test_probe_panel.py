@@ -44,7 +44,6 @@ from tests.support.window import (
     MakeWindow,
     activate,
     click,
-    counted_repaints,
     move_mouse,
     pixels,
     settle,
@@ -387,18 +386,6 @@ def test_no_mark_is_drawn_for_a_point_at_or_behind_the_eye(window: MainWindow) -
             assert any_mark(window, name), name
 
 
-def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(window: MainWindow) -> None:
-    window.panes["ndc"].hide()
-    QApplication.processEvents()
-    with counted_repaints(window) as counts:
-        window.probe_panel.follow(point=CORNER)
-        QApplication.processEvents()
-    assert counts == {"world": 1, "ndc": 0, "image": 1}
-    window.panes["ndc"].show()
-    QApplication.processEvents()
-    assert marked(window, "ndc", place_in(window, "ndc", CORNER))
-
-
 def test_probes_survive_edits_and_themes_and_end_with_the_scene(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
@@ -645,21 +632,6 @@ def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> N
     window.probe_panel.follow(direction=(0.2, 0.1, 1.0))
     QApplication.processEvents()
     assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
-
-
-@pytest.mark.undrawn
-def test_escape_in_the_window_removes_the_chosen_probe(window: MainWindow, qtbot: QtBot) -> None:
-    window.activateWindow()
-    window.probe_panel.follow(point=CORNER)
-    window.probe_panel.pin.click()
-    window.probe_panel.follow(point=(0.0, 0.0, 0.5))
-    qtbot.waitUntil(window.isActiveWindow)
-    QTest.keyClick(window, Qt.Key.Key_Escape)
-    assert window.probe_panel.probes == (Probe(1, CORNER),)
-    QTest.keyClick(window, Qt.Key.Key_Escape)
-    assert window.probe_panel.probes == ()
-    QApplication.processEvents()
-    assert not any_mark(window, "image")
 
 
 def test_a_pinned_probe_s_button_looks_pressed(window: MainWindow) -> None:
