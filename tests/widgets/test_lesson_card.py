@@ -391,9 +391,13 @@ def test_the_tour_can_be_done_with_the_keyboard_alone(window: MainWindow) -> Non
         return found
 
     come_to_rest(window)
+    (task,) = card.page.blocks
+    task.show_wanted.emit(set_values(window.store.document, ["lens.near=2"]))
+    come_to_rest(window)
+    assert task.played.is_open, "what the lesson shows by itself, nobody has done"
     window.store.set_projection(seen(window, lens=Perspective(50.0, lens.near, lens.far)))
     come_to_rest(window)
-    assert card.page.blocks[0].played.is_open, "only a nearer near plane ticks"
+    assert task.played.is_open, "only a nearer near plane ticks"
     near = controls.rows["near"].field
     near.setFocus()
     near.selectAll()
@@ -880,13 +884,8 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     card.open(path)
     settle()
     assert not any(block.played.is_open for block in card.page.blocks) and not crosses("image")
-    said = [[float(each) for each in attempt.typed.split()] for attempt in window.record.read()]
-    names = [attempt.exercise.partition("/")[2] for attempt in window.record.read()]
-    assert names == ["image", "image", "ndc", "world", "ndc", "world"]
-    assert np.allclose(said[1], (960, 360), atol=12.5 * 1280 / width)
-    spots = window.panes["ndc"].drawing.spots_of(np.array([said[2], said[4]]))
-    assert np.allclose(spots, [(wrong.x(), wrong.y()), (right.x() + 6, right.y() + 6)], atol=0.5)
-    assert 0.0 < np.linalg.norm(said[5] - np.array(target)) < 0.5
+    typed = [float(each) for each in window.record.read()[1].typed.split()]
+    assert np.allclose(typed, (960, 360), atol=12.5 * 1280 / width), "where it was clicked"
 
 
 def test_a_hidden_card_shows_only_the_lesson_that_opens(
