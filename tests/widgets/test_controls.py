@@ -376,16 +376,6 @@ def test_every_slider_goes_to_its_ends(controls: Column, reader: Reader) -> None
             assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
-def test_a_drag_is_one_gesture(controls: Column, record: Record) -> None:
-    row = number(controls, "fov_y_deg")
-    press(row.slider)
-    for value in (51.0, 56.0, 61.0):
-        drag(row.slider, row.scale.position_of(value))
-    release(row.slider)
-    assert record.events == ["start", "edit", "edit", "edit", "finish"]
-    assert [edit.lens.fov_y_deg for edit in record.edits] == [51.0, 56.0, 61.0]
-
-
 def within(row: NumberRow, low: float, high: float) -> list[float]:
     """The values of a slider between two others, both excluded."""
     scale = row.scale
@@ -423,15 +413,6 @@ def test_a_drag_goes_to_the_limit_however_fast_it_is(controls: Column) -> None:
         assert row.slider.value() == row.scale.position_of(last)
         assert record.events[0] == "start" and record.events[-1] == "finish"
         assert record.events.count("start") == 1
-
-
-def test_a_burst_of_keys_is_one_gesture(controls: Column, record: Record, qtbot: Any) -> None:
-    row = number(controls, "azimuth_deg")
-    row.slider.setFocus()
-    with qtbot.waitSignal(controls.gesture_finished):
-        for _ in range(3):
-            QTest.keyClick(row.slider, KEY.Key_Right)
-    assert record.events == ["start", "edit", "edit", "edit", "finish"]
 
 
 def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(

@@ -326,22 +326,6 @@ def test_a_cell_marks_the_rows_that_it_depends_on(
     assert marked(window) == set() and changed(before, pictures(window)) == set()
 
 
-@pytest.mark.undrawn
-def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
-    window.panels.open(window.matrices)
-    settle()
-    hover(window, window.controls.rows["near"])
-    marks = {
-        name: {(i, j) for i in range(4) for j in range(4) if view.is_marked(i, j)}
-        for name, view in window.matrices.views.items()
-    }
-    assert (2, 3) in marks["clip_from_world"] and marks["view_from_world"] == set()
-    assert marks["image_from_ndc"] == set()
-    window.highlighter.mark("test", frozenset(("up",)))
-    view = window.matrices.views["view_from_world"]
-    assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
-
-
 def test_a_row_is_repainted_when_marked_and_unmarked(window: MainWindow) -> None:
     row, painted = window.controls.rows["near"], []
 

@@ -60,28 +60,6 @@ def combo(controls: Column, key: str) -> QComboBox:
 # -- perspective: one value, many measures
 
 
-def test_all_measures_of_a_field_of_view_move_together(column: Column) -> None:
-    for key in ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"]:
-        show(column, START)
-        enter(number(column, key), "1.5")
-        lens = column.projection.lens
-        assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
-        half_y = math.tan(math.radians(lens.fov_y_deg) / 2.0)
-        half_x = half_y * 16.0 / 9.0
-        expected = {
-            "fov_y_deg": lens.fov_y_deg,
-            "fov_x_deg": math.degrees(2.0 * math.atan(half_x)),
-            "focal_length_mm": math.hypot(36.0, 24.0) / 2.0 / math.hypot(half_x, half_y),
-            "e": 1.0 / half_x,
-            "window_right": half_x,
-            "window_top": half_y,
-        }
-        assert expected[key] == pytest.approx(1.5)
-        for name, value in expected.items():
-            assert number(column, name).value() == pytest.approx(value, rel=1e-12), name
-        assert number(column, key).field.text() == "1.5"
-
-
 def test_the_half_window_sliders_follow_near(column: Column) -> None:
     for near in (1e-3, 1.0, 250.0):
         show(column, replace(START, lens=Perspective(90.0, near, 1e6)))
@@ -139,20 +117,6 @@ def test_a_box_keeps_the_scenes_sliders(column: Column) -> None:
 
 
 # -- oblique: angles, and how things recede
-
-
-def test_receding_and_angles_are_two_views(column: Column) -> None:
-    show(column, SLANTED)
-    assert number(column, "receding").field.text() == "0.5"
-    assert number(column, "receding_deg").field.text() == "45"
-    enter(number(column, "alpha_deg"), "90")
-    enter(number(column, "beta_deg"), "45")
-    # Straight into the picture (0, 0, -1) is drawn at (-cot 90, -cot 45) = (0, -1).
-    assert number(column, "receding").value() == 1.0
-    assert number(column, "receding_deg").value() == -90.0
-    enter(number(column, "receding_deg"), "180")
-    assert number(column, "alpha_deg").value() == pytest.approx(45.0)
-    assert number(column, "beta_deg").value() == pytest.approx(90.0)
 
 
 def test_through_no_receding_at_all_the_direction_is_kept(column: Column) -> None:
@@ -237,23 +201,6 @@ def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
     lens = column.projection.lens
     assert isinstance(lens, Frustum) and (lens.near, lens.far) == (1.0, 30.0)
     assert column.projection.intrinsics == pytest.approx(tuple(typed.values()), rel=1e-13)
-
-
-def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Column) -> None:
-    for key, text, kind in (
-        ("fx", "1000", "frustum"),
-        ("cx", "600", "frustum"),
-        ("fy", "1000", "frustum"),
-        ("cx", "639.5", "perspective"),  # the middle of 1280 pixels
-        ("cy", "300", "frustum"),
-        ("cy", "359.5", "perspective"),
-    ):
-        enter(number(column, key), text)
-        assert column.projection.lens.kind == kind, (key, text)
-        assert number(column, key).field.hasFocus()
-        assert number(column, "fx").field.text() == "1000"
-    fov_y_deg = math.degrees(2.0 * math.atan(360.0 / 1000.0))
-    assert number(column, "fov_y_deg").value() == pytest.approx(fov_y_deg)
 
 
 def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(

@@ -788,6 +788,7 @@ def test_a_matrix_has_one_name(panel: MatrixPanel) -> None:
 def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None:
     """A fraction in a function's argument is not stacked, as in print."""
     panel.running.setChecked(True)
+    assert {"world_from_view", "canonical_parallel_from_world"} <= {m.name for m in panel.shown}
     choose(panel.cells, "formulas")
     lenses = itertools.cycle((OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens, Perspective()))
     for letters, lens in zip(LETTERS * 2, lenses, strict=False):

@@ -1239,6 +1239,10 @@ def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> N
     assert (box.currentData(), window.panels.open_panel) == ("similar-triangles", None)
     assert card.title.text() == "Similar triangles"
     assert list(card.rows) == ["distance", "point"]
+    row: Any = card.rows["distance"]
+    enter(row.field, "0")
+    assert row.error.startswith("Not possible. Plane distance d = 0: must not be 0: the plane")
+    QTest.keyClick(row.field, Qt.Key.Key_Escape)
     assert card.isAncestorOf(window.controls.rows["distance"])  # the camera's
     click(card.explanation)
     assert window.panels.open_panel is window.scene_panel
