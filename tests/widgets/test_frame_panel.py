@@ -37,6 +37,7 @@ from tests.support.window import (
     activate,
     click,
     counted_repaints,
+    enter,
     pixels,
     present,
     settle,
