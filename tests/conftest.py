@@ -177,10 +177,7 @@ def display(qapp: Any) -> Any:
 
 @pytest.fixture
 def make_window(
-    request: pytest.FixtureRequest,
-    display: Any,
-    own_home: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest, display: Any, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives.
 

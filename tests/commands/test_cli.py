@@ -661,11 +661,7 @@ PERSPECTIVE_STAGES = [
     "clip_from_world",
     "image_from_ndc",
 ]
-PARALLEL_STAGES = [
-    *PERSPECTIVE_STAGES[:2],
-    "canonical_parallel_from_view",
-    *PERSPECTIVE_STAGES[3:],
-]
+PARALLEL_STAGES = [*PERSPECTIVE_STAGES[:2], "canonical_parallel_from_view", *PERSPECTIVE_STAGES[3:]]
 
 
 def test_matrices_as_json_hold_every_stage_to_the_last_bit(by_hand: Path) -> None:
@@ -1404,9 +1400,7 @@ def test_doctor_reports_how_a_driver_failed(
     assert (found["OpenGL"], found["Export"]) == (said, said)
 
 
-def test_a_scene_brings_its_camera_unless_a_document_has_one(
-    tmp_path: Path,
-) -> None:
+def test_a_scene_brings_its_camera_unless_a_document_has_one(tmp_path: Path) -> None:
     own = matrices("--set", "scene=posts")
     start = load("posts").start
     assert own["view_from_world"] == stage_of(start, "view_from_world").matrix.tolist()

@@ -234,11 +234,7 @@ def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[.
     pictures = []
     translated = DrawingWords()
     translated["half-way"] = "na pola puta"
-    for text, words in (
-        ("half-way", translated),
-        ("na pola puta", WORDS),
-        ("half-way", WORDS),
-    ):
+    for text, words in (("half-way", translated), ("na pola puta", WORDS), ("half-way", WORDS)):
         one = shown(pane, words=words)
         marks = one.marks([place], lambda p, text=text: Marks(texts=(Text(text, p[0], RED),)))
         pictures.append(one.show(marks))

@@ -7,15 +7,7 @@ from dataclasses import replace
 
 import pytest
 
-from app.lecture.kinds import (
-    AXES,
-    KINDS,
-    TOLERANCE,
-    kind_of,
-    path,
-    scale_factors,
-    with_kind,
-)
+from app.lecture.kinds import AXES, KINDS, TOLERANCE, kind_of, path, scale_factors, with_kind
 from app.model.infinity import trace_at_infinity
 from app.model.projection import (
     Camera,

@@ -101,10 +101,7 @@ def _h_row(
         return x - (-sign * n - z) * slant(alpha)
 
     origin = sheared(0, 0, 0)
-    return (
-        *(sheared(*axis) - origin for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
-        origin,
-    )
+    return (*(sheared(*axis) - origin for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))), origin)
 
 
 def _tan(angle: mpf) -> mpf:

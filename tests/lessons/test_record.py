@@ -11,15 +11,7 @@ from pathlib import Path
 import pytest
 
 from app.lessons import record
-from app.lessons.record import (
-    Attempt,
-    Record,
-    corrected,
-    due,
-    ideas_met,
-    minutes_each,
-    standings,
-)
+from app.lessons.record import Attempt, Record, corrected, due, ideas_met, minutes_each, standings
 from app.model.refusal import Refusal
 
 DAY_S = 86_400

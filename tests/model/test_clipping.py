@@ -20,14 +20,7 @@ from app.model.clipping import (
     cut_at_eye,
     naive_ndc,
 )
-from app.model.projection import (
-    DEPTH_RANGES,
-    PLANES,
-    Array,
-    Camera,
-    Perspective,
-    Projection,
-)
+from app.model.projection import DEPTH_RANGES, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from tests.support.lenses import LENSES
 from tests.support.samples import pairwise

@@ -359,11 +359,7 @@ REED = np.linspace(0.1, 1e4, 10_001)
 
 
 @pytest.mark.parametrize(
-    ("name", "mapping", "percent"),
-    [
-        ("fixed24", "reversed", 75.8),
-        ("float32", "reversed", 0.0),
-    ],
+    ("name", "mapping", "percent"), [("fixed24", "reversed", 75.8), ("float32", "reversed", 0.0)]
 )
 def test_reeds_figures(name: str, mapping: str, percent: float) -> None:
     buffer = buffer_of(name, mapping, 0.1, 1e4)

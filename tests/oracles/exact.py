@@ -79,11 +79,7 @@ def dot(a: Numbers, b: Numbers) -> Any:
 
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
-    return [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def unit(a: Numbers) -> Numbers:

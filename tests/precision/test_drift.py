@@ -12,15 +12,7 @@ import numpy as np
 import pytest
 
 from app.model.projection import Array, Orthographic, Projection
-from app.precision.drift import (
-    AXIS,
-    BLOCK,
-    drifted,
-    errors_px,
-    exact_turn,
-    orthonormal,
-    rounds_of,
-)
+from app.precision.drift import AXIS, BLOCK, drifted, errors_px, exact_turn, orthonormal, rounds_of
 from app.scenes.scene import load
 from tests.fuzz.drift import unit_axis
 from tests.oracles.exact import Exact, mp

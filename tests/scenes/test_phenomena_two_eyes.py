@@ -16,14 +16,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.two_eyes import PHENOMENON, eyes_of
 from tests.oracles.exact import Exact, mp
-from tests.oracles.illustrations import (
-    random_projection,
-    reading,
-    showing,
-    subject_of,
-    value,
-    why,
-)
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value, why
 
 START = PHENOMENON.start
 SUBJECT = subject_of(PHENOMENON)

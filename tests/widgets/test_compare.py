@@ -102,9 +102,7 @@ def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     assert "lens perspective → orthographic" in words(window)
 
 
-def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(
-    window: MainWindow,
-) -> None:
+def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(window: MainWindow) -> None:
     compare = hold(window)
     change(window, near=5.0)
     drawn: list[str] = []
@@ -264,9 +262,7 @@ def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_an_impossible_picture_is_replaced_by_its_reason(
-    window: MainWindow,
-) -> None:
+def test_an_impossible_picture_is_replaced_by_its_reason(window: MainWindow) -> None:
     compare = hold(window)
     compare.show((ComparedPicture("near 6", ("lens.near=6",)), ComparedPicture(live=True)), ())
     compare.refresh()

@@ -19,11 +19,7 @@ from PySide6.QtWidgets import QApplication
 
 from app.drawings.frame import arrow_tips
 from app.drawings.style import LIGHT, rgb
-from app.lecture.camera_frame import (
-    STEPS,
-    turned_up,
-    up_and_view,
-)
+from app.lecture.camera_frame import STEPS, turned_up, up_and_view
 from app.lecture.typed_matrix import with_cell
 from app.model.formula import ARROW
 from app.model.projection import Camera, Perspective

@@ -223,7 +223,7 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
         qtbot.waitUntil(
             lambda was=in_column: (
                 row.mapTo(column.widget(), QPoint()).y() != was and place() == before
-            ),
+            )
         )
         assert row.field.hasFocus()
 

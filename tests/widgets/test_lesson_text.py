@@ -22,15 +22,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.lecture.typesetting import outline
-from app.lessons.text import (
-    DISPLAYED,
-    FORMULA,
-    escaped,
-    html_of,
-    in_line,
-    plain_of,
-    readable,
-)
+from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, in_line, plain_of, readable
 from tests.support.window import rgb_of
 from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 

@@ -16,10 +16,7 @@ from app.document.document import Document
 from app.document.files import read
 from tests.support.window import MakeWindow, settle
 
-OK, CANCEL = (
-    QDialogButtonBox.StandardButton.Ok,
-    QDialogButtonBox.StandardButton.Cancel,
-)
+OK, CANCEL = (QDialogButtonBox.StandardButton.Ok, QDialogButtonBox.StandardButton.Cancel)
 BACK = [[1, 0, 0, 0.0], [0, 1, 0, 2.0], [0, 0, 1, 12.0], [0, 0, 0, 1]]
 
 

@@ -27,27 +27,14 @@ from app.drawings.style import LIGHT, rgb
 from app.lecture.letters import stacked
 from app.lecture.notation import matrices
 from app.model.formula_text import OVER
-from app.model.projection import (
-    Camera,
-    FreeMatrix,
-    Oblique,
-    Perspective,
-    Projection,
-)
+from app.model.projection import Camera, FreeMatrix, Oblique, Perspective, Projection
 from app.model.refusal import format_value
 from app.picking.picking import PickSurface, Probe
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
-from tests.support.window import (
-    MakeWindow,
-    activate,
-    click,
-    move_mouse,
-    pixels,
-    settle,
-)
+from tests.support.window import MakeWindow, activate, click, move_mouse, pixels, settle
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.probe_table import FORMULA
 from widgets.parts.panel import Readable
@@ -257,9 +244,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     assert panel.probes == ()
 
 
-def test_a_dragged_probe_does_not_return_after_another_scene(
-    window: MainWindow,
-) -> None:
+def test_a_dragged_probe_does_not_return_after_another_scene(window: MainWindow) -> None:
     panel, canvas = window.probe_panel, window.panes["image"].canvas
     hand = window.panes["image"].hand
     panel.follow(point=CORNER)

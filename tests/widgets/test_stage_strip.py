@@ -25,13 +25,7 @@ from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import OffScreen, labels_of, rendered
 from tests.support.lenses import LENSES
-from tests.support.window import (
-    activate,
-    move_mouse,
-    picture,
-    present,
-    settle,
-)  # fmt: skip
+from tests.support.window import activate, move_mouse, picture, present, settle  # fmt: skip
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 

@@ -460,9 +460,7 @@ AROUND = lesson_of(
 )
 
 
-def test_an_unturned_pane_looks_the_same_whichever_step_came_first(
-    window: MainWindow,
-) -> None:
+def test_an_unturned_pane_looks_the_same_whichever_step_came_first(window: MainWindow) -> None:
     def looks() -> tuple[np.ndarray, ...]:
         drawing = window.panes["world"].drawing
         assert isinstance(drawing, WorldDrawing)
@@ -777,9 +775,7 @@ def test_a_faulty_or_deleted_file_leaves_the_last_good_lesson(
 
 
 @pytest.mark.undrawn
-def test_a_faulty_file_is_reported_once_presenting_has_ended(
-    window: MainWindow,
-) -> None:
+def test_a_faulty_file_is_reported_once_presenting_has_ended(window: MainWindow) -> None:
     """On one screen the speaker's window may be hidden behind the other one."""
     change(window, "# {#one")
     assert not window.messages.text

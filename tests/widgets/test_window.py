@@ -1107,9 +1107,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
 # -- scenes
 
 
-def test_a_window_of_a_missing_screen_opens_on_an_existing_one(
-    make_window: MakeWindow,
-) -> None:
+def test_a_window_of_a_missing_screen_opens_on_an_existing_one(make_window: MakeWindow) -> None:
     window, settings = make_window(), Settings(None)
     screen = window.screen().geometry()
     window.setGeometry(3 * screen.width(), 2 * screen.height(), 900, 650)
@@ -1629,9 +1627,7 @@ def test_lines_are_drawn_with_another_form_of_their_shader_declaration(
     assert np.array_equal(*pictures)
 
 
-def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(
-    window: MainWindow,
-) -> None:
+def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(window: MainWindow) -> None:
     note = window.panes["ndc"].note
     text = "u, v, n in world units, as the camera has them"
     note.setText(text)
