@@ -25,7 +25,6 @@ from app.drawings.world import WorldDrawing
 from app.lecture import typed_matrix
 from app.lecture.stages import NDC, VIEW
 from app.lecture.typed_matrix import with_cell
-from app.model.chain import FiveTiles
 from app.model.projection import (
     DEPTH_RANGES,
     LENSES,
@@ -497,9 +496,6 @@ def test_a_step_sets_matrices_and_nothing_else(kind: Any, off_screen: MakeScreen
     for step in range(20):
         eye = (6.0 + 0.1 * step, 5.0, 9.0)
         drawing.show_projection(replace(scene.start, camera=replace(scene.start.camera, eye=eye)))
-        if kind is ImageDrawing:  # the others draw the axes of an object that was moved
-            moves = FiveTiles((step, 0.0, 0.0), (step, 10.0, 0.0), (1.0, 2.0, 0.5)).chain
-            drawing.show_projection(replace(scene.start, placement=moves))
     for projection in random_projections(50 if kind is WorldDrawing else 0, seed=6):
         drawing.show_projection(projection)
     assert renders == []

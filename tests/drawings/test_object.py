@@ -95,6 +95,33 @@ def test_l2_both_precisions_draw_the_moved_object(
     assert differing(*pictures) < 5e-3
 
 
+def test_l2_no_vertex_is_touched(off_screen: MakeScreen) -> None:
+    """Moving the object changes matrices: the meshes and their points stay the same ones."""
+    screen = off_screen(320, 240)
+    words: Any = dict.fromkeys("xy", "")
+    drawing = ImageDrawing(screen, F, words, LIGHT, options=UNFRAMED)
+
+    def meshes() -> list[Any]:
+        actors = screen.renderer.GetRenderWindow().GetRenderers()
+        found = [
+            actor.GetMapper().GetInput()
+            for i in range(actors.GetNumberOfItems())
+            for actor in actors.GetItemAsObject(i).GetActors()
+        ]
+        return [(mesh, mesh.GetMTime(), mesh.GetPoints() and mesh.GetPoints().GetMTime())
+                for mesh in found if mesh.GetNumberOfCells()]  # fmt: skip
+
+    drawing.show_projection(moved_object())
+    screen.pixels()
+    before = meshes()
+    for x in (0.5, 3.0, -2.0):
+        placement = FiveTiles((x, 0.0, 0.0), (x, 10.0, 0.0), (1.0, 2.0, x)).chain
+        drawing.show_projection(replace(F.start, placement=placement))
+        screen.pixels()
+        assert meshes() == before
+    drawing.remove()
+
+
 @pytest.mark.parametrize(
     "placement",
     [
