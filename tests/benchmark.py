@@ -6,8 +6,6 @@ time is a ratio of two things done in turn in the same process. ``--json FILE`` 
 writes the run's figures into that page.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import contextlib

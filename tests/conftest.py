@@ -1,7 +1,5 @@
 """Fixtures for all tests: a real X server, real widgets, a home of their own, nothing left over."""
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import functools

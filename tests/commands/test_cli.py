@@ -1,7 +1,5 @@
 """The command line as a user types it: `python3 -m app ...` in a process of its own."""
 
-from __future__ import annotations
-
 import contextlib
 import csv
 import errno

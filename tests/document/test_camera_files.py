@@ -1,7 +1,5 @@
 """Camera files of other programs: their conventions, by their own examples, and hostile ones."""
 
-from __future__ import annotations
-
 import json
 import math
 from fractions import Fraction

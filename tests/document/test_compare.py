@@ -1,7 +1,5 @@
 """Pictures to compare with: kept, refused, and those that the lectures set side by side."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

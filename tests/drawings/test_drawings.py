@@ -1,7 +1,5 @@
 """The pixels that the image and the NDC drawings paint."""
 
-from __future__ import annotations
-
 import gc
 import math
 import weakref

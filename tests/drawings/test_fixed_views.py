@@ -1,7 +1,5 @@
 """The world in its fixed views, with dimensions, and with hidden layers."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace

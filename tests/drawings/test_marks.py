@@ -1,7 +1,5 @@
 """Marks of phenomena: the pixels that reach the screen."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace

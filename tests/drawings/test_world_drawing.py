@@ -1,7 +1,5 @@
 """The world pane: its matrices, and the pixels that reach the screen."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace

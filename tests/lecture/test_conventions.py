@@ -1,7 +1,5 @@
 """Matrices of other programs, rounded or not, are recognised by what they do."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """The tree of planar projections of lecture 002: conditions and scale factors."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Exercises: numbers drawn by a seed, and the question that they make."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The record of a student's answers: its file, and what follows from it."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import os

@@ -1,7 +1,5 @@
 """Clipping: what is left, by which plane, in exact rationals; and lecture 004's own way."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import product

@@ -1,7 +1,5 @@
 """Depth buffers against an 80-digit oracle, their own definitions, and Reed's figures."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import FrozenInstanceError, replace

@@ -5,8 +5,6 @@ matrix and its y proportion; 002's off-axis column has the wrong sign for its w'
 planes are turned into ours.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """The projection core: its meaning, its laws, independent oracles, and what it refuses."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator

@@ -4,8 +4,6 @@ The inputs are the float64 numbers of a `Projection`, taken as exact. Nothing is
 accuracy: with 80 digits there is no need to.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple

@@ -1,7 +1,5 @@
 """L2: dragging the object in the world pane changes its transform."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """The drift of a turned camera, against products in rationals and sines in 80 digits."""
 
-from __future__ import annotations
-
 import random
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction

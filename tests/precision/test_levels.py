@@ -1,7 +1,5 @@
 """The arithmetic precisions against an oracle of hundreds of digits, and their predicted errors."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """Chosen quality in the document and in the panes, and quality that gives way while one drags."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Points and lines of a file are a scene, with faces or without."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The depth buffer's readings, against rays that are cut with the ramp in world space."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Jitter: paths of vertices far from the origin, against rationals and pixels done by hand."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

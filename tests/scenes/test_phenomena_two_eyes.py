@@ -1,7 +1,5 @@
 """Two eyes: parallax against 80 digits and VTK's stereo camera, and the screen plane."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

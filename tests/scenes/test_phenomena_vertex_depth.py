@@ -3,8 +3,6 @@
 The rule: NDC z is interpolated linearly on the screen, whatever it means.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mpmath

@@ -1,7 +1,5 @@
 """Scenes: the built-in ones, the user's mesh in a phenomenon, names, and first cameras."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import product

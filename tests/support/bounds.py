@@ -1,7 +1,5 @@
 """What float32 can lose of all of a scene at once."""
 
-from __future__ import annotations
-
 from app.model.projection import Array, Projection, Space, Vector
 from app.precision.levels import drawing_bounds_px
 

@@ -1,7 +1,5 @@
 """The keys with Alt that a window has, and which of them mean two things at once."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from PySide6.QtGui import QAction, QKeySequence

@@ -1,7 +1,5 @@
 """What a measurement may bring."""
 
-from __future__ import annotations
-
 import math
 
 from app.measure.results import ChartPoint, ErrorCurve, Measurements, Sweep, Trade

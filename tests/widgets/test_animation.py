@@ -1,7 +1,5 @@
 """The walk round the scene: as a function of time, and as it is played."""
 
-from __future__ import annotations
-
 import math
 import threading
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """What a lecturer prepares comes back as it was; what is seen is what a figure shows."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Both kinds of canvas show the same pictures with the same input and as many repaints."""
 
-from __future__ import annotations
-
 import math
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """Comparing a held picture with the live one, and the lectures' own comparisons."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path

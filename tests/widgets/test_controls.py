@@ -1,7 +1,5 @@
 """The dock with real widgets: edits of the user go out, values of the model come in."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import re

@@ -1,7 +1,5 @@
 """The keyboard cursor in the panes: it moves, picks, drags and is read aloud."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace

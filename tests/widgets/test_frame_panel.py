@@ -1,7 +1,5 @@
 """u, v and n step by step: the panel, the drawing, and up near the view direction."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Linked highlight: a thing under the mouse is highlighted everywhere."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import asdict, replace
 from itertools import product

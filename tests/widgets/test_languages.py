@@ -1,7 +1,5 @@
 """The window in each language: what it says, what fits, and how it changes the language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

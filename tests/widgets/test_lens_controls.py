@@ -1,7 +1,5 @@
 """The rows of the lens for every lens: every number that can define it, in both directions."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """A lesson's text: formulas stand on the line of the words, and nothing in it leads anywhere."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The choice of letters holds in panes, panels and figures."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

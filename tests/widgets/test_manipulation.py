@@ -1,7 +1,5 @@
 """Dragging the camera by its handles in the world, and by the picture."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace

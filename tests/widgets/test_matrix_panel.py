@@ -1,7 +1,5 @@
 """The matrices panel with real widgets: what it shows, marks, says and copies."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math

@@ -1,7 +1,5 @@
 """The Measure panel, with real measurements by the real process."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """A camera file of another program, opened in the window: its views to choose from, and undo."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from functools import partial

@@ -1,7 +1,5 @@
 """What differs on Windows and macOS, simulated here: nothing of it has run there."""
 
-from __future__ import annotations
-
 import ctypes
 import re
 import subprocess

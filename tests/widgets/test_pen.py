@@ -1,7 +1,5 @@
 """The pen: strokes belong to their step, can be taken back, and are kept for the handout."""
 
-from __future__ import annotations
-
 import itertools
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Presenting: the panes fill the screen, in letters for the back row, and leave no trace."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

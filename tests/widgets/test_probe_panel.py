@@ -1,7 +1,5 @@
 """Probes: clicked in any pane, marked in all of them, and their numbers those of `project`."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math

@@ -1,7 +1,5 @@
 """The scene's card in the dock: any setting can be changed and refused, any reading read."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, TypeAlias

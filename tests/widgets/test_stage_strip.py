@@ -1,7 +1,5 @@
 """The stage strip: slider, keys and play in the real window, and what is drawn at every stop."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Talks: wandering and coming back, the keys of clickers, the band, the speaker's window."""
 
-from __future__ import annotations
-
 import gc
 import math
 import random

@@ -1,7 +1,5 @@
 """The way between two steps: cameras move with the model, pictures fade, nothing is left over."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

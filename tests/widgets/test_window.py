@@ -1,7 +1,5 @@
 """The whole window: one model drives three panes, and nothing is lost."""
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import itertools
