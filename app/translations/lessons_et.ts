@@ -8879,8 +8879,8 @@
         <translation>Tooge lähitasand kaamerale lähemale.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Lohistage paanis Maailm ookrivärvi rombi piki telge või nihutage külgribal liugurit *Lähitasand* vasakule.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Lohistage seda paanis Maailm tahust, servast või nimest või nihutage külgribal liugurit *Lähitasand* vasakule.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>

@@ -8879,8 +8879,8 @@
         <translation>Primaknite blisku ravninu kameri.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Povucite romb boje okera u oknu Svijet duž osi ili pomaknite klizač *Bliska ravnina* na bočnoj ploči ulijevo.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Povucite je u oknu Svijet za plohu, rub ili ime, ili pomaknite klizač *Bliska ravnina* na bočnoj ploči ulijevo.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>

@@ -8879,8 +8879,8 @@
         <translation>Приближите предњу раван камери.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Превуците окер ромб у приказу „Свет” дуж осе, или померите клизач *Предња раван* у бочном панелу улево.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Превуците је у приказу „Свет” за саму страну, ивицу или име, или померите клизач *Предња раван* у бочном панелу улево.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>
