@@ -2137,11 +2137,11 @@
     </message>
     <message>
         <source>the whole numbers from 0 to {0}</source>
-        <translation>täisarvudest 0 kuni {0}</translation>
+        <translation>täisarvud 0 kuni {0}</translation>
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>lõigu teise otsa vastandpunktist</translation>
+        <translation>(lõigu teise otsa vastandpunkt)</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -3461,11 +3461,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>tiirlemine nurgad</translation>
+        <translation>tiirlemise nurgad</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>tiirlemine kalle</translation>
+        <translation>tiirlemise kalle</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>

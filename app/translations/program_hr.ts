@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>suprotne drugom kraju dužine</translation>
+        <translation>suprotnoj drugom kraju dužine</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -3480,7 +3480,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>kruženje nagib</translation>
+        <translation>nagib kruženja</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>

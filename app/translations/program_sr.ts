@@ -973,7 +973,7 @@
     </message>
     <message>
         <source> (cancelled)</source>
-        <translation> (прекинуто)</translation>
+        <translation> (отказано)</translation>
     </message>
     <message>
         <source> failed</source>
@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>супротне другом крају дужи</translation>
+        <translation>супротној другом крају дужи</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -3476,11 +3476,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>кружење углови</translation>
+        <translation>углови кружења</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>кружење бочни нагиб</translation>
+        <translation>нагиб кружења</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
