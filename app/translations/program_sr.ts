@@ -3480,7 +3480,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>нагиб кружења</translation>
+        <translation>бочни нагиб кружења</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
