@@ -2159,7 +2159,7 @@
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
     </message>
-</context>
+<message><source>translate</source><translation>translacija</translation></message><message><source>rotate</source><translation>rotacija</translation></message><message><source>scale</source><translation>skaliranje</translation></message><message><source>shear</source><translation>smicanje</translation></message><message><source>mirror</source><translation>zrcaljenje</translation></message><message><source>matrix</source><translation>matrica</translation></message></context>
 <context>
     <name>Compare</name>
     <message>

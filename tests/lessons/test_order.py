@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from app import languages
 from app.lessons.blocks.order import OrderQuestion
 from app.lessons.checking import CheckReport
 from app.lessons.course import AtStep, Course, contained
@@ -118,6 +119,18 @@ def test_the_answer_the_mistakes_and_the_way_are_told() -> None:
     assert [line.rpartition("$(")[2] for line in way] == [
         "1, 0, 0)$", "2, 0, 0)$", "0, 2, 0)$", "3, 2, 0)$"
     ]  # fmt: skip
+
+
+def test_paper_and_solutions_name_tiles_in_the_language() -> None:
+    asked, here = question(ORDER)
+    languages.choose("hr")
+    try:
+        assert "- `translacija 3; 0; 0`" in asked.posed() and "- `rotacija z 90`" in asked.posed()
+        assert asked.answer_text(here, str).endswith("skaliranje 2; 1; 1")
+        assert "- rotacija z 90: " in asked.solution(here)
+    finally:
+        languages.choose("en")
+    assert asked.right_sample(here) == RIGHT
 
 
 @pytest.mark.parametrize(
