@@ -15,7 +15,6 @@ import numpy as np
 
 from app.document.compare import ComparedPicture
 from app.document.document import Document
-from app.languages import ENGLISH, chosen, said
 from app.lecture.typed_matrix import with_matrix
 from app.lecture.wrong_chains import (
     DIVIDE,
@@ -32,7 +31,7 @@ from app.lessons.blocks.block import Here, State, Trial, Variant, Verdict
 from app.lessons.blocks.question import MODEL, YOURS, MarkedQuestion
 from app.lessons.lines import Body, Items, on_line, refused
 from app.lessons.text import escaped
-from app.model.chain import FROM_OBJECT, KINDS, Chain, Tile
+from app.model.chain import FROM_OBJECT, Chain, Tile, in_words
 from app.model.limits import Array
 from app.model.refusal import REFUSALS, Refusal
 
@@ -119,10 +118,10 @@ class OrderQuestion(MarkedQuestion):
         return None
 
     def posed(self) -> str:
-        return "\n".join([self.text, "", *(f"- `{_in_words(tile)}`" for tile in self.tiles)])
+        return "\n".join([self.text, "", *(f"- `{in_words(tile)}`" for tile in self.tiles)])
 
     def printed(self, numbers: Sequence[str]) -> str:
-        return " · ".join(map(_in_words, numbers))
+        return " · ".join(map(in_words, numbers))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return self.printed(self.chain.split("; "))
@@ -150,7 +149,7 @@ class OrderQuestion(MarkedQuestion):
         lines = [f"- ${_place(point)}$"]
         for factor in reversed(self.factors(here)):
             point = effect((factor,), point)
-            lines.append(f"- {escaped(_in_words(factor.text))}: ${_place(point)}$")
+            lines.append(f"- {escaped(in_words(factor.text))}: ${_place(point)}$")
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:
@@ -172,11 +171,3 @@ class OrderQuestion(MarkedQuestion):
 def _place(point: Array) -> str:
     w = float(point[3, 0])
     return written_numbers(point[: 3 if abs(w - 1.0) < 1e-9 else 4, 0])
-
-
-def _in_words(tile: str) -> str:
-    """Return the text of a tile for a reader of the language: ``rotacija z 30``."""
-    verb, blank, numbers = tile.partition(" ")
-    if verb not in {kind.partition(" ")[0] for kind in KINDS} or chosen() == ENGLISH:
-        return tile
-    return f"{said(verb)}{blank}{numbers.replace(',', '; ')}"
