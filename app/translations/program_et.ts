@@ -2159,7 +2159,7 @@
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
     </message>
-<message><source>translate</source><translation>nihe</translation></message><message><source>rotate</source><translation>pööre</translation></message><message><source>scale</source><translation>skaleerimine</translation></message><message><source>shear</source><translation>kaldnihe</translation></message><message><source>mirror</source><translation>peegeldus</translation></message><message><source>matrix</source><translation>maatriks</translation></message></context>
+<message><source>translate</source><translation>nihe</translation></message><message><source>rotate</source><translation>pööre</translation></message><message><source>scale</source><translation>skaleerimine</translation></message><message><source>shear</source><translation>kaldnihe</translation></message><message><source>mirror</source><translation>peegeldus</translation></message><message><source>matrix</source><translation>maatriks</translation></message><message><source>world</source><translation>maailm</translation></message><message><source>view</source><translation>vaade</translation></message><message><source>clip</source><translation>kärperuum</translation></message><message><source>image px</source><translation>pilt px</translation></message><message><source>depth</source><translation>sügavus</translation></message></context>
 <context>
     <name>Compare</name>
     <message>

@@ -2159,7 +2159,7 @@
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
     </message>
-<message><source>translate</source><translation>translacija</translation></message><message><source>rotate</source><translation>rotacija</translation></message><message><source>scale</source><translation>skaliranje</translation></message><message><source>shear</source><translation>smicanje</translation></message><message><source>mirror</source><translation>zrcaljenje</translation></message><message><source>matrix</source><translation>matrica</translation></message></context>
+<message><source>translate</source><translation>translacija</translation></message><message><source>rotate</source><translation>rotacija</translation></message><message><source>scale</source><translation>skaliranje</translation></message><message><source>shear</source><translation>smicanje</translation></message><message><source>mirror</source><translation>zrcaljenje</translation></message><message><source>matrix</source><translation>matrica</translation></message><message><source>world</source><translation>svijet</translation></message><message><source>view</source><translation>kamera</translation></message><message><source>clip</source><translation>odsijecanje</translation></message><message><source>image px</source><translation>slika px</translation></message><message><source>depth</source><translation>dubina</translation></message></context>
 <context>
     <name>Compare</name>
     <message>

@@ -2159,7 +2159,7 @@
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
     </message>
-<message><source>translate</source><translation>транслација</translation></message><message><source>rotate</source><translation>ротација</translation></message><message><source>scale</source><translation>скалирање</translation></message><message><source>shear</source><translation>смицање</translation></message><message><source>mirror</source><translation>рефлексија</translation></message><message><source>matrix</source><translation>матрица</translation></message></context>
+<message><source>translate</source><translation>транслација</translation></message><message><source>rotate</source><translation>ротација</translation></message><message><source>scale</source><translation>скалирање</translation></message><message><source>shear</source><translation>смицање</translation></message><message><source>mirror</source><translation>рефлексија</translation></message><message><source>matrix</source><translation>матрица</translation></message><message><source>world</source><translation>свет</translation></message><message><source>view</source><translation>камера</translation></message><message><source>clip</source><translation>одсецање</translation></message><message><source>image px</source><translation>слика px</translation></message><message><source>depth</source><translation>дубина</translation></message></context>
 <context>
     <name>Compare</name>
     <message>
