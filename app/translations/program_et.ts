@@ -1617,7 +1617,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>väljaspool</translation>
+        <translation>väljaspool:</translation>
     </message>
     <message>
         <source>overwritten</source>

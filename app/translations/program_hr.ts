@@ -1617,7 +1617,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>izvan</translation>
+        <translation>izvan:</translation>
     </message>
     <message>
         <source>overwritten</source>

@@ -1617,7 +1617,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>ван</translation>
+        <translation>ван:</translation>
     </message>
     <message>
         <source>overwritten</source>
