@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gc
 from collections.abc import Iterator
 
 import pytest
@@ -11,5 +12,7 @@ from tests.support.sources import nodes_of
 
 @pytest.fixture(scope="package", autouse=True)
 def trees() -> Iterator[None]:
+    gc.disable()  # it would go through more than a million nodes, again and again, for nothing
     yield
     nodes_of.cache_clear()
+    gc.enable()
