@@ -1,7 +1,5 @@
 """Fixtures for all tests: a real X server, real widgets, a home of their own, nothing left over."""
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import functools
@@ -186,10 +184,7 @@ def display(qapp: Any) -> Any:
 
 @pytest.fixture
 def make_window(
-    request: pytest.FixtureRequest,
-    display: Any,
-    own_home: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest, display: Any, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives.
 

@@ -1,7 +1,5 @@
 """A cloud of one's own points in a figure: where it is seen, as circles and as pixels."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

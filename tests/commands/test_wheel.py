@@ -1,7 +1,5 @@
 """The wheel has one top-level name, so that an `app.py` beside a notebook meets nothing of it."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

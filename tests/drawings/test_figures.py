@@ -1,7 +1,5 @@
 """Figures: the same pixels everywhere, and files that carry their document."""
 
-from __future__ import annotations
-
 import gc
 import hashlib
 import inspect

@@ -1,7 +1,5 @@
 """Figures as an editor measures them: the size of each letter, and the width that a page scales."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import replace

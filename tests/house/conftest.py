@@ -1,7 +1,5 @@
 """Trees of sources are kept while the tests of the house run, and no longer: they take 150 MB."""
 
-from __future__ import annotations
-
 import gc
 from collections.abc import Iterator
 

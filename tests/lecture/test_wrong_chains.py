@@ -1,7 +1,5 @@
 """Wrong chains: each mistake is recognised by what it does, and none in a chain that is right."""
 
-from __future__ import annotations
-
 import random
 from dataclasses import replace
 from itertools import permutations

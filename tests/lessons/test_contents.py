@@ -1,7 +1,5 @@
 """The lessons and talks that come with the program: all of them right, every key reckoned anew."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator

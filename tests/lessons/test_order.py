@@ -1,7 +1,5 @@
 """Answers that are a chain of tiles: how they are read, mixed, marked, shown and printed."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Picking agrees with a ray tracer in world space, without homogeneous coordinates."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """What holds for every phenomenon: its data, its refusals, and that it never shows a NaN."""
 
-from __future__ import annotations
-
 import ast
 import inspect
 import math

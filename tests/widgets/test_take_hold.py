@@ -1,7 +1,5 @@
 """Every thing that a control moves is dragged by any free place on it, with a real mouse."""
 
-from __future__ import annotations
-
 import math
 import os
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """Speed and accuracy as one of the first things: the trades as pictures, each with its price."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
