@@ -132,10 +132,8 @@ class Parser(argparse.ArgumentParser):
         if self._names.endswith("...]"):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
-            takes = self._names or said("no names")
-            raise CliError(
-                "{0} takes {1}, and was given {2}.", command, takes, counted(len(words), "name")
-            )
+            takes, given = self._names or said("no names"), counted(len(words), "name")
+            raise CliError("{0} takes {1}, and was given {2}.", command, takes, given)
         return options, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
@@ -229,13 +227,9 @@ def _width(value: str) -> float:
     match = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?)([a-z]{2})", value)
     pt = float(match[1]) * TEX_PT_PER.get(match[2], 0.0) if match else 0.0
     if not WIDTHS_PT[0] <= pt <= WIDTHS_PT[1]:
-        least, most = map(round, WIDTHS_PT)
+        known = value, ", ".join(TEX_PT_PER), *map(round, WIDTHS_PT)
         raise CliError(
-            "--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.",
-            value,
-            ", ".join(TEX_PT_PER),
-            least,
-            most,
+            "--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.", *known
         )
     return pt
 
