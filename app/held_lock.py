@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 
+from app.languages import said
 from app.strangers import without_waiting
 
 #: Interval at which a terminal's line of progress counts its seconds.
@@ -92,7 +93,7 @@ def lock(path: Path) -> Iterator[HeldLock]:
     """Hold a lock that the operating system releases if the process dies."""
     with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
-            log("another start is setting up Frustum Lab; waiting for it to finish")
+            log(said("another start is setting up Frustum Lab; waiting for it to finish"))
             while not _try_lock(file):
                 time.sleep(0.2)
         held = HeldLock(file)

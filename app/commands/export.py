@@ -19,12 +19,13 @@ from app.commands.arguments import (
     set_letters,
 )
 from app.commands.options import Parser
-from app.commands.terminal import CliError, print_error, said
+from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import blamed_on
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
 from app.drawings.film import FILMS, write_film, write_frames
+from app.languages import said
 from app.lessons.lesson import is_lesson
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import Scene
@@ -44,7 +45,7 @@ def run(arguments: Sequence[str]) -> int:
         if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
         return batch.run(options, out, files, _draw)
-    moving = "--sweep, --orbit, --stages or --transition"
+    moving = said("{0} or {1}", "--sweep, --orbit, --stages", "--transition")
     for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in names:
             if sweep.is_given(options, option):
@@ -147,10 +148,10 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
-        film = ", or have one number such as %03d" if endings is FILMS else ""
+        film = said(", or have one number such as %03d") if endings is FILMS else ""
         if ending in FILMS and not options.batch:
             film = said("; for a film add --sweep, --orbit, --stages or --transition")
-        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
+        known = said("{0} or {1}", ", ".join(endings[:-1]), endings[-1])
         if endings is ENDINGS and not options.batch:
             known += said(", or in .html for a page")
         raise CliError("OUT = {0!r}: must end in {1}{2}.", out, known, film)
@@ -179,9 +180,7 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
             odd = "x".join(map(str, size))
-            raise CliError(
-                "OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.", out, odd
-            )
+            raise CliError("even-sides", out, odd)
         with blamed_on(out, REFUSALS["unwritable"]):
             program()
 
@@ -219,7 +218,8 @@ def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
     try:
         for number, frame in enumerate(frames, 1):
             if terminal is not None:
-                print(f"\rframe {number}/{len(frames)}", end="", file=terminal, flush=True)
+                text = said("frame {0}/{1}", number, len(frames))
+                print(f"\r{text}", end="", file=terminal, flush=True)
             yield frame
     finally:
         if terminal is not None:

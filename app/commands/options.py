@@ -17,8 +17,9 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from app import __version__, bootstrap, languages
-from app.commands.terminal import CliError, said, write_out
+from app.commands.terminal import CliError, write_out
 from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
+from app.languages import said
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -55,13 +56,8 @@ def pages() -> dict[str, Page]:
     return pages
 
 
-COMMANDS = "commands, each with its own --help:"
-LANGUAGE = "language of messages, lessons and figures (default: the system's)"
-SET = (
-    "change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and"
-    " settings.NAME for a setting of the scene"
-)
 _tr = partial(languages.translate, context="Options")
+vars(argparse)["_"] = said  # which it calls for each text of its own
 SETTABLE = pages()["--set"].summary.split(", ")
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
@@ -82,12 +78,12 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, command: str) -> None:
         names, summary, about, options = pages()[command or "window"]
-        usage = " ".join(f"{bootstrap.PROGRAM} {command} [options] {names}".split())
+        usage = " ".join(f"{bootstrap.PROGRAM} {command} [{said('options')}] {names}".split())
         lines = "\n".join(f"  {name:<10}{_tr(text)}" for name, text in SUMMARIES.items())
         super().__init__(
             usage=usage,
             description=_tr(summary),
-            epilog="" if command else f"{_tr(COMMANDS)}\n{lines}",
+            epilog="" if command else f"{said('of-commands')}\n{lines}",
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
@@ -97,15 +93,14 @@ class Parser(argparse.ArgumentParser):
         details = _DETAILS.get(command, {})
         for option, value, text in options:
             usual = re.search(r"\(default: (\w+)\)", text)
-            usual = {"default": usual[1]} if usual and usual[1] in value.split("|") else {}
-            usual |= {"action": "append"} if "may be repeated" in text else {}
-            more = usual | details.get(option, {})
+            more = {"default": usual[1]} if usual and usual[1] in value.split("|") else {}
+            more |= {"action": "append"} if "may be repeated" in text else {}
+            more |= details.get(option, {})
             self._add(option, value, _tr(text).replace("%", "%%"), **more)
         if command in _OF_A_DOCUMENT:
-            names = ", ".join(SETTABLE)
-            self.add_argument("--set", metavar="NAME=VALUE", action="append", default=[],
-                              help=_tr(SET).format(names))  # fmt: skip
-        self._add("--language", "|".join(languages.LANGUAGES), _tr(LANGUAGE))
+            more = {"action": "append", "default": []}
+            self._add("--set", "NAME=VALUE", said("of-set", ", ".join(SETTABLE)), **more)
+        self._add("--language", "|".join(languages.LANGUAGES), said("of-language"))
 
     def _print_message(self, message: str, _file: object = None) -> None:
         """Print the help or the version; argparse would ignore write errors."""
@@ -132,8 +127,8 @@ class Parser(argparse.ArgumentParser):
         if self._names.endswith("...]"):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
-            takes, given = self._names or said("no names"), counted(len(words), "name")
-            raise CliError("{0} takes {1}, and was given {2}.", command, takes, given)
+            takes = self._names or said("no names")
+            raise CliError("takes", command, takes, counted(len(words), "name"))
         return options, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
@@ -212,7 +207,8 @@ def _parsed(
         try:
             return parse(value)
         except ValueError:
-            raise CliError("{0} = {1!r}: must be {2}.", option, value, bound) from None
+            bounds = said(bound, ", ".join(PX_PER))
+            raise CliError("{0} = {1!r}: must be {2}.", option, value, bounds) from None
 
     return read
 
@@ -227,10 +223,8 @@ def _width(value: str) -> float:
     match = re.fullmatch(r"([0-9]{1,6}(?:\.[0-9]{1,6})?)([a-z]{2})", value)
     pt = float(match[1]) * TEX_PT_PER.get(match[2], 0.0) if match else 0.0
     if not WIDTHS_PT[0] <= pt <= WIDTHS_PT[1]:
-        known = value, ", ".join(TEX_PT_PER), *map(round, WIDTHS_PT)
-        raise CliError(
-            "--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.", *known
-        )
+        least, most = map(round, WIDTHS_PT)
+        raise CliError("width", value, ", ".join(TEX_PT_PER), least, most)
     return pt
 
 
@@ -245,11 +239,9 @@ def _sweep(value: str) -> tuple[str, str]:
 
 _COUNT = partial(_whole, "[0-9]{1,9}")
 _DIGITS = partial(_whole, "[1-9]|1[0-7]")
-_SIZE = f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600"
-_LENGTH = f"a length in {', '.join(PX_PER)}, such as 84mm"
 _PAPER: dict[str, dict[str, Any]] = {  # of figures and charts
-    "--size": {"type": _parsed("--size", _SIZE, parse_size)},
-    "--width": {"type": _parsed("--width", _LENGTH, parse_length)},
+    "--size": {"type": _parsed("--size", "size", parse_size)},
+    "--width": {"type": _parsed("--width", "a length in {0}, such as 84mm", parse_length)},
     "--text-size": {"type": _parsed("--text-size", "a number of points", parse_points)},
 }
 _ANGLE = _parsed("--orbit", "a number of degrees")

@@ -12,6 +12,7 @@ from app.document.files import write_bytes_atomically
 from app.drawings.describing import describe
 from app.drawings.figure import Figure
 from app.drawings.film import steady
+from app.languages import said, with_comma
 from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.words import digits_apart
 from app.scenes.scene import Scene
@@ -64,18 +65,19 @@ def write(
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
         return ""
-    name, fewer = os.path.basename(out), "--frames or --panes" if len(states) > 1 else "--panes"
-    return (
-        f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
-        f" {LARGEST // 1000} kB: ask for fewer {fewer}."
-    )
+    name, fewer = os.path.basename(out), "--panes"
+    if len(states) > 1:
+        fewer = said("{0} or {1}", "--frames", fewer)
+    return said("too-large-page", name, len(content) // 1000, LARGEST // 1000, fewer)
 
 
 def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
     if options.orbit is not None:
         turns_deg = [options.orbit * k / (len(states) - 1) for k in range(len(states))]
-        return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
+        digits = digits_apart(*turns_deg)
+        return [said("angle = {0}°", with_comma(f"{each:.{digits}g}")) for each in turns_deg]
     if options.transition:
-        return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
+        parts = (with_comma(f"{100 * k / (len(states) - 1):.3g}") for k in range(len(states)))
+        return [said("way = {0} %", part) for part in parts]
     return sweep.shown_values(options, states, scene)

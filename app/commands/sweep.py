@@ -155,11 +155,7 @@ def _transition(options: argparse.Namespace, file: str | None, count: int) -> li
     place, start, end = _steps(options, file)
     moves = transition.can_move(start, end)
     if not moves and start != end:
-        raise CliError(
-            "--transition: step {0} shows another scene or another kind of lens than the "
-            "step before; nothing moves from one to the other.",
-            place,
-        )
+        raise CliError("other-scene", place)
     states = list[Document]()
     for step in range(count):
         part = eased(step / (count - 1))
@@ -208,11 +204,7 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
 
 def _check_orbit(options: argparse.Namespace) -> None:
     if not 0.0 < abs(options.orbit) <= FULL_TURN:
-        raise CliError(
-            "--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.",
-            options.orbit,
-            FULL_TURN,
-        )
+        raise CliError("orbit", options.orbit, FULL_TURN)
     if "world" not in panes(options):
         raise CliError("--orbit: needs the pane world, and --panes = {0!r}.", options.panes)
 

@@ -28,6 +28,7 @@ from app.drawings.figure import PANE_PX, Figure
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
 from app.drawings.vectors import PixelShape, Shape
+from app.languages import chosen, said
 from app.lecture.typesetting import font_file
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
@@ -98,7 +99,7 @@ def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> 
         f'<input type="range" id="slider" aria-label="{escaped(name)}"'
         f' aria-valuetext="{value}" min="0" max="{len(states) - 1}" value="{middle}">',
         "</form>",
-        f"<noscript><p>{value}. The other states need scripts.</p></noscript>",
+        f"<noscript><p>{value}. {said('The other states need scripts.')}</p></noscript>",
     ]
     return html(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
 
@@ -183,7 +184,7 @@ def html(title: str, style: str, body: Iterable[str], script: str = "") -> bytes
         policy += f"; script-src {_hash(script)}"
     lines = [
         "<!doctype html>",
-        '<html lang="en">',
+        f'<html lang="{chosen()}">',
         '<meta charset="utf-8">',
         '<meta http-equiv="Content-Security-Policy"'
         f" content=\"{policy}; base-uri 'none'; form-action 'none'\">",

@@ -153,6 +153,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__init__.py",
         "__main__.py",
         "bootstrap.py",
+        "content/sentences.md",
         "content/set-up.md",
         "held_lock.py",
         "languages.py",

@@ -69,8 +69,8 @@ LATE: dict[str, tuple[str, ...]] = {
 #: What everyone may know: standard library only. Each knows only those before it.
 GROUND = (
     "app.modules",
-    "app.strangers",
     "app.languages",
+    "app.strangers",
     "app.python_packages",
     "app.held_lock",
     "app.system_packages",

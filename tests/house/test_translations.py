@@ -16,7 +16,7 @@ from app.languages import TRANSLATIONS
 from tests import texts
 
 FORMS = {"hr": 3, "sr": 3, "et": 2}
-_PLACES = re.compile(r"\{\d*(?::[^{}]*)?\}|%n")
+_PLACES = re.compile(r"\{\w*(?:![rs])?(?::[^{}]*)?\}|%n|%(?:\(\w+\))?[srd]")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 
