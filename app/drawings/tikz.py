@@ -43,7 +43,7 @@ _IN_MATH = {
     "\u2212": "-", "\u2032": "'", "²": "^2", "°": r"^\circ ", "×": r"\times ", "·": r"\cdot ",
     "∞": r"\infty ", "→": r"\to ", "←": r"\leftarrow ", "↔": r"\leftrightarrow ", "±": r"\pm ",
     "≈": r"\approx ", "≠": r"\neq ", "≤": r"\leq ", "≥": r"\geq ", "<": "<", ">": ">", "%": r"\%",
-    "|": "|", "½": r"\frac{1}{2}",
+    "|": "|", "½": r"{}^1\!/_2 ",
 }  # fmt: skip
 _IN_WORDS = {
     **{sign: f"${tex.strip()}$" for sign, tex in _IN_MATH.items() if sign not in _PLAIN},
