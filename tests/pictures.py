@@ -8,8 +8,6 @@ command for each. The charts are drawn from the recorded ``app/measure/content/l
 the start card's pictures.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re

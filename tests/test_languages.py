@@ -1,7 +1,5 @@
 """The language of the program: which one, its texts, plural forms, letters and numbers."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Iterator

@@ -5,8 +5,6 @@ matrices of every lens in every lecture's letters, whose lines must fit their te
 fault; the exit status is 1 if there is one.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

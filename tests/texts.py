@@ -5,8 +5,6 @@ files and the sentences of the lessons are given to it as Python that marks them
 or an editor, fills in what is ``unfinished``.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import json

@@ -1,7 +1,5 @@
 """Many figures by one command: ``export --batch``."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """The folder to carry; the whole of it takes minutes, and is made by the workflow and by hand."""
 
-from __future__ import annotations
-
 import ast
 import importlib.util
 import runpy

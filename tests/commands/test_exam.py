@@ -1,7 +1,5 @@
 """``lesson print``: tests on paper for some variants, and their key."""
 
-from __future__ import annotations
-
 import math
 import re
 import signal

@@ -1,7 +1,5 @@
 """Documents: exact, tolerant of unknown keys, strict about wrong values, never half a file."""
 
-from __future__ import annotations
-
 import copy
 import errno
 import itertools

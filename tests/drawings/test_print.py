@@ -1,7 +1,5 @@
 """Figures as an editor measures them: the size of each letter, and the width that a page scales."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import replace
@@ -68,8 +66,10 @@ def test_every_letter_has_the_size_that_is_asked_for(
         assert len(sizes[~low]) and np.abs(sizes[~low] - ASKED_PT).max() < 0.1, ending
 
 
-@pytest.mark.parametrize("width_mm", [84.0, 120.0])
-@pytest.mark.parametrize(("scene", "panes", "values"), [*CHAPTER[:2], CHAPTER[4], CHAPTER[7]])
+@pytest.mark.parametrize(
+    ("scene", "panes", "values", "width_mm"),
+    [(*CHAPTER[0], 84.0), (*CHAPTER[1], 120.0), (*CHAPTER[4], 84.0), (*CHAPTER[7], 120.0)],
+)
 def test_a_figure_is_as_wide_as_asked_after_it_was_cropped(
     scene: str, panes: str, values: tuple[str, ...], width_mm: float
 ) -> None:

@@ -1,7 +1,5 @@
 """Files from strangers become text in one place, `app.strangers.decode`."""
 
-from __future__ import annotations
-
 import ast
 
 import pytest

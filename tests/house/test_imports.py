@@ -4,8 +4,6 @@
 type checkers is late: importing the file does not bring it.
 """
 
-from __future__ import annotations
-
 import ast
 import functools
 import subprocess

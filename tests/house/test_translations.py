@@ -1,7 +1,5 @@
 """Every text of the program is translated, and says what the English one says."""
 
-from __future__ import annotations
-
 import re
 import shutil
 from collections import Counter

@@ -1,7 +1,5 @@
 """The file of a lesson: what is read, and what is refused, with its line."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any

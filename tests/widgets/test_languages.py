@@ -1,7 +1,5 @@
 """The window in each language: what it says, what fits, and how it changes the language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,9 +11,12 @@ from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lessons.course import contained
+from app.model.projection import Perspective
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, settle
+from tests.support.window import MakeWindow, settle, show_scene
+from widgets.parts.messages import TranslatedWords, sentence, stage_title
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import data_folder
@@ -171,3 +172,30 @@ def test_the_language_of_a_lesson_rules_its_card(
         assert window.menus.undo.text() == menu
     card.leave()
     assert languages.of_lessons() == "en"
+
+
+@pytest.mark.undrawn
+def test_sentences_titles_and_a_scenes_card_are_in_the_language(
+    speak: Any, make_window: MakeWindow
+) -> None:
+    speak("hr")
+    with pytest.raises(Refusal) as caught:
+        Perspective(45.0, 3.0, 2.5)
+    assert sentence(caught.value) == (
+        "Bliska ravnina = 3: mora biti manje od udaljenosti daleke ravnine, koja je 2,5."
+    )
+    empty = Refusal.saying(REFUSALS["mesh-empty"], "{1}.obj")
+    assert sentence(empty).startswith("{1}.obj: datoteka je prazna")
+    assert sentence(OSError("no space")) == "no space"
+    titles = [stage_title(name) for name in ("clip_from_view", "rotation", "M_pp")]
+    assert titles == ["odsijecanje ← kamera", "rotacija", "M_pp"]
+    card = show_scene(make_window(), "planar-shadow").controls.card
+    assert card.tries.text().startswith("Povucite svjetiljku") and card.rows["light"].name == (
+        "Svjetlo L"
+    )
+    assert [line[0].text() for line in card.readout.lines[1:3]] == [
+        "vrh P",
+        "njezina sjena S·P / w",
+    ]
+    words = TranslatedWords({"near": "blizu"})
+    assert (words["near"], words["light"], words.get("light", "")) == ("blizu", *["svjetlo"] * 2)

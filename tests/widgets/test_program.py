@@ -1,7 +1,5 @@
 """Round the window: what happens before it opens, when something goes wrong, and at the end."""
 
-from __future__ import annotations
-
 import gc
 import json
 import logging
