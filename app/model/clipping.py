@@ -25,6 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from app.languages import said
 from app.model.limits import within
 from app.model.projection import DEPTH_RANGES, PLANES, Array
 from app.model.refusal import REFUSALS, Refusal
@@ -123,7 +124,8 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
     wrong = opposite.all(axis=-1)
     if wrong.any():
         end = tuple(ends[wrong][0].tolist())
-        raise Refusal(field, end, REFUSALS["distinct"], "the opposite of the segment's other end")
+        other = said("the opposite of the segment's other end")
+        raise Refusal(field, end, REFUSALS["distinct"], other)
 
 
 # --------------------------------------------------------------------------- the six planes

@@ -26,6 +26,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
+from app.languages import said
 from app.model.limits import within
 from app.model.projection import DEPTH_RANGES, Array, Lens, Perspective
 from app.model.refusal import REFUSALS, Refusal
@@ -126,7 +127,7 @@ class DepthBuffer:
             else (codes < 0) | (codes > kind.largest)
         )
         if wrong.any():
-            allowed = f"the whole numbers from 0 to {kind.largest}"
+            allowed = said("the whole numbers from 0 to {0}", kind.largest)
             raise Refusal("code", codes[wrong][0].tolist(), REFUSALS["one-of"], allowed)
         if kind.float_type is None:
             depth = codes / kind.largest

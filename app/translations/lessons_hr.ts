@@ -4132,7 +4132,7 @@
     </message>
     <message>
         <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
-        <translation>Točka {0} skalira se s {1}, zatim pomiče za {2}, zatim dijeli. Koji je to lanac?</translation>
+        <translation>Točka {0} skalira se s {1}, zatim se pomiče za {2}, a zatim se dijeli. Koji je to lanac?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
@@ -5171,7 +5171,7 @@
     </message>
     <message>
         <source>A quarter off</source>
-        <translation>Četvrtina pogreške</translation>
+        <translation>Pogreška od četvrtine</translation>
     </message>
     <message>
         <source>Now the board is drawn *affine*: {0} itself is interpolated, and the checks bend at the diagonal.</source>

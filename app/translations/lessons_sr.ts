@@ -4132,7 +4132,7 @@
     </message>
     <message>
         <source>A point {0} is scaled by {1}, then moved by {2}, then divided. Which chain is that?</source>
-        <translation>Тачка {0} се скалира са {1}, па помера за {2}, па дели. Који је то ланац?</translation>
+        <translation>Тачка {0} се скалира са {1}, па се помера за {2}, па се дели. Који је то ланац?</translation>
     </message>
     <message>
         <source>The viewport needs numbers from −1 to 1.</source>
@@ -5171,7 +5171,7 @@
     </message>
     <message>
         <source>A quarter off</source>
-        <translation>Четвртина грешке</translation>
+        <translation>Грешка од четвртине</translation>
     </message>
     <message>
         <source>Now the board is drawn *affine*: {0} itself is interpolated, and the checks bend at the diagonal.</source>

@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Ekspordi</translation>
+        <translation>Eksport</translation>
     </message>
     <message>
         <source>Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document</source>
@@ -964,8 +964,28 @@
         <translation>--size = {0!r}: peab olema WIDTHxHEIGHT pikslites, näiteks 1800x600.</translation>
     </message>
     <message>
-        <source>--size {0} = {1}: {2}.</source>
-        <translation>--size {0} = {1}: {2}.</translation>
+        <source>       … and {0} more; --csv has them all</source>
+        <translation>       … ja veel {0}; --csv-s on kõik</translation>
+    </message>
+    <message>
+        <source>  installing packages: {0}</source>
+        <translation>  paigaldan pakette: {0}</translation>
+    </message>
+    <message>
+        <source> (cancelled)</source>
+        <translation> (katkestatud)</translation>
+    </message>
+    <message>
+        <source> failed</source>
+        <translation> ebaõnnestus</translation>
+    </message>
+    <message>
+        <source> is there already</source>
+        <translation> on juba olemas</translation>
+    </message>
+    <message>
+        <source>, or have one number such as %03d</source>
+        <translation>, või olgu nimes üks arv nagu %03d</translation>
     </message>
     <message>
         <source>--size, --width and --text-size: need --chart.</source>
@@ -1088,8 +1108,48 @@
         <translation>; filmi jaoks lisage --sweep, --orbit, --stages või --transition</translation>
     </message>
     <message>
+        <source>; needs the network</source>
+        <translation>; vajab võrku</translation>
+    </message>
+    <message>
         <source>; the nearest is {0}</source>
         <translation>; lähim on {0}</translation>
+    </message>
+    <message>
+        <source>A library cannot be loaded ({0}); {1} doctor says more.</source>
+        <translation>Teeki ei saa laadida ({0}); rohkem ütleb {1} doctor.</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Kuva</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Keskkond</translation>
+    </message>
+    <message>
+        <source>Everything needed is here.</source>
+        <translation>Kõik vajalik on olemas.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Eksport</translation>
+    </message>
+    <message>
+        <source>Left out, because it is done in the window: {0}.</source>
+        <translation>Välja jäetud, sest seda tehakse aknas: {0}.</translation>
+    </message>
+    <message>
+        <source>Log folder</source>
+        <translation>Logi kaust</translation>
+    </message>
+    <message>
+        <source>No OpenGL could be started, and 3.2 is needed. {0}</source>
+        <translation>OpenGL-i ei saanud käivitada, aga vaja on versiooni 3.2. {0}</translation>
+    </message>
+    <message>
+        <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
+        <translation>Ükski väärarusaam ei seleta (vastuseid; õppetund, ülesanne, variant; mis sisestati; õige):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1108,6 +1168,22 @@
         <translation>OUT = {0!r}: lõpp peab olema {1}{2}.</translation>
     </message>
     <message>
+        <source>Only OpenGL ES is offered here ({0}), not OpenGL 3.2. {1}</source>
+        <translation>Siin on ainult OpenGL ES ({0}), mitte OpenGL 3.2. {1}</translation>
+    </message>
+    <message>
+        <source>OpenGL {0}.{1} is too old ({2}): 3.2 is needed. {3}</source>
+        <translation>OpenGL {0}.{1} on liiga vana ({2}): vaja on versiooni 3.2. {3}</translation>
+    </message>
+    <message>
+        <source>P does not say near, far and the size of the image</source>
+        <translation>P ei ütle lähi- ja kaugtasandit ega pildi suurust</translation>
+    </message>
+    <message>
+        <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
+        <translation>P-l on w &gt; 0 kaamera taga: võib-olla on y selle pildis suunaga üles</translation>
+    </message>
+    <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
         <translation>POINTS = {0!r}: peab olema CSV-fail või - standardsisendi jaoks; ühe punkti jaoks: echo {1} | {2} project -.</translation>
     </message>
@@ -1116,8 +1192,52 @@
         <translation>POINTS puudub: {0} annab ainult kaamera.</translation>
     </message>
     <message>
+        <source>Panes</source>
+        <translation>Paanid</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Platvorm</translation>
+    </message>
+    <message>
         <source>PyInstaller ended with status {0}.</source>
         <translation>PyInstaller lõppes olekuga {0}.</translation>
+    </message>
+    <message>
+        <source>Python {0}, {1} bits, {2},</source>
+        <translation>Python {0}, bitte {1}, {2},</translation>
+    </message>
+    <message>
+        <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
+        <translation>QT_QPA_PLATFORM = {0}: peab olema üks järgmistest: {1}; eemaldage see muutuja.</translation>
+    </message>
+    <message>
+        <source>Qt cannot reach the X server, because a system library is missing ({0}); {1} doctor says which package provides it.</source>
+        <translation>Qt ei saa ühendust X-serveriga, sest süsteemi teek puudub ({0}); {1} doctor ütleb, millises paketis see on.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
+        <translation>Qt platvorm {0} ei näita OpenGL-i aknaid. {1}</translation>
+    </message>
+    <message>
+        <source>Recovery folder</source>
+        <translation>Taastekaust</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Ekraan</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Kõrvale jäetud</translation>
+    </message>
+    <message>
+        <source>Settings folder</source>
+        <translation>Seadete kaust</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Standardsisend</translation>
     </message>
     <message>
         <source>Standard output cannot be written: {0}.</source>
@@ -1128,12 +1248,124 @@
         <translation>Standardväljund on suletud.</translation>
     </message>
     <message>
+        <source>System libraries</source>
+        <translation>Süsteemi teegid</translation>
+    </message>
+    <message>
+        <source>The X server DISPLAY = {0} does not answer or does not let this user in</source>
+        <translation>X-server DISPLAY = {0} ei vasta või ei lase seda kasutajat sisse</translation>
+    </message>
+    <message>
+        <source>The other states need scripts.</source>
+        <translation>Teiste olekute jaoks on vaja skripte.</translation>
+    </message>
+    <message>
         <source>The settings cannot be deleted: {0}.</source>
         <translation>Sätteid ei saa kustutada: {0}.</translation>
     </message>
     <message>
         <source>The window</source>
         <translation>Aken</translation>
+    </message>
+    <message>
+        <source>There is no screen to open a window on ({0} names none)</source>
+        <translation>Pole ekraani, kus akent avada ({0} ei nimeta ühtegi)</translation>
+    </message>
+    <message>
+        <source>This is missing:</source>
+        <translation>Puudub:</translation>
+    </message>
+    <message>
+        <source>This page does not keep what you type; print it to keep it.</source>
+        <translation>See leht ei säilita, mida sisestate; säilitamiseks printige see.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver; on Linux install Mesa (libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1, and over a remote desktop use one that offers OpenGL.</source>
+        <translation>Uuendage graafikadraiverit; Linuxis paigaldage Mesa (libgl1-mesa-dri) või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1, ja kaugtöölaual kasutage sellist, mis pakub OpenGL-i.</translation>
+    </message>
+    <message>
+        <source>WIDTHxHEIGHT in {0}, such as 120mmx80mm or 1800x600</source>
+        <translation>WIDTHxHEIGHT ühikutes {0}, näiteks 120mmx80mm või 1800x600</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Aken</translation>
+    </message>
+    <message>
+        <source>Wrong ideas (answers, students):</source>
+        <translation>Väärarusaamad (vastuseid, tudengeid):</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Teie vastus</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>lõplik arv</translation>
+    </message>
+    <message>
+        <source>a font</source>
+        <translation>font</translation>
+    </message>
+    <message>
+        <source>a length in {0}, such as 84mm</source>
+        <translation>pikkus ühikutes {0}, näiteks 84mm</translation>
+    </message>
+    <message>
+        <source>a number of degrees</source>
+        <translation>kraadide arv</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>punktide arv</translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation>osa</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>täisarv</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 17</source>
+        <translation>täisarv 1 kuni 17</translation>
+    </message>
+    <message>
+        <source>a x + b y + c z + d &gt;= 0 in the view volume, in world space</source>
+        <translation>a x + b y + c z + d &gt;= 0 nähtavas ruumis, maailma koordinaatides</translation>
+    </message>
+    <message>
+        <source>all here</source>
+        <translation>kõik olemas</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>ja veel {0}</translation>
+    </message>
+    <message>
+        <source>angle = {0}°</source>
+        <translation>nurk = {0}°</translation>
+    </message>
+    <message>
+        <source>another start is setting up Frustum Lab; waiting for it to finish</source>
+        <translation>teine käivitus seab parajasti Frustum Labi üles; ootan, kuni see lõpetab</translation>
+    </message>
+    <message>
+        <source>apt-get failed ({0}); try: {1}</source>
+        <translation>apt-get ebaõnnestus ({0}); proovige: {1}</translation>
+    </message>
+    <message>
+        <source>argument %(argument_name)s: %(message)s</source>
+        <translation>%(argument_name)s: %(message)s</translation>
+    </message>
+    <message>
+        <source>at infinity</source>
+        <translation>lõpmatuses</translation>
+    </message>
+    <message>
+        <source>bringing {0} up to date</source>
+        <translation>ajakohastan: {0}</translation>
     </message>
     <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
@@ -1144,16 +1376,144 @@
         <translation>bundle: sellel programmil ei ole lähtekoodi kausta, millest seda teha.</translation>
     </message>
     <message>
+        <source>cannot be loaded: {0}</source>
+        <translation>ei saa laadida: {0}</translation>
+    </message>
+    <message>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
+        <translation>suurtähed on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
+    </message>
+    <message>
+        <source>check the network and run again: {again}</source>
+        <translation>kontrollige võrku ja käivitage uuesti: {again}</translation>
+    </message>
+    <message>
+        <source>close all windows of Frustum Lab and run again: {again}</source>
+        <translation>sulgege kõik Frustum Labi aknad ja käivitage uuesti: {again}</translation>
+    </message>
+    <message>
+        <source>column vectors, M p</source>
+        <translation>veeruvektorid, M p</translation>
+    </message>
+    <message>
         <source>commands are {0}</source>
         <translation>käsud on {0}</translation>
+    </message>
+    <message>
+        <source>computed in {0}; errors are below: {1}</source>
+        <translation>arvutatud: {0}; vead on väiksemad kui: {1}</translation>
+    </message>
+    <message>
+        <source>does not answer within {0:g} s</source>
+        <translation>ei vasta {0:g} s jooksul</translation>
+    </message>
+    <message>
+        <source>drawn in the window by OpenGL</source>
+        <translation>aknas joonistab OpenGL</translation>
+    </message>
+    <message>
+        <source>drawn off-screen and painted as pixels</source>
+        <translation>joonistatakse ekraaniväliselt ja näidatakse pikslitena</translation>
+    </message>
+    <message>
+        <source>exit status {0}</source>
+        <translation>väljumisolek {0}</translation>
+    </message>
+    <message>
+        <source>expected one argument</source>
+        <translation>vaja on ühte argumenti</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
         <translation>file = {0!r}: on õppetund; nimetage selle samm veerus step või kirjutage number, näiteks %02d, väljale out = {1!r}.</translation>
     </message>
     <message>
+        <source>first start: setting up {0} (once{1})</source>
+        <translation>esimene käivitus: sean üles {0} (üks kord{1})</translation>
+    </message>
+    <message>
+        <source>float32 cannot hold its numbers</source>
+        <translation>float32 ei mahuta selle arve</translation>
+    </message>
+    <message>
+        <source>for x right, y down, z forward; pixels from the centre of the first one</source>
+        <translation>kui x on paremale, y alla, z ette; pikslid esimese keskpunktist</translation>
+    </message>
+    <message>
+        <source>frame {0}/{1}</source>
+        <translation>kaader {0}/{1}</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages</source>
+        <translation>jätkan paigaldatud pakettidega</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages, which do not meet {0}</source>
+        <translation>jätkan paigaldatud pakettidega, mis ei vasta nõudele {0}</translation>
+    </message>
+    <message>
+        <source>graphics card</source>
+        <translation>graafikakaart</translation>
+    </message>
+    <message>
+        <source>has {0} columns, but the first row names {1}.</source>
+        <translation>veerge on {0}, aga esimene rida nimetab {1}.</translation>
+    </message>
+    <message>
+        <source>ignored explicit argument %r</source>
+        <translation>ei võta väärtust %r</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>sees</translation>
+    </message>
+    <message>
+        <source>install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver</source>
+        <translation>paigaldage Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) või uuendage draiverit</translation>
+    </message>
+    <message>
+        <source>installing system packages: {0}</source>
+        <translation>paigaldan süsteemi pakette: {0}</translation>
+    </message>
+    <message>
+        <source>it is a device, neither a file nor a pipe</source>
+        <translation>see on seade, mitte fail ega toru</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>see on suletud</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} MiB</source>
+        <translation>see on suurem kui {0} MiB</translation>
+    </message>
+    <message>
+        <source>its view coordinates are at infinity</source>
+        <translation>selle koordinaadid kaamerafreimis on lõpmatuses</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>võti</translation>
+    </message>
+    <message>
+        <source>largest error in px</source>
+        <translation>suurim viga pikslites</translation>
+    </message>
+    <message>
+        <source>left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)</source>
+        <translation>vasaku käe maailm: z vastupidine; kaamera vaatab piki -z, y üles (worldToCameraMatrix)</translation>
+    </message>
+    <message>
+        <source>left-handed: world z reversed; looks along +z, y up</source>
+        <translation>vasaku käe süsteem: maailma z vastupidine; vaatab piki +z, y üles</translation>
+    </message>
+    <message>
         <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
         <translation>lens.kind = matrix: vabal maatriksil ei ole lähitasandit, kaugtasandit ega nurka, mida mõõta; peab olema üks järgmistest: {0}.</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>õppetund</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1168,6 +1528,30 @@
         <translation>lesson results vajab faili (FILE).</translation>
     </message>
     <message>
+        <source>line</source>
+        <translation>rida</translation>
+    </message>
+    <message>
+        <source>looks along -z, y up</source>
+        <translation>vaatab piki -z, y üles</translation>
+    </message>
+    <message>
+        <source>looks along -z; y of clip down</source>
+        <translation>vaatab piki -z; kärperuumi y alla</translation>
+    </message>
+    <message>
+        <source>make {0} a folder that you may write to</source>
+        <translation>tehke nii, et {0} oleks kaust, kuhu tohite kirjutada</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>puudub</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>puudub: {0}</translation>
+    </message>
+    <message>
         <source>nearest command is {0}</source>
         <translation>lähim käsk on {0}</translation>
     </message>
@@ -1176,12 +1560,48 @@
         <translation>mitte ühtegi nime</translation>
     </message>
     <message>
+        <source>no package server could be reached</source>
+        <translation>ühegi paketiserveriga ei saanud ühendust</translation>
+    </message>
+    <message>
         <source>no smooth edges then</source>
         <translation>siis ei ole servad sujuvad</translation>
     </message>
     <message>
+        <source>no tested version of {0} here: trying others</source>
+        <translation>siin pole paketi {0} proovitud versiooni: proovin teisi</translation>
+    </message>
+    <message>
         <source>no transparency</source>
         <translation>läbipaistvust ei ole</translation>
+    </message>
+    <message>
+        <source>no version fits {python} on this machine; use another Python</source>
+        <translation>ükski versioon ei sobi selles arvutis: {python} kasutage teist Pythonit</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>pole</translation>
+    </message>
+    <message>
+        <source>none for windows: {0}</source>
+        <translation>akende jaoks pole: {0}</translation>
+    </message>
+    <message>
+        <source>none: {0}</source>
+        <translation>pole: {0}</translation>
+    </message>
+    <message>
+        <source>not set up yet</source>
+        <translation>veel üles seadmata</translation>
+    </message>
+    <message>
+        <source>not without ffmpeg; .webp needs none</source>
+        <translation>mitte ilma ffmpeg-ita; .webp seda ei vaja</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>võtmed</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1196,16 +1616,220 @@
         <translation>out = {0!r}: peab olema failinimi ilma kaustata.</translation>
     </message>
     <message>
+        <source>outside of</source>
+        <translation>väljaspool:</translation>
+    </message>
+    <message>
+        <source>overwritten</source>
+        <translation>üle kirjutatud</translation>
+    </message>
+    <message>
+        <source>packages</source>
+        <translation>pakette</translation>
+    </message>
+    <message>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
+        <translation>osa tekstist on ainult esineja märkmetes: {0}</translation>
+    </message>
+    <message>
         <source>pip does not find all packages for {0}, Python {1}.</source>
         <translation>pip ei leia kõiki pakette: {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>punkt {0}</translation>
+    </message>
+    <message>
+        <source>positional arguments</source>
+        <translation>argumendid</translation>
+    </message>
+    <message>
+        <source>put Frustum Lab into a folder that you may write to</source>
+        <translation>pange Frustum Lab kausta, kuhu tohite kirjutada</translation>
+    </message>
+    <message>
+        <source>row vectors, p M</source>
+        <translation>reavektorid, p M</translation>
+    </message>
+    <message>
+        <source>run again: {again}; {program} doctor says more</source>
+        <translation>käivitage uuesti: {again}; rohkem ütleb {program} doctor</translation>
+    </message>
+    <message>
+        <source>scale = {0} is free, and so is its sign</source>
+        <translation>scale = {0} on vaba ja märk samuti</translation>
+    </message>
+    <message>
+        <source>see Window</source>
+        <translation>vt Aken</translation>
+    </message>
+    <message>
+        <source>see the system libraries above</source>
+        <translation>vt süsteemi teeke eespool</translation>
+    </message>
+    <message>
+        <source>set up in {0:.0f} s</source>
+        <translation>üles seatud, aeg {0:.0f} s</translation>
+    </message>
+    <message>
+        <source>show this help message and exit</source>
+        <translation>näita seda abi ja lõpeta</translation>
+    </message>
+    <message>
+        <source>smallest gap in world units</source>
+        <translation>väikseim vahe maailma ühikutes</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>seni</translation>
+    </message>
+    <message>
+        <source>software, without a graphics card</source>
+        <translation>tarkvaraline, ilma graafikakaardita</translation>
+    </message>
+    <message>
+        <source>talk</source>
+        <translation>ettekanne</translation>
     </message>
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk vajab valikut --check või --handout OUT.pdf; {0} {1} avab ettekande.</translation>
     </message>
     <message>
+        <source>the Python packages could not be installed</source>
+        <translation>Pythoni pakette ei saanud paigaldada</translation>
+    </message>
+    <message>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
+        <translation>kaamera vaatab piki +z, y alla; K on pikslites, esimese piksli keskpunkt on 0, 0</translation>
+    </message>
+    <message>
+        <source>the driver crashed (signal {0})</source>
+        <translation>draiver jooksis kokku (signaal {0})</translation>
+    </message>
+    <message>
+        <source>the first start sets it up, which needs the network: {0}</source>
+        <translation>selle seab üles esimene käivitus, milleks on vaja võrku: {0}</translation>
+    </message>
+    <message>
+        <source>the following arguments are required: %s</source>
+        <translation>puuduvad argumendid: %s</translation>
+    </message>
+    <message>
+        <source>the package server does not answer; trying again</source>
+        <translation>paketiserver ei vasta; proovin uuesti</translation>
+    </message>
+    <message>
+        <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
+        <translation>pakett {0} on vigane ({1}); asendage see ja käivitage uuesti: {2}</translation>
+    </message>
+    <message>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
+        <translation>tee {folder} on liiga pikk: viige koodi kaust ketta juurele lähemale</translation>
+    </message>
+    <message>
+        <source>the picture is at infinity too: w = 0, and lines of this direction stay parallel</source>
+        <translation>ka kujutis on lõpmatuses: w = 0, ja selle suuna sirged jäävad paralleelseks</translation>
+    </message>
+    <message>
+        <source>the point at infinity is behind the eye; the opposite direction has a picture</source>
+        <translation>lõpmatuspunkt on silma taga; vastassuunal on kujutis</translation>
+    </message>
+    <message>
+        <source>the point is in front of the eye; its pixel is larger than float64 can hold</source>
+        <translation>punkt on silma ees; selle piksel on suurem, kui float64 mahutab</translation>
+    </message>
+    <message>
+        <source>the point is not in front of the eye</source>
+        <translation>punkt pole silma ees</translation>
+    </message>
+    <message>
+        <source>the rightmost factor acts first</source>
+        <translation>kõige parempoolne tegur mõjub esimesena</translation>
+    </message>
+    <message>
+        <source>the set-up failed</source>
+        <translation>ülesseadmine ebaõnnestus</translation>
+    </message>
+    <message>
+        <source>the set-up was stopped; to go on: {0}</source>
+        <translation>ülesseadmine katkestati; jätkamiseks: {0}</translation>
+    </message>
+    <message>
+        <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
+        <translation>K kalle {0:.1g} on välja jäetud: nii mitu pikslit 45 kraadi ülal või all</translation>
+    </message>
+    <message>
+        <source>the text is longer or higher than the two lines above the picture.</source>
+        <translation>tekst on pikem või kõrgem kui kaks rida pildi kohal.</translation>
+    </message>
+    <message>
+        <source>the view volume</source>
+        <translation>nähtav ruum</translation>
+    </message>
+    <message>
         <source>the window</source>
         <translation>aken</translation>
+    </message>
+    <message>
+        <source>there is no room</source>
+        <translation>ruumi pole</translation>
+    </message>
+    <message>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
+        <translation>selle arvuti reeglid keelavad programmid kaustas {folder}; küsige arvuti ülesseadjalt</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; install what provides them, and start again</source>
+        <translation>selles süsteemis puudub: {0}; paigaldage vajalik ja käivitage uuesti</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; run: {1}</source>
+        <translation>selles süsteemis puudub: {0}; käivitage: {1}</translation>
+    </message>
+    <message>
+        <source>through {0}</source>
+        <translation>vahend: {0}</translation>
+    </message>
+    <message>
+        <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
+        <translation>ruumi on liiga vähe: vabastage {space} GB kausta {folder} kõrval, või määrake TMPDIR, kui ajutiste failide kaust on täis, ja käivitage uuesti: {again}</translation>
+    </message>
+    <message>
+        <source>unrecognized arguments: %s</source>
+        <translation>tundmatud argumendid: %s</translation>
+    </message>
+    <message>
+        <source>update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>uuendage graafikadraiverit või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>usage: </source>
+        <translation>kasutus: </translation>
+    </message>
+    <message>
+        <source>view.names has {0}, which no pane draws here.</source>
+        <translation>view.names sisaldab {0}, mida siin ükski paan ei joonista.</translation>
+    </message>
+    <message>
+        <source>way = {0} %</source>
+        <translation>tee = {0} %</translation>
+    </message>
+    <message>
+        <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
+        <translation>joonistatu katab {0:.0%} laiusest ja {1:.0%} kõrgusest; vähemalt ühest peab katma {2:.0%}, ja kui see on alla {3:.0%}, siis ka {4:.0%} pindalast.</translation>
+    </message>
+    <message>
+        <source>without a display through {0}, {1}</source>
+        <translation>ilma kuvata, vahend: {0}, {1}</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>kirjutatud</translation>
+    </message>
+    <message>
+        <source>x, y and z divided by w</source>
+        <translation>x, y ja z jagatud w-ga</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
@@ -1218,6 +1842,10 @@
     <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} ei ole nimi, mis failil olla saab.</translation>
+    </message>
+    <message>
+        <source>{0} (needed: {1})</source>
+        <translation>{0} (vajalik: {1})</translation>
     </message>
     <message>
         <source>{0} = {1!r}: has a character NUL.</source>
@@ -1252,8 +1880,24 @@
         <translation>{0} = {1!r}: kausta {2} ei ole.</translation>
     </message>
     <message>
+        <source>{0} Not measured: {1}.</source>
+        <translation>{0} Mõõtmata: {1}.</translation>
+    </message>
+    <message>
         <source>{0} cannot be read: {1}.</source>
         <translation>{0}: ei saa lugeda: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed ({1}); close the programs that run in it and run again: {2}</source>
+        <translation>{0}: ei saanud eemaldada ({1}); sulgege programmid, mis selles töötavad, ja käivitage uuesti: {2}</translation>
+    </message>
+    <message>
+        <source>{0} failed</source>
+        <translation>{0} ebaõnnestus</translation>
+    </message>
+    <message>
+        <source>{0} has no bound</source>
+        <translation>{0}: tõke puudub</translation>
     </message>
     <message>
         <source>{0} has no figures: its first row names columns, the others are one.</source>
@@ -1264,6 +1908,14 @@
         <translation>Failis {0} ei ole punkte: selles peavad olema read x,y,z.</translation>
     </message>
     <message>
+        <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
+        <translation>{0} on {1} kB, telefonilehel võiks olla kõige rohkem {2} kB: küsige vähem, valik: {3}.</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{0}, kaust {1}</translation>
+    </message>
+    <message>
         <source>{0} is a command and must come first: {1} {0} ...</source>
         <translation>{0} on käsk ja peab olema esimene: {1} {0} ...</translation>
     </message>
@@ -1272,12 +1924,36 @@
         <translation>{0} on stseen: kirjutage --set scene={0}.</translation>
     </message>
     <message>
+        <source>{0} is not a folder; rename or remove it, and run again: {1}</source>
+        <translation>{0} ei ole kaust; nimetage see ümber või eemaldage ja käivitage uuesti: {1}</translation>
+    </message>
+    <message>
         <source>{0} is not an option of {1}; the nearest is {2}.</source>
         <translation>{0} ei ole valik, mida tunneb {1}; lähim on {2}.</translation>
     </message>
     <message>
+        <source>{0} lacks {1} although pip installed them; remove it and start again: {2}</source>
+        <translation>{0}: puudub {1}, kuigi pip selle paigaldas; eemaldage kaust ja käivitage uuesti: {2}</translation>
+    </message>
+    <message>
+        <source>{0} lacks {1}; start again: {2}</source>
+        <translation>{0}: puudub {1}; käivitage uuesti: {2}</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} peavad minema eri failidesse.</translation>
+    </message>
+    <message>
+        <source>{0} not as in the files</source>
+        <translation>{0} teisiti kui failides</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0}/{1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} või {1}</translation>
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
@@ -1288,8 +1964,28 @@
         <translation>{0} sai tühja nime.</translation>
     </message>
     <message>
+        <source>{0} was made by another program and lacks {1}; complete it with that program, or remove it and start again: {2}</source>
+        <translation>{0} on teise programmi tehtud ja seal puudub: {1}; täiendage seda selle programmiga, või eemaldage ja käivitage uuesti: {2}</translation>
+    </message>
+    <message>
+        <source>{0} wrong</source>
+        <translation>valesid: {0}</translation>
+    </message>
+    <message>
         <source>{0}, line {1}: is not CSV ({2}).</source>
         <translation>{0}, rida {1}: ei ole CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}, step {1}</source>
+        <translation>{0}, samm {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
+        <translation>{0}, ülekoormatud: {1}, tühje: {2}, peidetud: {3}, ära lõigatud: {4}; kokku: {5}</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
+        <translation>{0}, {1}: õigeid {2}, valesid {3}, näidatud {4}, hindamata {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -1304,8 +2000,48 @@
         <translation>{0}: veerge {1} on kaks.</translation>
     </message>
     <message>
-        <source>{0}: has {1} columns, but the first row names {2}.</source>
-        <translation>{0}: veerge on {1}, aga esimene rida nimetab {2}.</translation>
+        <source>{0}: {1} drawn, {2} wrong</source>
+        <translation>{0}: joonistatud: {1}, valesid: {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} x {2} at scale {3:g}</source>
+        <translation>{0}: {1} x {2}, mastaap {3:g}</translation>
+    </message>
+    <message>
+        <source>{0}; Frustum Lab prefers its own packages</source>
+        <translation>{0}; Frustum Lab eelistab oma pakette</translation>
+    </message>
+    <message>
+        <source>{0}; at most {1}.</source>
+        <translation>{0}; kõige rohkem {1}.</translation>
+    </message>
+    <message>
+        <source>“{0}” has an underscore that is not typeset.</source>
+        <translation>„{0}“: alakriips, mida pole indeksina laotud.</translation>
+    </message>
+    <message>
+        <source>“{0}” is cut off at the border.</source>
+        <translation>„{0}“ on serval ära lõigatud.</translation>
+    </message>
+    <message>
+        <source>“{0}” is named and not drawn: there is no place for it.</source>
+        <translation>„{0}“ on nimetatud, aga joonistamata: selle jaoks pole kohta.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies behind the viewer.</source>
+        <translation>„{0}“ asub vaataja taga.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies on the point that “{1}” names.</source>
+        <translation>„{0}“ asub punktil, mida nimetab „{1}“.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies outside the pane by {1:.1%} of its height.</source>
+        <translation>„{0}“ asub paanist väljas {1:.1%} võrra selle kõrgusest.</translation>
+    </message>
+    <message>
+        <source>“{0}” overlaps “{1}”.</source>
+        <translation>„{0}“ ja „{1}“ kattuvad.</translation>
     </message>
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
@@ -1320,8 +2056,20 @@
         <translation>{0}: on juba olemas; eemaldage see või valige teine kaust.</translation>
     </message>
     <message>
+        <source>{0}: line {1}, step {2} ({3})</source>
+        <translation>{0}: rida {1}, samm {2} ({3})</translation>
+    </message>
+    <message>
         <source>{0}: must name columns x, y and z, or hold a point.</source>
         <translation>{0}: peab nimetama veerud x, y ja z või sisaldama punkti.</translation>
+    </message>
+    <message>
+        <source>{0}: not writable</source>
+        <translation>{0}: ei saa kirjutada</translation>
+    </message>
+    <message>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: käivitage programm töölaual, ssh kaudu võtmega -X, või nii, et ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -1334,6 +2082,130 @@
     <message>
         <source>{0}: {1} = {2}: must lie within ±{3}.</source>
         <translation>{0}: {1} = {2}: peab olema vahemikus ±{3}.</translation>
+    </message>
+    <message>
+        <source>There are no settings to delete: {0}</source>
+        <translation>Kustutatavaid sätteid pole: {0}</translation>
+    </message>
+    <message>
+        <source>Settings deleted: {0}</source>
+        <translation>Sätted on kustutatud: {0}</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, not a regular file</source>
+        <translation>see on toru või seade, mitte tavaline fail</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} GiB</source>
+        <translation>see on suurem kui {0} GiB</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>see pole tavaline fail</translation>
+    </message>
+    <message>
+        <source>is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong</source>
+        <translation>ei ole UTF-8 ega UTF-16 tekst ja loetakse Latin-1-na; mõni täht võib olla vale</translation>
+    </message>
+    <message>
+        <source>is damaged UTF-16 or UTF-32 text; what cannot be read is shown as �</source>
+        <translation>on vigane UTF-16 või UTF-32 tekst; loetamatu asemel on �</translation>
+    </message>
+    <message>
+        <source>a question or a task</source>
+        <translation>küsimus või tegevus</translation>
+    </message>
+    <message>
+        <source>“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices</source>
+        <translation>„value:“, „count:“, „matrix:“, „click:“, „order:“ või valikvastused</translation>
+    </message>
+    <message>
+        <source>{0} and choices</source>
+        <translation>{0} ja valikvastused</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>lõpp</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>asend</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Joonistamiseks pole OpenGL 3.2: uuendage graafikadraiverit; Linuxis paigaldage Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1.</translation>
+    </message>
+    <message>
+        <source>the whole numbers from 0 to {0}</source>
+        <translation>täisarvud 0 kuni {0}</translation>
+    </message>
+    <message>
+        <source>the opposite of the segment&apos;s other end</source>
+        <translation>(lõigu teise otsa vastandpunkt)</translation>
+    </message>
+    <message>
+        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
+        <translation>muuda dokumendi väärtust, näiteks lens.far=inf; võib korrata; nimed on {0} ja stseeni sätte jaoks settings.NAME</translation>
+    </message>
+    <message>
+        <source>commands, each with its own --help:</source>
+        <translation>käsud, igaühel oma --help:</translation>
+    </message>
+    <message>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
+        <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} ja {1}</translation>
+    </message>
+    <message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>nihe</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>pööre</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skaleerimine</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>kaldnihe</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>peegeldus</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>maatriks</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>maailm</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>vaade</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>kärperuum</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>pilt px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>sügavus</translation>
     </message>
 </context>
 <context>
@@ -1439,6 +2311,114 @@
     <message>
         <source>No control has this name.</source>
         <translation>Sellise nimega juhtelementi ei ole.</translation>
+    </message>
+</context>
+<context>
+    <name>Count</name>
+    <message numerus="yes">
+        <source>%n answers</source>
+        <translation>
+            <numerusform>%n vastus</numerusform>
+            <numerusform>%n vastust</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n kontroll</numerusform>
+            <numerusform>%n kontrolli</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n veerg</numerusform>
+            <numerusform>%n veergu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation>
+            <numerusform>%n fail</numerusform>
+            <numerusform>%n faili</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n silt</numerusform>
+            <numerusform>%n silti</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lessons</source>
+        <translation>
+            <numerusform>%n õppetund</numerusform>
+            <numerusform>%n õppetundi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n hinnang</numerusform>
+            <numerusform>%n hinnangut</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names</source>
+        <translation>
+            <numerusform>%n nimi</numerusform>
+            <numerusform>%n nime</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n overlaps</source>
+        <translation>
+            <numerusform>%n kattumine</numerusform>
+            <numerusform>%n kattumist</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n samm</numerusform>
+            <numerusform>%n sammu</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n talks</source>
+        <translation>
+            <numerusform>%n ettekanne</numerusform>
+            <numerusform>%n ettekannet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n hoiatus</numerusform>
+            <numerusform>%n hoiatust</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercises</source>
+        <translation>
+            <numerusform>%n ülesanne</numerusform>
+            <numerusform>%n ülesannet</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes</source>
+        <translation>
+            <numerusform>%n minut</numerusform>
+            <numerusform>%n minutit</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n valim</numerusform>
+            <numerusform>%n valimit</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1610,21 +2590,6 @@
         <source>A pane cannot draw with {0}: it uses its default smoothing</source>
         <translation>Üks paan ei saa kasutada silumist {0}: see kasutab oma tavalist silumist</translation>
     </message>
-    <message numerus="yes">
-        <source>%n samples per pixel</source>
-        <translation>
-            <numerusform>%n valim piksli kohta</numerusform>
-            <numerusform>%n valimit piksli kohta</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>1 sample per pixel</source>
-        <translation>1 valim piksli kohta</translation>
-    </message>
-    <message>
-        <source>This computer&apos;s OpenGL gives {0} instead of {1}</source>
-        <translation>Selle arvuti OpenGL annab {0}, mitte {1}</translation>
-    </message>
     <message>
         <source>The scene has too few triangles to leave any out</source>
         <translation>Stseenis on kolmnurki liiga vähe, et neid ära jätta</translation>
@@ -1640,6 +2605,10 @@
     <message>
         <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
         <translation>Isegi kõige jämedama pildi jaoks kulub kaadri kohta {0} ms, mitte {1}</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
+        <translation>Selle arvuti OpenGL annab piksli kohta {0}, mitte {1}</translation>
     </message>
 </context>
 <context>
@@ -2540,11 +3509,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>tiirlemine nurgad</translation>
+        <translation>tiirlemise nurgad</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>tiirlemine kalle</translation>
+        <translation>tiirlemise kalle</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -4847,7 +5816,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>puudub</translation>
+        <translation>pole</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -5343,10 +6312,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>kaamera ja objektiiv nii, nagu mõni teine programm need kirjutab</translation>
     </message>
     <message>
-        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation>muuda dokumendi väärtust, näiteks lens.far=inf; võib korrata; nimed on {0} ja stseeni sätte jaoks settings.NAME</translation>
-    </message>
-    <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
         <translation>kontrolli või loetle õppetunde ja ettekandeid, trüki ülesannete teste, hinda tulemusi</translation>
     </message>
@@ -5361,10 +6326,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
         <translation>värvid: nagu heledal või tumedal ekraanil; trüki jaoks, kus tahud ja jooned erinevad ka halltoonilt; või suurima kontrastiga (vaikimisi: screen)</translation>
-    </message>
-    <message>
-        <source>commands, each with its own --help:</source>
-        <translation>käsud, igaühel oma --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -5457,10 +6418,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
         <translation>selle asemel: kood ja selle paketid, Pythoniga masinate jaoks</translation>
-    </message>
-    <message>
-        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5887,19 +6844,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
-        <translation>{0} / {1}</translation>
-    </message>
-    <message>
-        <source>about %n minutes</source>
-        <translation>umbes %n minutit</translation>
-    </message>
-    <message>
-        <source>about 1 minute</source>
-        <translation>umbes 1 minut</translation>
-    </message>
-    <message>
-        <source>&amp;Review: {0}, {1}</source>
-        <translation>&amp;Kordamine: {0}, {1}</translation>
+        <translation>{0}/{1}</translation>
     </message>
     <message>
         <source>The next review is tomorrow.</source>
@@ -5960,6 +6905,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Nothing has come back today.</source>
         <translation>Täna ei ole midagi tagasi tulnud.</translation>
+    </message>
+    <message>
+        <source>&amp;Review: {0}, about {1}</source>
+        <translation>&amp;Kordamine: {0}, umbes {1}</translation>
     </message>
 </context>
 <context>
@@ -6148,13 +7097,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>depth = {0}: must be that of something drawn, but nothing is here</source>
         <translation>sügavus = {0}: see peab olema millegi joonistatu sügavus, aga siin ei ole midagi</translation>
-    </message>
-</context>
-<context>
-    <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
     </message>
 </context>
 <context>
@@ -7848,14 +8790,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 </context>
 <context>
     <name>SelfTestDialog</name>
-    <message>
-        <source>1 exercise</source>
-        <translation>1 ülesanne</translation>
-    </message>
-    <message>
-        <source>%n exercises</source>
-        <translation>%n ülesannet</translation>
-    </message>
     <message>
         <source>Test yourself</source>
         <translation>Enesekontroll</translation>
@@ -10765,7 +11699,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>puudub</translation>
+        <translation>pole</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>

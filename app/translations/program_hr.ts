@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Izvezi</translation>
+        <translation>Izvoz</translation>
     </message>
     <message>
         <source>Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document</source>
@@ -964,8 +964,28 @@
         <translation>--size = {0!r}: mora biti WIDTHxHEIGHT u pikselima, npr. 1800x600.</translation>
     </message>
     <message>
-        <source>--size {0} = {1}: {2}.</source>
-        <translation>--size {0} = {1}: {2}.</translation>
+        <source>       … and {0} more; --csv has them all</source>
+        <translation>       … i još {0}; --csv ima sve</translation>
+    </message>
+    <message>
+        <source>  installing packages: {0}</source>
+        <translation>  instaliram pakete: {0}</translation>
+    </message>
+    <message>
+        <source> (cancelled)</source>
+        <translation> (prekinuto)</translation>
+    </message>
+    <message>
+        <source> failed</source>
+        <translation> nije uspjelo</translation>
+    </message>
+    <message>
+        <source> is there already</source>
+        <translation> već postoji</translation>
+    </message>
+    <message>
+        <source>, or have one number such as %03d</source>
+        <translation>, ili imati jedan broj kao %03d</translation>
     </message>
     <message>
         <source>--size, --width and --text-size: need --chart.</source>
@@ -1088,8 +1108,48 @@
         <translation>; za film dodajte --sweep, --orbit, --stages ili --transition</translation>
     </message>
     <message>
+        <source>; needs the network</source>
+        <translation>; treba mreža</translation>
+    </message>
+    <message>
         <source>; the nearest is {0}</source>
         <translation>; najbliže je {0}</translation>
+    </message>
+    <message>
+        <source>A library cannot be loaded ({0}); {1} doctor says more.</source>
+        <translation>Biblioteka se ne može učitati ({0}); više kaže {1} doctor.</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Zaslon</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Okruženje</translation>
+    </message>
+    <message>
+        <source>Everything needed is here.</source>
+        <translation>Sve što treba je tu.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Izvoz</translation>
+    </message>
+    <message>
+        <source>Left out, because it is done in the window: {0}.</source>
+        <translation>Izostavljeno, jer se rješava u prozoru: {0}.</translation>
+    </message>
+    <message>
+        <source>Log folder</source>
+        <translation>Mapa zapisnika</translation>
+    </message>
+    <message>
+        <source>No OpenGL could be started, and 3.2 is needed. {0}</source>
+        <translation>OpenGL se nije mogao pokrenuti, a treba 3.2. {0}</translation>
+    </message>
+    <message>
+        <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
+        <translation>Nijedna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1108,6 +1168,22 @@
         <translation>OUT = {0!r}: mora završavati na {1}{2}.</translation>
     </message>
     <message>
+        <source>Only OpenGL ES is offered here ({0}), not OpenGL 3.2. {1}</source>
+        <translation>Ovdje postoji samo OpenGL ES ({0}), a ne OpenGL 3.2. {1}</translation>
+    </message>
+    <message>
+        <source>OpenGL {0}.{1} is too old ({2}): 3.2 is needed. {3}</source>
+        <translation>OpenGL {0}.{1} je prestar ({2}): treba 3.2. {3}</translation>
+    </message>
+    <message>
+        <source>P does not say near, far and the size of the image</source>
+        <translation>P ne određuje blisku ni daleku ravninu ni veličinu slike</translation>
+    </message>
+    <message>
+        <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
+        <translation>P ima w &gt; 0 iza kamere: možda je y u njezinoj slici usmjeren prema gore</translation>
+    </message>
+    <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
         <translation>POINTS = {0!r}: mora biti datoteka CSV, ili - za standardni ulaz; za jednu točku: echo {1} | {2} project -.</translation>
     </message>
@@ -1116,8 +1192,52 @@
         <translation>POINTS nedostaje: {0} daje samo kameru.</translation>
     </message>
     <message>
+        <source>Panes</source>
+        <translation>Okna</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Platforma</translation>
+    </message>
+    <message>
         <source>PyInstaller ended with status {0}.</source>
         <translation>PyInstaller je završio sa statusom {0}.</translation>
+    </message>
+    <message>
+        <source>Python {0}, {1} bits, {2},</source>
+        <translation>Python {0}, broj bitova {1}, {2},</translation>
+    </message>
+    <message>
+        <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
+        <translation>QT_QPA_PLATFORM = {0}: mora biti jedno od {1}; uklonite tu varijablu.</translation>
+    </message>
+    <message>
+        <source>Qt cannot reach the X server, because a system library is missing ({0}); {1} doctor says which package provides it.</source>
+        <translation>Qt ne može doći do poslužitelja X, jer nedostaje biblioteka sustava ({0}); {1} doctor kaže koji je paket sadrži.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
+        <translation>Qt-ova platforma {0} ne prikazuje prozore s OpenGL-om. {1}</translation>
+    </message>
+    <message>
+        <source>Recovery folder</source>
+        <translation>Mapa za oporavak</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Ekran</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Zanemareno</translation>
+    </message>
+    <message>
+        <source>Settings folder</source>
+        <translation>Mapa postavki</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Standardni ulaz</translation>
     </message>
     <message>
         <source>Standard output cannot be written: {0}.</source>
@@ -1128,12 +1248,124 @@
         <translation>Standardni izlaz je zatvoren.</translation>
     </message>
     <message>
+        <source>System libraries</source>
+        <translation>Biblioteke sustava</translation>
+    </message>
+    <message>
+        <source>The X server DISPLAY = {0} does not answer or does not let this user in</source>
+        <translation>Poslužitelj X, DISPLAY = {0}, ne odgovara ili ne pušta ovog korisnika</translation>
+    </message>
+    <message>
+        <source>The other states need scripts.</source>
+        <translation>Za ostala stanja trebaju skripte.</translation>
+    </message>
+    <message>
         <source>The settings cannot be deleted: {0}.</source>
         <translation>Postavke se ne mogu izbrisati: {0}.</translation>
     </message>
     <message>
         <source>The window</source>
         <translation>Prozor</translation>
+    </message>
+    <message>
+        <source>There is no screen to open a window on ({0} names none)</source>
+        <translation>Nema ekrana na kojem bi se otvorio prozor ({0} ne imenuje nijedan)</translation>
+    </message>
+    <message>
+        <source>This is missing:</source>
+        <translation>Nedostaje:</translation>
+    </message>
+    <message>
+        <source>This page does not keep what you type; print it to keep it.</source>
+        <translation>Ova stranica ne čuva ono što upišete; ispišite je da to sačuvate.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver; on Linux install Mesa (libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1, and over a remote desktop use one that offers OpenGL.</source>
+        <translation>Ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1, a za udaljenu radnu površinu upotrijebite onu koja nudi OpenGL.</translation>
+    </message>
+    <message>
+        <source>WIDTHxHEIGHT in {0}, such as 120mmx80mm or 1800x600</source>
+        <translation>WIDTHxHEIGHT u {0}, npr. 120mmx80mm ili 1800x600</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Prozor</translation>
+    </message>
+    <message>
+        <source>Wrong ideas (answers, students):</source>
+        <translation>Pogrešne predodžbe (odgovori, studenti):</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Vaš odgovor</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>konačan broj</translation>
+    </message>
+    <message>
+        <source>a font</source>
+        <translation>font</translation>
+    </message>
+    <message>
+        <source>a length in {0}, such as 84mm</source>
+        <translation>duljina u {0}, npr. 84mm</translation>
+    </message>
+    <message>
+        <source>a number of degrees</source>
+        <translation>broj stupnjeva</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>broj točaka</translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation>dio</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>cijeli broj</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 17</source>
+        <translation>cijeli broj od 1 do 17</translation>
+    </message>
+    <message>
+        <source>a x + b y + c z + d &gt;= 0 in the view volume, in world space</source>
+        <translation>a x + b y + c z + d &gt;= 0 u volumenu pogleda, u globalnom koordinatnom sustavu</translation>
+    </message>
+    <message>
+        <source>all here</source>
+        <translation>sve su tu</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>i još {0}</translation>
+    </message>
+    <message>
+        <source>angle = {0}°</source>
+        <translation>kut = {0}°</translation>
+    </message>
+    <message>
+        <source>another start is setting up Frustum Lab; waiting for it to finish</source>
+        <translation>drugo pokretanje upravo postavlja Frustum Lab; čekam da završi</translation>
+    </message>
+    <message>
+        <source>apt-get failed ({0}); try: {1}</source>
+        <translation>apt-get nije uspio ({0}); pokušajte: {1}</translation>
+    </message>
+    <message>
+        <source>argument %(argument_name)s: %(message)s</source>
+        <translation>%(argument_name)s: %(message)s</translation>
+    </message>
+    <message>
+        <source>at infinity</source>
+        <translation>u beskonačnosti</translation>
+    </message>
+    <message>
+        <source>bringing {0} up to date</source>
+        <translation>ažuriram {0}</translation>
     </message>
     <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
@@ -1144,16 +1376,144 @@
         <translation>bundle: ovaj program nema mapu sa svojim kodom od koje bi se to načinilo.</translation>
     </message>
     <message>
+        <source>cannot be loaded: {0}</source>
+        <translation>ne može se učitati: {0}</translation>
+    </message>
+    <message>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
+        <translation>velika slova imaju {0:.1%} visine ekrana; mora biti od {1:.1%} do {2:.1%}.</translation>
+    </message>
+    <message>
+        <source>check the network and run again: {again}</source>
+        <translation>provjerite mrežu i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>close all windows of Frustum Lab and run again: {again}</source>
+        <translation>zatvorite sve prozore programa Frustum Lab i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>column vectors, M p</source>
+        <translation>vektori stupci, M p</translation>
+    </message>
+    <message>
         <source>commands are {0}</source>
         <translation>naredbe su {0}</translation>
+    </message>
+    <message>
+        <source>computed in {0}; errors are below: {1}</source>
+        <translation>računano u {0}; pogreške su manje od: {1}</translation>
+    </message>
+    <message>
+        <source>does not answer within {0:g} s</source>
+        <translation>ne odgovara unutar {0:g} s</translation>
+    </message>
+    <message>
+        <source>drawn in the window by OpenGL</source>
+        <translation>u prozoru ih crta OpenGL</translation>
+    </message>
+    <message>
+        <source>drawn off-screen and painted as pixels</source>
+        <translation>crtaju se izvan ekrana i prikazuju kao pikseli</translation>
+    </message>
+    <message>
+        <source>exit status {0}</source>
+        <translation>izlazni status {0}</translation>
+    </message>
+    <message>
+        <source>expected one argument</source>
+        <translation>treba jedan argument</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
         <translation>file = {0!r}: to je lekcija; navedite njezin korak u stupcu step ili u out = {1!r} upišite broj poput %02d.</translation>
     </message>
     <message>
+        <source>first start: setting up {0} (once{1})</source>
+        <translation>prvo pokretanje: postavljam {0} (jednom{1})</translation>
+    </message>
+    <message>
+        <source>float32 cannot hold its numbers</source>
+        <translation>float32 ne može držati njezine brojeve</translation>
+    </message>
+    <message>
+        <source>for x right, y down, z forward; pixels from the centre of the first one</source>
+        <translation>za x udesno, y dolje, z naprijed; pikseli od sredine prvoga</translation>
+    </message>
+    <message>
+        <source>frame {0}/{1}</source>
+        <translation>kadar {0}/{1}</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages</source>
+        <translation>nastavljam s instaliranim paketima</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages, which do not meet {0}</source>
+        <translation>nastavljam s instaliranim paketima, koji ne zadovoljavaju {0}</translation>
+    </message>
+    <message>
+        <source>graphics card</source>
+        <translation>grafička kartica</translation>
+    </message>
+    <message>
+        <source>has {0} columns, but the first row names {1}.</source>
+        <translation>broj stupaca je {0}, a prvi redak imenuje ih {1}.</translation>
+    </message>
+    <message>
+        <source>ignored explicit argument %r</source>
+        <translation>ne prima vrijednost %r</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>unutar</translation>
+    </message>
+    <message>
+        <source>install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver</source>
+        <translation>instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili ažurirajte upravljački program</translation>
+    </message>
+    <message>
+        <source>installing system packages: {0}</source>
+        <translation>instaliram pakete sustava: {0}</translation>
+    </message>
+    <message>
+        <source>it is a device, neither a file nor a pipe</source>
+        <translation>to je uređaj, a ne datoteka ni cijev</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>zatvoren je</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} MiB</source>
+        <translation>veće je od {0} MiB</translation>
+    </message>
+    <message>
+        <source>its view coordinates are at infinity</source>
+        <translation>njezine su koordinate u sustavu kamere u beskonačnosti</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>ključ</translation>
+    </message>
+    <message>
+        <source>largest error in px</source>
+        <translation>najveća pogreška u px</translation>
+    </message>
+    <message>
+        <source>left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)</source>
+        <translation>lijevi globalni sustav: z obrnut; kamera gleda duž -z, y gore (worldToCameraMatrix)</translation>
+    </message>
+    <message>
+        <source>left-handed: world z reversed; looks along +z, y up</source>
+        <translation>lijevi sustav: globalni z obrnut; gleda duž +z, y gore</translation>
+    </message>
+    <message>
         <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
         <translation>lens.kind = matrix: slobodna matrica nema ni bliske ni daleke ravnine ni kuta za mjerenje; mora biti jedno od {0}.</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>lekcija</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1168,6 +1528,30 @@
         <translation>lesson results treba FILE.</translation>
     </message>
     <message>
+        <source>line</source>
+        <translation>redak</translation>
+    </message>
+    <message>
+        <source>looks along -z, y up</source>
+        <translation>gleda duž -z, y gore</translation>
+    </message>
+    <message>
+        <source>looks along -z; y of clip down</source>
+        <translation>gleda duž -z; y prostora odsijecanja dolje</translation>
+    </message>
+    <message>
+        <source>make {0} a folder that you may write to</source>
+        <translation>neka {0} bude mapa u koju smijete pisati</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>nedostaje</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>nedostaje: {0}</translation>
+    </message>
+    <message>
         <source>nearest command is {0}</source>
         <translation>najbliža je naredba {0}</translation>
     </message>
@@ -1176,12 +1560,48 @@
         <translation>nijedno ime</translation>
     </message>
     <message>
+        <source>no package server could be reached</source>
+        <translation>nijedan poslužitelj paketa nije dostupan</translation>
+    </message>
+    <message>
         <source>no smooth edges then</source>
         <translation>tada samo oštre rubove</translation>
     </message>
     <message>
+        <source>no tested version of {0} here: trying others</source>
+        <translation>ovdje nema isprobane inačice paketa {0}: pokušavam druge</translation>
+    </message>
+    <message>
         <source>no transparency</source>
         <translation>samo neprozirne piksele</translation>
+    </message>
+    <message>
+        <source>no version fits {python} on this machine; use another Python</source>
+        <translation>nijedna inačica ne odgovara za {python} na ovom računalu; upotrijebite drugi Python</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nema</translation>
+    </message>
+    <message>
+        <source>none for windows: {0}</source>
+        <translation>nema za prozore: {0}</translation>
+    </message>
+    <message>
+        <source>none: {0}</source>
+        <translation>nema: {0}</translation>
+    </message>
+    <message>
+        <source>not set up yet</source>
+        <translation>još nije postavljeno</translation>
+    </message>
+    <message>
+        <source>not without ffmpeg; .webp needs none</source>
+        <translation>ne bez programa ffmpeg; .webp ga ne treba</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>opcije</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1196,16 +1616,220 @@
         <translation>out = {0!r}: mora biti ime datoteke bez mape.</translation>
     </message>
     <message>
+        <source>outside of</source>
+        <translation>izvan:</translation>
+    </message>
+    <message>
+        <source>overwritten</source>
+        <translation>prepisano</translation>
+    </message>
+    <message>
+        <source>packages</source>
+        <translation>pakete</translation>
+    </message>
+    <message>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
+        <translation>dio teksta je samo u bilješkama predavača: {0}</translation>
+    </message>
+    <message>
         <source>pip does not find all packages for {0}, Python {1}.</source>
         <translation>pip ne nalazi sve pakete za {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>točka {0}</translation>
+    </message>
+    <message>
+        <source>positional arguments</source>
+        <translation>argumenti po mjestu</translation>
+    </message>
+    <message>
+        <source>put Frustum Lab into a folder that you may write to</source>
+        <translation>stavite Frustum Lab u mapu u koju smijete pisati</translation>
+    </message>
+    <message>
+        <source>row vectors, p M</source>
+        <translation>vektori retci, p M</translation>
+    </message>
+    <message>
+        <source>run again: {again}; {program} doctor says more</source>
+        <translation>pokrenite ponovno: {again}; više kaže {program} doctor</translation>
+    </message>
+    <message>
+        <source>scale = {0} is free, and so is its sign</source>
+        <translation>scale = {0} je slobodan, a tako i predznak</translation>
+    </message>
+    <message>
+        <source>see Window</source>
+        <translation>vidi Prozor</translation>
+    </message>
+    <message>
+        <source>see the system libraries above</source>
+        <translation>vidi biblioteke sustava iznad</translation>
+    </message>
+    <message>
+        <source>set up in {0:.0f} s</source>
+        <translation>postavljeno za {0:.0f} s</translation>
+    </message>
+    <message>
+        <source>show this help message and exit</source>
+        <translation>prikaži ovu pomoć i završi</translation>
+    </message>
+    <message>
+        <source>smallest gap in world units</source>
+        <translation>najmanji razmak u jedinicama svijeta</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>dosad</translation>
+    </message>
+    <message>
+        <source>software, without a graphics card</source>
+        <translation>programski, bez grafičke kartice</translation>
+    </message>
+    <message>
+        <source>talk</source>
+        <translation>izlaganje</translation>
     </message>
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk treba --check ili --handout OUT.pdf; {0} {1} otvara izlaganje.</translation>
     </message>
     <message>
+        <source>the Python packages could not be installed</source>
+        <translation>paketi za Python nisu se mogli instalirati</translation>
+    </message>
+    <message>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
+        <translation>kamera gleda duž +z, y dolje; K je u pikselima, sredina prvog piksela je u 0, 0</translation>
+    </message>
+    <message>
+        <source>the driver crashed (signal {0})</source>
+        <translation>upravljački program se srušio (signal {0})</translation>
+    </message>
+    <message>
+        <source>the first start sets it up, which needs the network: {0}</source>
+        <translation>postavlja ga prvo pokretanje, za što treba mreža: {0}</translation>
+    </message>
+    <message>
+        <source>the following arguments are required: %s</source>
+        <translation>nedostaju argumenti: %s</translation>
+    </message>
+    <message>
+        <source>the package server does not answer; trying again</source>
+        <translation>poslužitelj paketa ne odgovara; pokušavam ponovno</translation>
+    </message>
+    <message>
+        <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
+        <translation>paket {0} je oštećen ({1}); zamijenite ga i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
+        <translation>putanja {folder} je preduga: premjestite mapu s kodom bliže korijenu diska</translation>
+    </message>
+    <message>
+        <source>the picture is at infinity too: w = 0, and lines of this direction stay parallel</source>
+        <translation>i slika je u beskonačnosti: w = 0, pa pravci tog smjera ostaju paralelni</translation>
+    </message>
+    <message>
+        <source>the point at infinity is behind the eye; the opposite direction has a picture</source>
+        <translation>beskonačno daleka točka je iza kamere; suprotni smjer ima sliku</translation>
+    </message>
+    <message>
+        <source>the point is in front of the eye; its pixel is larger than float64 can hold</source>
+        <translation>točka je ispred kamere; njezin je piksel veći nego što stane u float64</translation>
+    </message>
+    <message>
+        <source>the point is not in front of the eye</source>
+        <translation>točka nije ispred kamere</translation>
+    </message>
+    <message>
+        <source>the rightmost factor acts first</source>
+        <translation>faktor sasvim desno djeluje prvi</translation>
+    </message>
+    <message>
+        <source>the set-up failed</source>
+        <translation>postavljanje nije uspjelo</translation>
+    </message>
+    <message>
+        <source>the set-up was stopped; to go on: {0}</source>
+        <translation>postavljanje je prekinuto; za nastavak: {0}</translation>
+    </message>
+    <message>
+        <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
+        <translation>kosina {0:.1g} matrice K je izostavljena: toliko px na 45 stupnjeva iznad ili ispod</translation>
+    </message>
+    <message>
+        <source>the text is longer or higher than the two lines above the picture.</source>
+        <translation>tekst je dulji ili viši od dvaju redaka iznad slike.</translation>
+    </message>
+    <message>
+        <source>the view volume</source>
+        <translation>volumena pogleda</translation>
+    </message>
+    <message>
         <source>the window</source>
         <translation>prozor</translation>
+    </message>
+    <message>
+        <source>there is no room</source>
+        <translation>nema mjesta</translation>
+    </message>
+    <message>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
+        <translation>pravila ovog računala zabranjuju programe u {folder}; pitajte onoga tko ga je postavio</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; install what provides them, and start again</source>
+        <translation>na ovom sustavu nedostaje: {0}; instalirajte što je potrebno i pokrenite ponovno</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; run: {1}</source>
+        <translation>na ovom sustavu nedostaje: {0}; pokrenite: {1}</translation>
+    </message>
+    <message>
+        <source>through {0}</source>
+        <translation>preko {0}</translation>
+    </message>
+    <message>
+        <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
+        <translation>premalo je slobodnog mjesta: oslobodite {space} GB pokraj {folder}, ili postavite TMPDIR ako je puna mapa privremenih datoteka, i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>unrecognized arguments: %s</source>
+        <translation>nepoznati argumenti: %s</translation>
+    </message>
+    <message>
+        <source>update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>ažurirajte upravljački program grafike ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>usage: </source>
+        <translation>uporaba: </translation>
+    </message>
+    <message>
+        <source>view.names has {0}, which no pane draws here.</source>
+        <translation>view.names sadrži {0}, a to ovdje ne crta nijedno okno.</translation>
+    </message>
+    <message>
+        <source>way = {0} %</source>
+        <translation>put = {0} %</translation>
+    </message>
+    <message>
+        <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
+        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ispod {3:.0%} i {4:.0%} površine.</translation>
+    </message>
+    <message>
+        <source>without a display through {0}, {1}</source>
+        <translation>bez zaslona, preko {0}, {1}</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>zapisano</translation>
+    </message>
+    <message>
+        <source>x, y and z divided by w</source>
+        <translation>x, y i z podijeljeno s w</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
@@ -1218,6 +1842,10 @@
     <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} nije ime koje datoteka može imati.</translation>
+    </message>
+    <message>
+        <source>{0} (needed: {1})</source>
+        <translation>{0} (potrebno: {1})</translation>
     </message>
     <message>
         <source>{0} = {1!r}: has a character NUL.</source>
@@ -1252,8 +1880,24 @@
         <translation>{0} = {1!r}: nema mape {2}.</translation>
     </message>
     <message>
+        <source>{0} Not measured: {1}.</source>
+        <translation>{0} Nije mjereno: {1}.</translation>
+    </message>
+    <message>
         <source>{0} cannot be read: {1}.</source>
         <translation>{0} se ne može pročitati: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed ({1}); close the programs that run in it and run again: {2}</source>
+        <translation>{0} se nije moglo ukloniti ({1}); zatvorite programe koji u tome rade i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} failed</source>
+        <translation>{0} nije uspjelo</translation>
+    </message>
+    <message>
+        <source>{0} has no bound</source>
+        <translation>{0} nema granicu</translation>
     </message>
     <message>
         <source>{0} has no figures: its first row names columns, the others are one.</source>
@@ -1264,6 +1908,14 @@
         <translation>{0} nema točaka: mora imati retke x,y,z.</translation>
     </message>
     <message>
+        <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
+        <translation>{0} ima {1} kB, a stranica za telefone trebala bi imati najviše {2} kB: zatražite manje s {3}.</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{0} u {1}</translation>
+    </message>
+    <message>
         <source>{0} is a command and must come first: {1} {0} ...</source>
         <translation>{0} je naredba i mora stajati prva: {1} {0} ...</translation>
     </message>
@@ -1272,12 +1924,36 @@
         <translation>{0} je scena: napišite --set scene={0}.</translation>
     </message>
     <message>
+        <source>{0} is not a folder; rename or remove it, and run again: {1}</source>
+        <translation>{0} nije mapa; preimenujte ili uklonite to i pokrenite ponovno: {1}</translation>
+    </message>
+    <message>
         <source>{0} is not an option of {1}; the nearest is {2}.</source>
         <translation>{0} nije opcija za {1}; najbliža je {2}.</translation>
     </message>
     <message>
+        <source>{0} lacks {1} although pip installed them; remove it and start again: {2}</source>
+        <translation>{0} nema {1} iako ih je pip instalirao; uklonite to i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} lacks {1}; start again: {2}</source>
+        <translation>{0} nema {1}; pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} moraju ići u različite datoteke.</translation>
+    </message>
+    <message>
+        <source>{0} not as in the files</source>
+        <translation>{0} drukčije nego u datotekama</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0} od {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ili {1}</translation>
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
@@ -1288,8 +1964,28 @@
         <translation>{0}: zadano je prazno ime.</translation>
     </message>
     <message>
+        <source>{0} was made by another program and lacks {1}; complete it with that program, or remove it and start again: {2}</source>
+        <translation>{0} je načinio drugi program i nema {1}; dopunite to tim programom, ili uklonite i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} wrong</source>
+        <translation>pogrešno: {0}</translation>
+    </message>
+    <message>
         <source>{0}, line {1}: is not CSV ({2}).</source>
         <translation>{0}, redak {1}: nije CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}, step {1}</source>
+        <translation>{0}, korak {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
+        <translation>{0}, prenatrpano: {1}, prazno: {2}, skriveno: {3}, odsječeno: {4}; ukupno: {5}</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
+        <translation>{0}, {1}: točno {2}, pogrešno {3}, prikazano {4}, neocijenjeno {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -1304,8 +2000,48 @@
         <translation>{0}: ima dva stupca {1}.</translation>
     </message>
     <message>
-        <source>{0}: has {1} columns, but the first row names {2}.</source>
-        <translation>{0}: ima više stupaca, {1}, nego što ih imenuje prvi redak, {2}.</translation>
+        <source>{0}: {1} drawn, {2} wrong</source>
+        <translation>{0}: nacrtano: {1}, pogrešno: {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} x {2} at scale {3:g}</source>
+        <translation>{0}: {1} x {2}, mjerilo {3:g}</translation>
+    </message>
+    <message>
+        <source>{0}; Frustum Lab prefers its own packages</source>
+        <translation>{0}; Frustum Lab daje prednost svojim paketima</translation>
+    </message>
+    <message>
+        <source>{0}; at most {1}.</source>
+        <translation>{0}; najviše {1}.</translation>
+    </message>
+    <message>
+        <source>“{0}” has an underscore that is not typeset.</source>
+        <translation>„{0}” ima podvlaku koja nije složena kao indeks.</translation>
+    </message>
+    <message>
+        <source>“{0}” is cut off at the border.</source>
+        <translation>„{0}” je odsječeno na rubu.</translation>
+    </message>
+    <message>
+        <source>“{0}” is named and not drawn: there is no place for it.</source>
+        <translation>„{0}” je imenovano, a nije nacrtano: nema mjesta.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies behind the viewer.</source>
+        <translation>„{0}” leži iza promatrača.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies on the point that “{1}” names.</source>
+        <translation>„{0}” leži na točki koju imenuje „{1}”.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies outside the pane by {1:.1%} of its height.</source>
+        <translation>„{0}” leži izvan okna za {1:.1%} njegove visine.</translation>
+    </message>
+    <message>
+        <source>“{0}” overlaps “{1}”.</source>
+        <translation>„{0}” se preklapa s „{1}”.</translation>
     </message>
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
@@ -1320,8 +2056,20 @@
         <translation>{0}: već postoji; uklonite to ili odaberite drugu mapu.</translation>
     </message>
     <message>
+        <source>{0}: line {1}, step {2} ({3})</source>
+        <translation>{0}: redak {1}, korak {2} ({3})</translation>
+    </message>
+    <message>
         <source>{0}: must name columns x, y and z, or hold a point.</source>
         <translation>{0}: mora imenovati stupce x, y i z ili sadržavati točku.</translation>
+    </message>
+    <message>
+        <source>{0}: not writable</source>
+        <translation>{0}: nema dopuštenja za pisanje</translation>
+    </message>
+    <message>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: pokrenite program na radnoj površini, preko ssh s -X, ili s xvfb-run -s &apos;+extension GLX&apos;{1} ispred; „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” i „doctor” ne trebaju ekran.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -1334,6 +2082,130 @@
     <message>
         <source>{0}: {1} = {2}: must lie within ±{3}.</source>
         <translation>{0}: {1} = {2}: mora biti unutar ±{3}.</translation>
+    </message>
+    <message>
+        <source>There are no settings to delete: {0}</source>
+        <translation>Nema postavki za brisanje: {0}</translation>
+    </message>
+    <message>
+        <source>Settings deleted: {0}</source>
+        <translation>Postavke su izbrisane: {0}</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, not a regular file</source>
+        <translation>to je cijev ili uređaj, a ne obična datoteka</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} GiB</source>
+        <translation>veće je od {0} GiB</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>to nije obična datoteka</translation>
+    </message>
+    <message>
+        <source>is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong</source>
+        <translation>nije tekst ni u UTF-8 ni u UTF-16, pa se čita kao Latin-1; neka slova mogu biti pogrešna</translation>
+    </message>
+    <message>
+        <source>is damaged UTF-16 or UTF-32 text; what cannot be read is shown as �</source>
+        <translation>oštećen je tekst u UTF-16 ili UTF-32; nečitljivo se prikazuje kao �</translation>
+    </message>
+    <message>
+        <source>a question or a task</source>
+        <translation>pitanje ili zadatak</translation>
+    </message>
+    <message>
+        <source>“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices</source>
+        <translation>„value:”, „count:”, „matrix:”, „click:”, „order:” ili mogućnosti</translation>
+    </message>
+    <message>
+        <source>{0} and choices</source>
+        <translation>{0} i mogućnosti</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>kraj</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>položaj</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Nema OpenGL-a 3.2 za crtanje: ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1.</translation>
+    </message>
+    <message>
+        <source>the whole numbers from 0 to {0}</source>
+        <translation>cijelih brojeva od 0 do {0}</translation>
+    </message>
+    <message>
+        <source>the opposite of the segment&apos;s other end</source>
+        <translation>suprotnoj drugom kraju dužine</translation>
+    </message>
+    <message>
+        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
+        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
+    </message>
+    <message>
+        <source>commands, each with its own --help:</source>
+        <translation>naredbe, svaka s vlastitim --help:</translation>
+    </message>
+    <message>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
+        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} i {1}</translation>
+    </message>
+    <message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>translacija</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>rotacija</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skaliranje</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>smicanje</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>zrcaljenje</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>matrica</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>svijet</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>odsijecanje</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>slika px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>dubina</translation>
     </message>
 </context>
 <context>
@@ -1439,6 +2311,129 @@
     <message>
         <source>No control has this name.</source>
         <translation>Nijedna kontrola nema to ime.</translation>
+    </message>
+</context>
+<context>
+    <name>Count</name>
+    <message numerus="yes">
+        <source>%n answers</source>
+        <translation>
+            <numerusform>%n odgovor</numerusform>
+            <numerusform>%n odgovora</numerusform>
+            <numerusform>%n odgovora</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n provjera</numerusform>
+            <numerusform>%n provjere</numerusform>
+            <numerusform>%n provjera</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n stupac</numerusform>
+            <numerusform>%n stupca</numerusform>
+            <numerusform>%n stupaca</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation>
+            <numerusform>%n datoteka</numerusform>
+            <numerusform>%n datoteke</numerusform>
+            <numerusform>%n datoteka</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n natpis</numerusform>
+            <numerusform>%n natpisa</numerusform>
+            <numerusform>%n natpisa</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lessons</source>
+        <translation>
+            <numerusform>%n lekcija</numerusform>
+            <numerusform>%n lekcije</numerusform>
+            <numerusform>%n lekcija</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n ocjena</numerusform>
+            <numerusform>%n ocjene</numerusform>
+            <numerusform>%n ocjena</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names</source>
+        <translation>
+            <numerusform>%n ime</numerusform>
+            <numerusform>%n imena</numerusform>
+            <numerusform>%n imena</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n overlaps</source>
+        <translation>
+            <numerusform>%n preklapanje</numerusform>
+            <numerusform>%n preklapanja</numerusform>
+            <numerusform>%n preklapanja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n korak</numerusform>
+            <numerusform>%n koraka</numerusform>
+            <numerusform>%n koraka</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n talks</source>
+        <translation>
+            <numerusform>%n izlaganje</numerusform>
+            <numerusform>%n izlaganja</numerusform>
+            <numerusform>%n izlaganja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n upozorenje</numerusform>
+            <numerusform>%n upozorenja</numerusform>
+            <numerusform>%n upozorenja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercises</source>
+        <translation>
+            <numerusform>%n vježba</numerusform>
+            <numerusform>%n vježbe</numerusform>
+            <numerusform>%n vježbi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes</source>
+        <translation>
+            <numerusform>%n minuta</numerusform>
+            <numerusform>%n minute</numerusform>
+            <numerusform>%n minuta</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n uzorak</numerusform>
+            <numerusform>%n uzorka</numerusform>
+            <numerusform>%n uzoraka</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1610,22 +2605,6 @@
         <source>A pane cannot draw with {0}: it uses its default smoothing</source>
         <translation>Okno ne može crtati uz {0}: koristi svoje uobičajeno zaglađivanje</translation>
     </message>
-    <message numerus="yes">
-        <source>%n samples per pixel</source>
-        <translation>
-            <numerusform>%n uzorak po pikselu</numerusform>
-            <numerusform>%n uzorka po pikselu</numerusform>
-            <numerusform>%n uzoraka po pikselu</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>1 sample per pixel</source>
-        <translation>1 uzorak po pikselu</translation>
-    </message>
-    <message>
-        <source>This computer&apos;s OpenGL gives {0} instead of {1}</source>
-        <translation>OpenGL ovog računala daje {0} umjesto {1}</translation>
-    </message>
     <message>
         <source>The scene has too few triangles to leave any out</source>
         <translation>Scena ima premalo trokuta da bi se ijedan izostavio</translation>
@@ -1641,6 +2620,10 @@
     <message>
         <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
         <translation>Čak i najgrublja slika traje {0} ms po kadru umjesto {1}</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
+        <translation>OpenGL ovog računala daje {0} po pikselu umjesto {1}</translation>
     </message>
 </context>
 <context>
@@ -2545,7 +3528,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>kruženje nagib</translation>
+        <translation>nagib kruženja</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -4848,7 +5831,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>bez</translation>
+        <translation>nema</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -5344,10 +6327,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kamera i objektiv kako ih piše drugi program</translation>
     </message>
     <message>
-        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
-    </message>
-    <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
         <translation>provjerava ili nabraja lekcije i izlaganja, ispisuje testove od vježbi, ocjenjuje rezultate</translation>
     </message>
@@ -5362,10 +6341,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
         <translation>boje: kao na svijetlom ili tamnom ekranu; za tisak, gdje se strane i linije razlikuju i u sivom; ili s najvećim kontrastom (zadano: screen)</translation>
-    </message>
-    <message>
-        <source>commands, each with its own --help:</source>
-        <translation>naredbe, svaka s vlastitim --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -5458,10 +6433,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
         <translation>umjesto toga: kod i njegovi paketi, za računala s Pythonom</translation>
-    </message>
-    <message>
-        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5892,18 +6863,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0} od {1}</translation>
     </message>
     <message>
-        <source>about %n minutes</source>
-        <translation>otprilike %n min</translation>
-    </message>
-    <message>
-        <source>about 1 minute</source>
-        <translation>otprilike 1 minuta</translation>
-    </message>
-    <message>
-        <source>&amp;Review: {0}, {1}</source>
-        <translation>Po&amp;navljanje: {0}, {1}</translation>
-    </message>
-    <message>
         <source>The next review is tomorrow.</source>
         <translation>Sljedeće ponavljanje je sutra.</translation>
     </message>
@@ -5963,6 +6922,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <source>Nothing has come back today.</source>
         <translation>Danas se ništa nije vratilo.</translation>
     </message>
+    <message>
+        <source>&amp;Review: {0}, about {1}</source>
+        <translation>Po&amp;navljanje: {0}, otprilike {1}</translation>
+    </message>
 </context>
 <context>
     <name>ProbeNumbers</name>
@@ -6000,7 +6963,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>inside</source>
-        <translation>unutra</translation>
+        <translation>unutar</translation>
     </message>
     <message>
         <source>outside of: {0}</source>
@@ -6150,13 +7113,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>depth = {0}: must be that of something drawn, but nothing is here</source>
         <translation>dubina = {0}: mora biti dubina nečega nacrtanog, a ovdje nema ničega</translation>
-    </message>
-</context>
-<context>
-    <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
     </message>
 </context>
 <context>
@@ -7850,14 +8806,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 </context>
 <context>
     <name>SelfTestDialog</name>
-    <message>
-        <source>1 exercise</source>
-        <translation>1 vježba</translation>
-    </message>
-    <message>
-        <source>%n exercises</source>
-        <translation>broj vježbi: %n</translation>
-    </message>
     <message>
         <source>Test yourself</source>
         <translation>Provjerite znanje</translation>
@@ -10767,7 +11715,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>nijedna</translation>
+        <translation>nema</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>

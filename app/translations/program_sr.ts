@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Извези</translation>
+        <translation>Извоз</translation>
     </message>
     <message>
         <source>Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document</source>
@@ -964,8 +964,28 @@
         <translation>--size = {0!r}: мора да буде WIDTHxHEIGHT у пикселима, као 1800x600.</translation>
     </message>
     <message>
-        <source>--size {0} = {1}: {2}.</source>
-        <translation>--size {0} = {1}: {2}.</translation>
+        <source>       … and {0} more; --csv has them all</source>
+        <translation>       … и још {0}; --csv има све</translation>
+    </message>
+    <message>
+        <source>  installing packages: {0}</source>
+        <translation>  инсталирам пакете: {0}</translation>
+    </message>
+    <message>
+        <source> (cancelled)</source>
+        <translation> (отказано)</translation>
+    </message>
+    <message>
+        <source> failed</source>
+        <translation> није успело</translation>
+    </message>
+    <message>
+        <source> is there already</source>
+        <translation> већ постоји</translation>
+    </message>
+    <message>
+        <source>, or have one number such as %03d</source>
+        <translation>, или имати један број као %03d</translation>
     </message>
     <message>
         <source>--size, --width and --text-size: need --chart.</source>
@@ -1088,8 +1108,48 @@
         <translation>; за филм додајте --sweep, --orbit, --stages или --transition</translation>
     </message>
     <message>
+        <source>; needs the network</source>
+        <translation>; потребна је мрежа</translation>
+    </message>
+    <message>
         <source>; the nearest is {0}</source>
         <translation>; најближе је {0}</translation>
+    </message>
+    <message>
+        <source>A library cannot be loaded ({0}); {1} doctor says more.</source>
+        <translation>Библиотека не може да се учита ({0}); више каже {1} doctor.</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Екран</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Окружење</translation>
+    </message>
+    <message>
+        <source>Everything needed is here.</source>
+        <translation>Све што је потребно је ту.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Извоз</translation>
+    </message>
+    <message>
+        <source>Left out, because it is done in the window: {0}.</source>
+        <translation>Изостављено, јер се ради у прозору: {0}.</translation>
+    </message>
+    <message>
+        <source>Log folder</source>
+        <translation>Фасцикла дневника</translation>
+    </message>
+    <message>
+        <source>No OpenGL could be started, and 3.2 is needed. {0}</source>
+        <translation>OpenGL није могао да се покрене, а потребан је 3.2. {0}</translation>
+    </message>
+    <message>
+        <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
+        <translation>Ниједна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1108,6 +1168,22 @@
         <translation>OUT = {0!r}: мора да се завршава на {1}{2}.</translation>
     </message>
     <message>
+        <source>Only OpenGL ES is offered here ({0}), not OpenGL 3.2. {1}</source>
+        <translation>Овде постоји само OpenGL ES ({0}), а не OpenGL 3.2. {1}</translation>
+    </message>
+    <message>
+        <source>OpenGL {0}.{1} is too old ({2}): 3.2 is needed. {3}</source>
+        <translation>OpenGL {0}.{1} је сувише стар ({2}): потребан је 3.2. {3}</translation>
+    </message>
+    <message>
+        <source>P does not say near, far and the size of the image</source>
+        <translation>P не одређује предњу и задњу раван ни величину слике</translation>
+    </message>
+    <message>
+        <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
+        <translation>P има w &gt; 0 иза камере: можда је y у њеној слици усмерено нагоре</translation>
+    </message>
+    <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
         <translation>POINTS = {0!r}: мора да буде датотека CSV, или - за стандардни улаз; за једну тачку: echo {1} | {2} project -.</translation>
     </message>
@@ -1116,8 +1192,52 @@
         <translation>POINTS недостаје: {0} даје само камеру.</translation>
     </message>
     <message>
+        <source>Panes</source>
+        <translation>Прикази</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Платформа</translation>
+    </message>
+    <message>
         <source>PyInstaller ended with status {0}.</source>
         <translation>PyInstaller је завршио са статусом {0}.</translation>
+    </message>
+    <message>
+        <source>Python {0}, {1} bits, {2},</source>
+        <translation>Python {0}, број битова {1}, {2},</translation>
+    </message>
+    <message>
+        <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
+        <translation>QT_QPA_PLATFORM = {0}: мора бити једно од {1}; уклоните ту променљиву.</translation>
+    </message>
+    <message>
+        <source>Qt cannot reach the X server, because a system library is missing ({0}); {1} doctor says which package provides it.</source>
+        <translation>Qt не може да дође до X сервера, јер недостаје системска библиотека ({0}); {1} doctor каже који је пакет садржи.</translation>
+    </message>
+    <message>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
+        <translation>Qt платформа {0} не приказује прозоре са OpenGL-ом. {1}</translation>
+    </message>
+    <message>
+        <source>Recovery folder</source>
+        <translation>Опоравак</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Монитор</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Занемарено</translation>
+    </message>
+    <message>
+        <source>Settings folder</source>
+        <translation>Подешавања</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Стандардни улаз</translation>
     </message>
     <message>
         <source>Standard output cannot be written: {0}.</source>
@@ -1128,12 +1248,124 @@
         <translation>Стандардни излаз је затворен.</translation>
     </message>
     <message>
+        <source>System libraries</source>
+        <translation>Системске библ.</translation>
+    </message>
+    <message>
+        <source>The X server DISPLAY = {0} does not answer or does not let this user in</source>
+        <translation>X сервер, DISPLAY = {0}, не одговара или не пушта овог корисника</translation>
+    </message>
+    <message>
+        <source>The other states need scripts.</source>
+        <translation>За остала стања потребне су скрипте.</translation>
+    </message>
+    <message>
         <source>The settings cannot be deleted: {0}.</source>
         <translation>Подешавања не могу да се избришу: {0}.</translation>
     </message>
     <message>
         <source>The window</source>
         <translation>Прозор</translation>
+    </message>
+    <message>
+        <source>There is no screen to open a window on ({0} names none)</source>
+        <translation>Нема екрана на ком би се отворио прозор ({0} не именује ниједан)</translation>
+    </message>
+    <message>
+        <source>This is missing:</source>
+        <translation>Недостаје:</translation>
+    </message>
+    <message>
+        <source>This page does not keep what you type; print it to keep it.</source>
+        <translation>Ова страница не чува оно што упишете; одштампајте је да бисте то сачували.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver; on Linux install Mesa (libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1, and over a remote desktop use one that offers OpenGL.</source>
+        <translation>Ажурирајте управљачки програм графике; на Linux-у инсталирајте Mesa (libgl1-mesa-dri) или покрените са LIBGL_ALWAYS_SOFTWARE=1, а за удаљену радну површину користите ону која нуди OpenGL.</translation>
+    </message>
+    <message>
+        <source>WIDTHxHEIGHT in {0}, such as 120mmx80mm or 1800x600</source>
+        <translation>WIDTHxHEIGHT у {0}, на пример 120mmx80mm или 1800x600</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Прозор</translation>
+    </message>
+    <message>
+        <source>Wrong ideas (answers, students):</source>
+        <translation>Погрешне представе (одговори, студенти):</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Ваш одговор</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>коначан број</translation>
+    </message>
+    <message>
+        <source>a font</source>
+        <translation>фонт</translation>
+    </message>
+    <message>
+        <source>a length in {0}, such as 84mm</source>
+        <translation>дужина у {0}, на пример 84mm</translation>
+    </message>
+    <message>
+        <source>a number of degrees</source>
+        <translation>број степени</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>број тачака</translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation>део</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>цео број</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 17</source>
+        <translation>цео број од 1 до 17</translation>
+    </message>
+    <message>
+        <source>a x + b y + c z + d &gt;= 0 in the view volume, in world space</source>
+        <translation>a x + b y + c z + d &gt;= 0 у запремини погледа, у координатном систему света</translation>
+    </message>
+    <message>
+        <source>all here</source>
+        <translation>све су ту</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>и још {0}</translation>
+    </message>
+    <message>
+        <source>angle = {0}°</source>
+        <translation>угао = {0}°</translation>
+    </message>
+    <message>
+        <source>another start is setting up Frustum Lab; waiting for it to finish</source>
+        <translation>друго покретање управо поставља Frustum Lab; чекам да заврши</translation>
+    </message>
+    <message>
+        <source>apt-get failed ({0}); try: {1}</source>
+        <translation>apt-get није успео ({0}); пробајте: {1}</translation>
+    </message>
+    <message>
+        <source>argument %(argument_name)s: %(message)s</source>
+        <translation>%(argument_name)s: %(message)s</translation>
+    </message>
+    <message>
+        <source>at infinity</source>
+        <translation>у бесконачности</translation>
+    </message>
+    <message>
+        <source>bringing {0} up to date</source>
+        <translation>ажурирам {0}</translation>
     </message>
     <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
@@ -1144,16 +1376,144 @@
         <translation>bundle: овај програм нема фасциклу свог кода од које би се пакет направио.</translation>
     </message>
     <message>
+        <source>cannot be loaded: {0}</source>
+        <translation>не може да се учита: {0}</translation>
+    </message>
+    <message>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
+        <translation>велика слова имају {0:.1%} висине екрана; мора бити од {1:.1%} до {2:.1%}.</translation>
+    </message>
+    <message>
+        <source>check the network and run again: {again}</source>
+        <translation>проверите мрежу и покрените поново: {again}</translation>
+    </message>
+    <message>
+        <source>close all windows of Frustum Lab and run again: {again}</source>
+        <translation>затворите све прозоре програма Frustum Lab и покрените поново: {again}</translation>
+    </message>
+    <message>
+        <source>column vectors, M p</source>
+        <translation>вектори колоне, M p</translation>
+    </message>
+    <message>
         <source>commands are {0}</source>
         <translation>наредбе су {0}</translation>
+    </message>
+    <message>
+        <source>computed in {0}; errors are below: {1}</source>
+        <translation>рачунато у {0}; грешке су мање од: {1}</translation>
+    </message>
+    <message>
+        <source>does not answer within {0:g} s</source>
+        <translation>не одговара у року од {0:g} s</translation>
+    </message>
+    <message>
+        <source>drawn in the window by OpenGL</source>
+        <translation>у прозору их црта OpenGL</translation>
+    </message>
+    <message>
+        <source>drawn off-screen and painted as pixels</source>
+        <translation>цртају се ван екрана и приказују као пиксели</translation>
+    </message>
+    <message>
+        <source>exit status {0}</source>
+        <translation>излазни статус {0}</translation>
+    </message>
+    <message>
+        <source>expected one argument</source>
+        <translation>потребан је један аргумент</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
         <translation>file = {0!r}: ово је лекција; наведите њен корак у колони step, или упишите број као %02d у out = {1!r}.</translation>
     </message>
     <message>
+        <source>first start: setting up {0} (once{1})</source>
+        <translation>прво покретање: постављам {0} (једном{1})</translation>
+    </message>
+    <message>
+        <source>float32 cannot hold its numbers</source>
+        <translation>float32 не може да држи њене бројеве</translation>
+    </message>
+    <message>
+        <source>for x right, y down, z forward; pixels from the centre of the first one</source>
+        <translation>за x удесно, y надоле, z напред; пиксели од средине првог</translation>
+    </message>
+    <message>
+        <source>frame {0}/{1}</source>
+        <translation>кадар {0}/{1}</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages</source>
+        <translation>настављам са инсталираним пакетима</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages, which do not meet {0}</source>
+        <translation>настављам са инсталираним пакетима, који не задовољавају {0}</translation>
+    </message>
+    <message>
+        <source>graphics card</source>
+        <translation>графичка картица</translation>
+    </message>
+    <message>
+        <source>has {0} columns, but the first row names {1}.</source>
+        <translation>број колона је {0}, а први ред их именује {1}.</translation>
+    </message>
+    <message>
+        <source>ignored explicit argument %r</source>
+        <translation>не прима вредност %r</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>унутар</translation>
+    </message>
+    <message>
+        <source>install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver</source>
+        <translation>инсталирајте Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) или ажурирајте управљачки програм</translation>
+    </message>
+    <message>
+        <source>installing system packages: {0}</source>
+        <translation>инсталирам системске пакете: {0}</translation>
+    </message>
+    <message>
+        <source>it is a device, neither a file nor a pipe</source>
+        <translation>то је уређај, а не датотека ни цев</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>затворен је</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} MiB</source>
+        <translation>веће је од {0} MiB</translation>
+    </message>
+    <message>
+        <source>its view coordinates are at infinity</source>
+        <translation>њене координате у систему камере су у бесконачности</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>кључ</translation>
+    </message>
+    <message>
+        <source>largest error in px</source>
+        <translation>највећа грешка у px</translation>
+    </message>
+    <message>
+        <source>left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)</source>
+        <translation>леви систем света: z обрнуто; камера гледа дуж -z, y нагоре (worldToCameraMatrix)</translation>
+    </message>
+    <message>
+        <source>left-handed: world z reversed; looks along +z, y up</source>
+        <translation>леви систем: z света обрнуто; гледа дуж +z, y нагоре</translation>
+    </message>
+    <message>
         <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
         <translation>lens.kind = matrix: слободна матрица нема предњу раван, задњу раван ни угао који би се мерили; мора да буде једно од {0}.</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>лекција</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1168,6 +1528,30 @@
         <translation>lesson results тражи FILE.</translation>
     </message>
     <message>
+        <source>line</source>
+        <translation>ред</translation>
+    </message>
+    <message>
+        <source>looks along -z, y up</source>
+        <translation>гледа дуж -z, y нагоре</translation>
+    </message>
+    <message>
+        <source>looks along -z; y of clip down</source>
+        <translation>гледа дуж -z; y простора одсецања надоле</translation>
+    </message>
+    <message>
+        <source>make {0} a folder that you may write to</source>
+        <translation>нека {0} буде фасцикла у коју смете да пишете</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>недостаје</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>недостаје: {0}</translation>
+    </message>
+    <message>
         <source>nearest command is {0}</source>
         <translation>најближа је наредба {0}</translation>
     </message>
@@ -1176,12 +1560,48 @@
         <translation>ниједно име</translation>
     </message>
     <message>
+        <source>no package server could be reached</source>
+        <translation>ниједан сервер пакета није доступан</translation>
+    </message>
+    <message>
         <source>no smooth edges then</source>
         <translation>тада само оштре ивице</translation>
     </message>
     <message>
+        <source>no tested version of {0} here: trying others</source>
+        <translation>овде нема испробане верзије пакета {0}: пробам друге</translation>
+    </message>
+    <message>
         <source>no transparency</source>
         <translation>само непровидне пикселе</translation>
+    </message>
+    <message>
+        <source>no version fits {python} on this machine; use another Python</source>
+        <translation>ниједна верзија не одговара за {python} на овом рачунару; користите други Python</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>нема</translation>
+    </message>
+    <message>
+        <source>none for windows: {0}</source>
+        <translation>нема за прозоре: {0}</translation>
+    </message>
+    <message>
+        <source>none: {0}</source>
+        <translation>нема: {0}</translation>
+    </message>
+    <message>
+        <source>not set up yet</source>
+        <translation>још није постављено</translation>
+    </message>
+    <message>
+        <source>not without ffmpeg; .webp needs none</source>
+        <translation>не без програма ffmpeg; .webp га не тражи</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>опције</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1196,16 +1616,220 @@
         <translation>out = {0!r}: мора да буде име датотеке без фасцикле.</translation>
     </message>
     <message>
+        <source>outside of</source>
+        <translation>ван:</translation>
+    </message>
+    <message>
+        <source>overwritten</source>
+        <translation>преписано</translation>
+    </message>
+    <message>
+        <source>packages</source>
+        <translation>пакете</translation>
+    </message>
+    <message>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
+        <translation>део текста је само у белешкама предавача: {0}</translation>
+    </message>
+    <message>
         <source>pip does not find all packages for {0}, Python {1}.</source>
         <translation>pip не налази све пакете за {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>тачка {0}</translation>
+    </message>
+    <message>
+        <source>positional arguments</source>
+        <translation>аргументи по месту</translation>
+    </message>
+    <message>
+        <source>put Frustum Lab into a folder that you may write to</source>
+        <translation>ставите Frustum Lab у фасциклу у коју смете да пишете</translation>
+    </message>
+    <message>
+        <source>row vectors, p M</source>
+        <translation>вектори врсте, p M</translation>
+    </message>
+    <message>
+        <source>run again: {again}; {program} doctor says more</source>
+        <translation>покрените поново: {again}; више каже {program} doctor</translation>
+    </message>
+    <message>
+        <source>scale = {0} is free, and so is its sign</source>
+        <translation>scale = {0} је слободно, а тако и знак</translation>
+    </message>
+    <message>
+        <source>see Window</source>
+        <translation>видети Прозор</translation>
+    </message>
+    <message>
+        <source>see the system libraries above</source>
+        <translation>видети системске библиотеке изнад</translation>
+    </message>
+    <message>
+        <source>set up in {0:.0f} s</source>
+        <translation>постављено за {0:.0f} s</translation>
+    </message>
+    <message>
+        <source>show this help message and exit</source>
+        <translation>прикажи ову помоћ и заврши</translation>
+    </message>
+    <message>
+        <source>smallest gap in world units</source>
+        <translation>најмањи размак у јединицама света</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>досад</translation>
+    </message>
+    <message>
+        <source>software, without a graphics card</source>
+        <translation>програмски, без графичке картице</translation>
+    </message>
+    <message>
+        <source>talk</source>
+        <translation>презентација</translation>
     </message>
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk тражи --check или --handout OUT.pdf; {0} {1} отвара презентацију.</translation>
     </message>
     <message>
+        <source>the Python packages could not be installed</source>
+        <translation>пакети за Python нису могли да се инсталирају</translation>
+    </message>
+    <message>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
+        <translation>камера гледа дуж +z, y надоле; K је у пикселима, средина првог пиксела је у 0, 0</translation>
+    </message>
+    <message>
+        <source>the driver crashed (signal {0})</source>
+        <translation>управљачки програм се срушио (сигнал {0})</translation>
+    </message>
+    <message>
+        <source>the first start sets it up, which needs the network: {0}</source>
+        <translation>поставља га прво покретање, за шта је потребна мрежа: {0}</translation>
+    </message>
+    <message>
+        <source>the following arguments are required: %s</source>
+        <translation>недостају аргументи: %s</translation>
+    </message>
+    <message>
+        <source>the package server does not answer; trying again</source>
+        <translation>сервер пакета не одговара; пробам поново</translation>
+    </message>
+    <message>
+        <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
+        <translation>пакет {0} је оштећен ({1}); замените га и покрените поново: {2}</translation>
+    </message>
+    <message>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
+        <translation>путања {folder} је предуга: преместите фасциклу са кодом ближе корену диска</translation>
+    </message>
+    <message>
+        <source>the picture is at infinity too: w = 0, and lines of this direction stay parallel</source>
+        <translation>и слика је у бесконачности: w = 0, па праве тог смера остају паралелне</translation>
+    </message>
+    <message>
+        <source>the point at infinity is behind the eye; the opposite direction has a picture</source>
+        <translation>бесконачно далека тачка је иза камере; супротан смер има слику</translation>
+    </message>
+    <message>
+        <source>the point is in front of the eye; its pixel is larger than float64 can hold</source>
+        <translation>тачка је испред камере; њен пиксел је већи него што стаје у float64</translation>
+    </message>
+    <message>
+        <source>the point is not in front of the eye</source>
+        <translation>тачка није испред камере</translation>
+    </message>
+    <message>
+        <source>the rightmost factor acts first</source>
+        <translation>чинилац сасвим десно делује први</translation>
+    </message>
+    <message>
+        <source>the set-up failed</source>
+        <translation>постављање није успело</translation>
+    </message>
+    <message>
+        <source>the set-up was stopped; to go on: {0}</source>
+        <translation>постављање је прекинуто; за наставак: {0}</translation>
+    </message>
+    <message>
+        <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
+        <translation>косина {0:.1g} матрице K је изостављена: толико px на 45 степени изнад или испод</translation>
+    </message>
+    <message>
+        <source>the text is longer or higher than the two lines above the picture.</source>
+        <translation>текст је дужи или виши од два реда изнад слике.</translation>
+    </message>
+    <message>
+        <source>the view volume</source>
+        <translation>запремине погледа</translation>
+    </message>
+    <message>
         <source>the window</source>
         <translation>прозор</translation>
+    </message>
+    <message>
+        <source>there is no room</source>
+        <translation>нема места</translation>
+    </message>
+    <message>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
+        <translation>правила овог рачунара забрањују програме у {folder}; питајте онога ко га је поставио</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; install what provides them, and start again</source>
+        <translation>на овом систему недостаје: {0}; инсталирајте шта је потребно и покрените поново</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; run: {1}</source>
+        <translation>на овом систему недостаје: {0}; покрените: {1}</translation>
+    </message>
+    <message>
+        <source>through {0}</source>
+        <translation>преко {0}</translation>
+    </message>
+    <message>
+        <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
+        <translation>премало је слободног места: ослободите {space} GB поред {folder}, или поставите TMPDIR ако је пуна фасцикла привремених датотека, и покрените поново: {again}</translation>
+    </message>
+    <message>
+        <source>unrecognized arguments: %s</source>
+        <translation>непознати аргументи: %s</translation>
+    </message>
+    <message>
+        <source>update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>ажурирајте управљачки програм графике или покрените са LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>usage: </source>
+        <translation>употреба: </translation>
+    </message>
+    <message>
+        <source>view.names has {0}, which no pane draws here.</source>
+        <translation>view.names садржи {0}, а то овде не црта ниједан приказ.</translation>
+    </message>
+    <message>
+        <source>way = {0} %</source>
+        <translation>пут = {0} %</translation>
+    </message>
+    <message>
+        <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
+        <translation>нацртано покрива {0:.0%} ширине и {1:.0%} висине; потребно је бар {2:.0%} једног од тога, а испод {3:.0%} и {4:.0%} површине.</translation>
+    </message>
+    <message>
+        <source>without a display through {0}, {1}</source>
+        <translation>без екрана, преко {0}, {1}</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>записано</translation>
+    </message>
+    <message>
+        <source>x, y and z divided by w</source>
+        <translation>x, y и z подељено са w</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
@@ -1218,6 +1842,10 @@
     <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} није име које датотека може да има.</translation>
+    </message>
+    <message>
+        <source>{0} (needed: {1})</source>
+        <translation>{0} (потребно: {1})</translation>
     </message>
     <message>
         <source>{0} = {1!r}: has a character NUL.</source>
@@ -1252,8 +1880,24 @@
         <translation>{0} = {1!r}: нема фасцикле {2}.</translation>
     </message>
     <message>
+        <source>{0} Not measured: {1}.</source>
+        <translation>{0} Није мерено: {1}.</translation>
+    </message>
+    <message>
         <source>{0} cannot be read: {1}.</source>
         <translation>{0} не може да се прочита: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed ({1}); close the programs that run in it and run again: {2}</source>
+        <translation>{0} није могло да се уклони ({1}); затворите програме који у томе раде и покрените поново: {2}</translation>
+    </message>
+    <message>
+        <source>{0} failed</source>
+        <translation>{0} није успело</translation>
+    </message>
+    <message>
+        <source>{0} has no bound</source>
+        <translation>{0} нема границу</translation>
     </message>
     <message>
         <source>{0} has no figures: its first row names columns, the others are one.</source>
@@ -1264,6 +1908,14 @@
         <translation>{0} нема тачака: мора да има редове x,y,z.</translation>
     </message>
     <message>
+        <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
+        <translation>{0} има {1} kB, а страница за телефоне треба да има највише {2} kB: тражите мање помоћу {3}.</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{0} у {1}</translation>
+    </message>
+    <message>
         <source>{0} is a command and must come first: {1} {0} ...</source>
         <translation>{0} је наредба и мора да буде прва: {1} {0} ...</translation>
     </message>
@@ -1272,12 +1924,36 @@
         <translation>{0} је сцена: напишите --set scene={0}.</translation>
     </message>
     <message>
+        <source>{0} is not a folder; rename or remove it, and run again: {1}</source>
+        <translation>{0} није фасцикла; преименујте или уклоните то и покрените поново: {1}</translation>
+    </message>
+    <message>
         <source>{0} is not an option of {1}; the nearest is {2}.</source>
         <translation>{0} није опција за {1}; најближа је {2}.</translation>
     </message>
     <message>
+        <source>{0} lacks {1} although pip installed them; remove it and start again: {2}</source>
+        <translation>{0} нема {1} иако их је pip инсталирао; уклоните то и покрените поново: {2}</translation>
+    </message>
+    <message>
+        <source>{0} lacks {1}; start again: {2}</source>
+        <translation>{0} нема {1}; покрените поново: {2}</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} морају да иду у различите датотеке.</translation>
+    </message>
+    <message>
+        <source>{0} not as in the files</source>
+        <translation>{0} другачије него у датотекама</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0} од {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} или {1}</translation>
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
@@ -1288,8 +1964,28 @@
         <translation>{0}: дато је празно име.</translation>
     </message>
     <message>
+        <source>{0} was made by another program and lacks {1}; complete it with that program, or remove it and start again: {2}</source>
+        <translation>{0} је направио други програм и нема {1}; допуните то тим програмом, или уклоните и покрените поново: {2}</translation>
+    </message>
+    <message>
+        <source>{0} wrong</source>
+        <translation>погрешно: {0}</translation>
+    </message>
+    <message>
         <source>{0}, line {1}: is not CSV ({2}).</source>
         <translation>{0}, ред {1}: није CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}, step {1}</source>
+        <translation>{0}, корак {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
+        <translation>{0}, пренатрпано: {1}, празно: {2}, скривено: {3}, одсечено: {4}; укупно: {5}</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
+        <translation>{0}, {1}: тачно {2}, погрешно {3}, приказано {4}, неоцењено {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -1304,8 +2000,48 @@
         <translation>{0}: има две колоне {1}.</translation>
     </message>
     <message>
-        <source>{0}: has {1} columns, but the first row names {2}.</source>
-        <translation>{0}: број колона је {1}, а први ред их именује {2}.</translation>
+        <source>{0}: {1} drawn, {2} wrong</source>
+        <translation>{0}: нацртано: {1}, погрешно: {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} x {2} at scale {3:g}</source>
+        <translation>{0}: {1} x {2}, размера {3:g}</translation>
+    </message>
+    <message>
+        <source>{0}; Frustum Lab prefers its own packages</source>
+        <translation>{0}; Frustum Lab даје предност својим пакетима</translation>
+    </message>
+    <message>
+        <source>{0}; at most {1}.</source>
+        <translation>{0}; највише {1}.</translation>
+    </message>
+    <message>
+        <source>“{0}” has an underscore that is not typeset.</source>
+        <translation>„{0}” има доњу црту која није сложена као индекс.</translation>
+    </message>
+    <message>
+        <source>“{0}” is cut off at the border.</source>
+        <translation>„{0}” је одсечено на ивици.</translation>
+    </message>
+    <message>
+        <source>“{0}” is named and not drawn: there is no place for it.</source>
+        <translation>„{0}” је именовано, а није нацртано: нема места.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies behind the viewer.</source>
+        <translation>„{0}” лежи иза посматрача.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies on the point that “{1}” names.</source>
+        <translation>„{0}” лежи на тачки коју именује „{1}”.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies outside the pane by {1:.1%} of its height.</source>
+        <translation>„{0}” лежи ван приказа за {1:.1%} његове висине.</translation>
+    </message>
+    <message>
+        <source>“{0}” overlaps “{1}”.</source>
+        <translation>„{0}” се преклапа са „{1}”.</translation>
     </message>
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
@@ -1320,8 +2056,20 @@
         <translation>{0}: већ постоји; уклоните је, или изаберите другу фасциклу.</translation>
     </message>
     <message>
+        <source>{0}: line {1}, step {2} ({3})</source>
+        <translation>{0}: ред {1}, корак {2} ({3})</translation>
+    </message>
+    <message>
         <source>{0}: must name columns x, y and z, or hold a point.</source>
         <translation>{0}: мора да именује колоне x, y и z, или да садржи тачку.</translation>
+    </message>
+    <message>
+        <source>{0}: not writable</source>
+        <translation>{0}: нема дозволе за писање</translation>
+    </message>
+    <message>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: покрените програм на радној површини, преко ssh са -X, или са xvfb-run -s &apos;+extension GLX&apos;{1} испред; за „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” и „doctor” екран није потребан.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -1334,6 +2082,130 @@
     <message>
         <source>{0}: {1} = {2}: must lie within ±{3}.</source>
         <translation>{0}: {1} = {2}: мора да лежи унутар ±{3}.</translation>
+    </message>
+    <message>
+        <source>There are no settings to delete: {0}</source>
+        <translation>Нема подешавања за брисање: {0}</translation>
+    </message>
+    <message>
+        <source>Settings deleted: {0}</source>
+        <translation>Подешавања су избрисана: {0}</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, not a regular file</source>
+        <translation>то је цев или уређај, а не обична датотека</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} GiB</source>
+        <translation>веће је од {0} GiB</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>то није обична датотека</translation>
+    </message>
+    <message>
+        <source>is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong</source>
+        <translation>није текст ни у UTF-8 ни у UTF-16, па се чита као Latin-1; нека слова могу бити погрешна</translation>
+    </message>
+    <message>
+        <source>is damaged UTF-16 or UTF-32 text; what cannot be read is shown as �</source>
+        <translation>оштећен је текст у UTF-16 или UTF-32; нечитљиво се приказује као �</translation>
+    </message>
+    <message>
+        <source>a question or a task</source>
+        <translation>питање или задатак</translation>
+    </message>
+    <message>
+        <source>“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices</source>
+        <translation>„value:”, „count:”, „matrix:”, „click:”, „order:” или понуђени одговори</translation>
+    </message>
+    <message>
+        <source>{0} and choices</source>
+        <translation>{0} и понуђени одговори</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>крај</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>положај</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Нема OpenGL-а 3.2 за цртање: ажурирајте управљачки програм графике; на Linux-у инсталирајте Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) или покрените са LIBGL_ALWAYS_SOFTWARE=1.</translation>
+    </message>
+    <message>
+        <source>the whole numbers from 0 to {0}</source>
+        <translation>целих бројева од 0 до {0}</translation>
+    </message>
+    <message>
+        <source>the opposite of the segment&apos;s other end</source>
+        <translation>супротној другом крају дужи</translation>
+    </message>
+    <message>
+        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
+        <translation>промени вредност у документу, као lens.far=inf; може да се понови; имена су {0} и settings.NAME за подешавање сцене</translation>
+    </message>
+    <message>
+        <source>commands, each with its own --help:</source>
+        <translation>наредбе, свака са сопственим --help:</translation>
+    </message>
+    <message>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
+        <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} и {1}</translation>
+    </message>
+    <message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>транслација</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>ротација</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>скалирање</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>смицање</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>рефлексија</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>матрица</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>свет</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>камера</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>одсецање</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>слика px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>дубина</translation>
     </message>
 </context>
 <context>
@@ -1439,6 +2311,129 @@
     <message>
         <source>No control has this name.</source>
         <translation>Ниједна контрола нема то име.</translation>
+    </message>
+</context>
+<context>
+    <name>Count</name>
+    <message numerus="yes">
+        <source>%n answers</source>
+        <translation>
+            <numerusform>%n одговор</numerusform>
+            <numerusform>%n одговора</numerusform>
+            <numerusform>%n одговора</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n провера</numerusform>
+            <numerusform>%n провере</numerusform>
+            <numerusform>%n провера</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n колона</numerusform>
+            <numerusform>%n колоне</numerusform>
+            <numerusform>%n колона</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation>
+            <numerusform>%n датотека</numerusform>
+            <numerusform>%n датотеке</numerusform>
+            <numerusform>%n датотека</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n натпис</numerusform>
+            <numerusform>%n натписа</numerusform>
+            <numerusform>%n натписа</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lessons</source>
+        <translation>
+            <numerusform>%n лекција</numerusform>
+            <numerusform>%n лекције</numerusform>
+            <numerusform>%n лекција</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n оцена</numerusform>
+            <numerusform>%n оцене</numerusform>
+            <numerusform>%n оцена</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names</source>
+        <translation>
+            <numerusform>%n име</numerusform>
+            <numerusform>%n имена</numerusform>
+            <numerusform>%n имена</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n overlaps</source>
+        <translation>
+            <numerusform>%n преклапање</numerusform>
+            <numerusform>%n преклапања</numerusform>
+            <numerusform>%n преклапања</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n корак</numerusform>
+            <numerusform>%n корака</numerusform>
+            <numerusform>%n корака</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n talks</source>
+        <translation>
+            <numerusform>%n презентација</numerusform>
+            <numerusform>%n презентације</numerusform>
+            <numerusform>%n презентација</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n упозорење</numerusform>
+            <numerusform>%n упозорења</numerusform>
+            <numerusform>%n упозорења</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercises</source>
+        <translation>
+            <numerusform>%n задатак</numerusform>
+            <numerusform>%n задатка</numerusform>
+            <numerusform>%n задатака</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes</source>
+        <translation>
+            <numerusform>%n минут</numerusform>
+            <numerusform>%n минута</numerusform>
+            <numerusform>%n минута</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n узорак</numerusform>
+            <numerusform>%n узорка</numerusform>
+            <numerusform>%n узорака</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1610,22 +2605,6 @@
         <source>A pane cannot draw with {0}: it uses its default smoothing</source>
         <translation>Приказ не може да црта са {0}: користи своје подразумевано умекшавање</translation>
     </message>
-    <message numerus="yes">
-        <source>%n samples per pixel</source>
-        <translation>
-            <numerusform>%n узорак по пикселу</numerusform>
-            <numerusform>%n узорка по пикселу</numerusform>
-            <numerusform>%n узорака по пикселу</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>1 sample per pixel</source>
-        <translation>1 узорак по пикселу</translation>
-    </message>
-    <message>
-        <source>This computer&apos;s OpenGL gives {0} instead of {1}</source>
-        <translation>OpenGL овог рачунара даје {0} уместо {1}</translation>
-    </message>
     <message>
         <source>The scene has too few triangles to leave any out</source>
         <translation>Сцена има премало троуглова да би се иједан изоставио</translation>
@@ -1641,6 +2620,10 @@
     <message>
         <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
         <translation>Чак и најгрубља слика траје {0} ms по кадру уместо {1}</translation>
+    </message>
+    <message>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
+        <translation>OpenGL овог рачунара даје {0} по пикселу уместо {1}</translation>
     </message>
 </context>
 <context>
@@ -2541,11 +3524,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>кружење углови</translation>
+        <translation>углови кружења</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>кружење бочни нагиб</translation>
+        <translation>бочни нагиб кружења</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -5344,10 +6327,6 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>камера и објектив како их пише други програм</translation>
     </message>
     <message>
-        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation>промени вредност у документу, као lens.far=inf; може да се понови; имена су {0} и settings.NAME за подешавање сцене</translation>
-    </message>
-    <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
         <translation>провери или наброј лекције и презентације, штампај тестове са задацима, оцени резултате</translation>
     </message>
@@ -5362,10 +6341,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
         <translation>боје: као на светлом или тамном екрану; за штампу, где се стране и линије разликују и по нијанси сиве; или са највећим контрастом (подразумевано: screen)</translation>
-    </message>
-    <message>
-        <source>commands, each with its own --help:</source>
-        <translation>наредбе, свака са сопственим --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -5458,10 +6433,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>instead: the code and its packages, for machines with Python</source>
         <translation>уместо тога: кôд и његови пакети, за машине са Python-ом</translation>
-    </message>
-    <message>
-        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
     <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
@@ -5892,18 +6863,6 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>{0} од {1}</translation>
     </message>
     <message>
-        <source>about %n minutes</source>
-        <translation>број минута: око %n</translation>
-    </message>
-    <message>
-        <source>about 1 minute</source>
-        <translation>око 1 минут</translation>
-    </message>
-    <message>
-        <source>&amp;Review: {0}, {1}</source>
-        <translation>По&amp;нављање: {0}, {1}</translation>
-    </message>
-    <message>
         <source>The next review is tomorrow.</source>
         <translation>Следеће понављање је сутра.</translation>
     </message>
@@ -5963,6 +6922,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <source>Nothing has come back today.</source>
         <translation>Данас се ништа није вратило.</translation>
     </message>
+    <message>
+        <source>&amp;Review: {0}, about {1}</source>
+        <translation>По&amp;нављање: {0}, око {1}</translation>
+    </message>
 </context>
 <context>
     <name>ProbeNumbers</name>
@@ -6000,7 +6963,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>inside</source>
-        <translation>унутра</translation>
+        <translation>унутар</translation>
     </message>
     <message>
         <source>outside of: {0}</source>
@@ -6150,13 +7113,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>depth = {0}: must be that of something drawn, but nothing is here</source>
         <translation>дубина = {0}: мора да буде дубина нечег нацртаног, али овде нема ничега</translation>
-    </message>
-</context>
-<context>
-    <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
     </message>
 </context>
 <context>
@@ -7850,14 +8806,6 @@ An error in {3} is {2} times as large in u and v.</source>
 </context>
 <context>
     <name>SelfTestDialog</name>
-    <message>
-        <source>1 exercise</source>
-        <translation>1 задатак</translation>
-    </message>
-    <message>
-        <source>%n exercises</source>
-        <translation>задатака: %n</translation>
-    </message>
     <message>
         <source>Test yourself</source>
         <translation>Испитајте се</translation>

@@ -1,7 +1,5 @@
 """The command ``matrices``: other programs' conventions, planes, and matrices after ``--set``."""
 
-from __future__ import annotations
-
 import json
 import re
 

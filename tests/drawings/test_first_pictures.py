@@ -1,7 +1,5 @@
 """The first picture of each scene: large enough, its parts apart, its labels beside it."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """The world in its fixed views, with dimensions, and with hidden layers."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace
@@ -342,11 +340,7 @@ def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: Make
 
 @pytest.mark.parametrize(
     ("name", "written"),
-    [
-        ("similar-triangles", ("d", "−z")),
-        ("focus", ("s", "d")),
-        ("planar-shadow", ("d",)),
-    ],
+    [("similar-triangles", ("d", "−z")), ("focus", ("s", "d")), ("planar-shadow", ("d",))],
 )
 def test_a_scenes_distances_stand_in_rows_of_their_own(
     off_screen: MakeScreen, name: str, written: tuple[str, ...]
@@ -612,10 +606,7 @@ def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str
 
 @pytest.mark.parametrize(
     ("layer", "names"),
-    [
-        ("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}),
-        ("frustum", {"near n = 4", "far f = 18"}),
-    ],
+    [("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}), ("frustum", {"near n = 4", "far f = 18"})],
 )
 @pytest.mark.parametrize("view", ["", "side"])
 def test_names_and_handles_go_with_what_they_are_of(

@@ -1,7 +1,5 @@
 """Labels: how they are typeset, and the pixels in which they reach the screen."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import fields
 

@@ -1,7 +1,5 @@
 """The one placer: no label covers another one or a mark, and none jumps while something moves."""
 
-from __future__ import annotations
-
 import math
 from functools import partial
 from itertools import combinations

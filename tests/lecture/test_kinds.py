@@ -1,21 +1,11 @@
 """The tree of planar projections of lecture 002: conditions and scale factors."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
 import pytest
 
-from app.lecture.kinds import (
-    AXES,
-    KINDS,
-    TOLERANCE,
-    kind_of,
-    path,
-    scale_factors,
-    with_kind,
-)
+from app.lecture.kinds import AXES, KINDS, TOLERANCE, kind_of, path, scale_factors, with_kind
 from app.model.infinity import trace_at_infinity
 from app.model.projection import (
     Camera,

@@ -1,7 +1,5 @@
 """Formulas agree with their numbers, numbers with the command's; and copying works."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

@@ -1,7 +1,5 @@
 """L2: the object's own transform, against turning points by hand and against mpmath."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from fractions import Fraction

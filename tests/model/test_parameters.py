@@ -1,7 +1,5 @@
 """The table of parameters: each is read and changed, and its texts are those of the model."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import fields
 from typing import get_args

@@ -1,7 +1,5 @@
 """The projection core: its meaning, its laws, independent oracles, and what it refuses."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator
@@ -458,11 +456,7 @@ def test_with_lens_always_gives_a_lens_that_works() -> None:
     assert same.with_lens("perspective") is same
 
 
-@given(
-    projections(wild=False),
-    st.sampled_from(sorted(ONE_OF_EACH)),
-    st.lists(PARTS, max_size=4),
-)
+@given(projections(wild=False), st.sampled_from(sorted(ONE_OF_EACH)), st.lists(PARTS, max_size=4))
 @QUICK
 def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
     projection: Projection, kind: str, parts: list

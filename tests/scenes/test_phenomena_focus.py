@@ -1,7 +1,5 @@
 """Lens and focus: the standard formulas against rays through a thin lens, in 40 digits."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Polygons in triangles: their area and place are those of the shoelace formula, in any plane."""
 
-from __future__ import annotations
-
 import subprocess
 import time
 from pathlib import Path

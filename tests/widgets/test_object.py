@@ -1,7 +1,5 @@
 """L2 in the window: the object's own transform in dock, panes and panel."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The way between two steps: cameras move with the model, pictures fade, nothing is left over."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -100,9 +98,7 @@ def light_of(window: MainWindow) -> float:
     return float(lights.pop())
 
 
-def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(
-    window: MainWindow,
-) -> None:
+def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(window: MainWindow) -> None:
     begun = camera_of(window)
     window.settings.reduce_motion = True
     assert window.lessons.go(1) and not window.lessons.is_moving

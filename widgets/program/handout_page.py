@@ -17,6 +17,7 @@ from app.drawings.describing import describe
 from app.drawings.figure import Figure
 from app.drawings.page import STYLE, drawing, drawn, escaped, fonts, html, picture, sized
 from app.drawings.svg import outlined
+from app.languages import said
 from app.lecture.typesetting import outline
 from app.lessons.course import Course, panes_of, scene_of
 from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, readable, spoken_tex
@@ -77,8 +78,8 @@ class _PhonePage:
                 [*map(self.text, content.texts), _beside(map(_typeset, content.formulas))]
             )
         if isinstance(content, ToWrite):
-            room = 'placeholder="This page does not keep what you type; print it to keep it."'
-            return f'<textarea rows="3" aria-label="Your answer" {room}></textarea>'
+            room = f'placeholder="{said("answer-not-kept")}"'
+            return f'<textarea rows="3" aria-label="{said("Your answer")}" {room}></textarea>'
         return self.text(content)
 
     def text(self, text: str) -> str:

@@ -246,6 +246,11 @@ class Lessons(QObject):
         self._move_to(replace(document, view=view), scene_of(document))
         self._set_off()
 
+    def show_left(self, document: Document) -> None:
+        """Show at once how a student has left the step."""
+        self._move_to(document, scene_of(document))
+        self._finish()
+
     def _is_other(self, document: Document) -> bool:
         """Whether a document shows another scene."""
         here = self._store.document

@@ -9,10 +9,11 @@
 
 import logging
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
@@ -29,7 +30,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
-from app.document.store import Store
+from app.document.store import Origin, Store
 from app.drawings.style import Style
 from app.lessons.record import Record
 from app.model.refusal import Refusal
@@ -105,6 +106,7 @@ class Work(NamedTuple):
     lesson: Path | None = None
     step: str = ""
     store: Store | None = None
+    covered: Mapping[Origin, Path] = MappingProxyType({})  # copies of unsaved work
 
 
 class MainWindow(QMainWindow):
@@ -360,15 +362,19 @@ class MainWindow(QMainWindow):
         self.history.stand_still()
         self.settings.language = language
         origin, lesson = self.store.origin, self.lessons.lesson
-        self.work_left = Work(
-            self.store.seen,
-            origin.saved,
-            origin.path,
-            lesson.path if lesson is not None else None,
-            lesson.steps[self.lessons.place].name if lesson is not None else "",
-            self.store,
-        )
+        at = (None, "") if lesson is None else (lesson.path, lesson.steps[self.lessons.place].name)
+        given = self.store.seen, origin.saved, origin.path, *at, self.store, self.recovery.covered
+        self.work_left = Work(*given)
         self.close()
+
+    def go_on(self, work: Work) -> None:
+        """Go on with what another window has left, or open a lesson."""
+        if work.store is not None:
+            self.store.take_steps(work.store)
+            self.recovery.take_over(work.covered)
+        is_open = work.lesson is not None and self.lesson_card.open(work.lesson, work.step)
+        if is_open and work.store is not None:
+            self.lessons.show_left(work.document)
 
     # -- showing the document
 

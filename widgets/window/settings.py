@@ -16,6 +16,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 from app import __version__
 from app.document.files import blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.languages import said
 from app.lessons.player import Progress
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
@@ -330,5 +331,5 @@ def delete_settings() -> str:
     try:
         path.unlink()
     except FileNotFoundError:
-        return f"There are no settings to delete: {path}"
-    return f"Settings deleted: {path}"
+        return said("There are no settings to delete: {0}", path)
+    return said("Settings deleted: {0}", path)
