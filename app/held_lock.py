@@ -61,16 +61,11 @@ class HeldLock:
         unwanted = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PYTHONHOME")
         environment = {key: value for key, value in os.environ.items() if key not in unwanted}
         with subprocess.Popen(
-            command,
-            env=environment | {"PYTHONUNBUFFERED": "1"},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
+            command, env=environment | {"PYTHONUNBUFFERED": "1"}, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
             pass_fds=() if sys.platform == "win32" else (self._file.fileno(),),
             preexec_fn=None if sys.platform == "win32" else die_with_parent,
-        ) as process:
+        ) as process:  # fmt: skip
             assert process.stdout is not None
             try:
                 for line in process.stdout:

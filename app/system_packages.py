@@ -179,14 +179,10 @@ def install(missing: Sequence[System]) -> None:
     packages = packages_of(missing)
     log(said("installing system packages: {0}", " ".join(packages)))
     # An unreachable repository is no reason to stop: the necessary one may be reachable.
+    quiet = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
     for command in (["apt-get", "update"], [*APT_INSTALL, *packages]):
         done = subprocess.run(
-            command,
-            env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
-            capture_output=True,
-            text=True,
-            errors="replace",
-            check=False,
+            command, env=quiet, capture_output=True, text=True, errors="replace", check=False
         )
     if done.returncode != 0:
         why = last_line(done.stderr.splitlines(), "E:") or said("exit status {0}", done.returncode)

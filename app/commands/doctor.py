@@ -114,9 +114,7 @@ def _folders() -> Iterator[Finding]:
         (said("Recovery folder"), data_folder()),
         (said("Log folder"), log_path().parent),
     ):
-        there = folder
-        while not os.path.exists(there) and there != there.parent:
-            there = there.parent
+        there = next(filter(os.path.exists, (folder, *folder.parents)), folder)
         if os.path.isdir(there) and os.access(there, os.W_OK):
             yield Finding(name, str(folder))
         else:

@@ -126,7 +126,8 @@ def _in_convention(projection: Projection, options: argparse.Namespace) -> str:
     if options.format == "json":
         return _object({name: plain(matrix) for name, matrix in matrices.items()})
     vectors = said("row vectors, p M") if rows else said("column vectors, M p")
-    blocks = [f"{options.convention}: {said(convention.note)}; {vectors}\n"]
+    about = said(f"in-{options.convention}")
+    blocks = [f"{options.convention}: {about}; {vectors}\n"]
     blocks += [f"{name}\n{_rows(matrix)}" for name, matrix in matrices.items()]
     return "\n".join(blocks)
 

@@ -92,8 +92,12 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("words", nargs="*", metavar=names, help=about)
         details = _DETAILS.get(command, {})
         for option, value, text in options:
-            self._add(option, value, _tr(text).replace("%", "%%"), **details.get(option, {}))
-        if "--set" in details:
+            usual = re.search(r"\(default: (\w+)\)", text)
+            more = {"default": usual[1]} if usual and usual[1] in value.split("|") else {}
+            more |= {"action": "append"} if "may be repeated" in text else {}
+            more |= details.get(option, {})
+            self._add(option, value, _tr(text).replace("%", "%%"), **more)
+        if command in _OF_A_DOCUMENT:
             more = {"action": "append", "default": []}
             self._add("--set", "NAME=VALUE", said("of-set", ", ".join(SETTABLE)), **more)
         self._add("--language", "|".join(languages.LANGUAGES), said("of-language"))
@@ -233,55 +237,38 @@ def _sweep(value: str) -> tuple[str, str]:
     return name, ends
 
 
-_COUNT = partial(_whole, "[0-9]{1,9}")
+_COUNT, _DIGITS = partial(_whole, "[0-9]{1,9}"), partial(_whole, "[1-9]|1[0-7]")
 _PAPER: dict[str, dict[str, Any]] = {  # of figures and charts
     "--size": {"type": _parsed("--size", "size", parse_size)},
     "--width": {"type": _parsed("--width", "a length in {0}, such as 84mm", parse_length)},
     "--text-size": {"type": _parsed("--text-size", "a number of points", parse_points)},
-    "--palette": {"default": "screen"},
 }
+_ANGLE = _parsed("--orbit", "a number of degrees")
 _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
     "": {
         "--size": {"type": _size},
         "--version": {"action": "version", "version": f"Frustum Lab {__version__}"},
-        "--set": {},
     },
     "export": {
         **_PAPER,
-        "--fit": {"default": "named"}, "--sweep": {"action": "append"},
-        "--ease": {"default": "linear"},
         "--scale": {"type": _parsed("--scale", "a finite number"), "default": 1.0},
-        "--orbit": {
-            "type": _parsed("--orbit", "a number of degrees"), "nargs": "?", "const": FULL_TURN,
-        },
+        "--orbit": {"type": _ANGLE, "nargs": "?", "const": FULL_TURN},
         "--frames": {"type": _parsed("--frames", "a whole number", _COUNT)},
         "--fps": {"type": _parsed("--fps", "a finite number")},
-        "--set": {},
-    },
-    "project": {
-        "--format": {"default": "table"}, "--space": {"default": "world"}, "--set": {},
+        "--hidden": {"default": None}, "--format": {"default": None},  # seen to be given
     },
     "matrices": {
-        "--format": {"default": "text"},
-        "--digits": {
-            "type": _parsed(
-                "--digits", "a whole number from 1 to 17", partial(_whole, "[1-9]|1[0-7]")
-            )
-        },
+        "--digits": {"type": _parsed("--digits", "a whole number from 1 to 17", _DIGITS)},
         "--width": {"type": _width},
-        "--set": {},
     },
     "measure": {
-        **_PAPER,
-        "--trade": {"action": "append"},
-        "--sweep": {"type": _sweep, "action": "append"},
-        "--cost": {"default": "time"},
-        "--set": {},
+        **_PAPER, "--sweep": {"type": _sweep, "action": "append"}, "--cost": {"default": "time"},
     },
     "talk": {"--for": {"dest": "readers", "type": str}},
-    "bundle": {"--platform": {"action": "append"}, "--python": {"action": "append", "default": []}},
+    "bundle": {"--python": {"action": "append", "default": []}},
 }  # fmt: skip
 """How options are read that are not text, a choice or yes or no: arguments for argparse."""
+_OF_A_DOCUMENT = ("", "export", "project", "matrices", "measure")  # commands with --set
 
 
 def choose_language(arguments: Sequence[str]) -> None:

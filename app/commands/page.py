@@ -3,20 +3,19 @@
 import os
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from app.commands import sweep
 from app.commands.arguments import importing
 from app.commands.terminal import CliError
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
+from app.drawings.describing import describe
+from app.drawings.figure import Figure
+from app.drawings.film import steady
 from app.languages import said, with_comma
 from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.words import digits_apart
-
-if TYPE_CHECKING:
-    from app.drawings.figure import Figure
-    from app.scenes.scene import Scene
+from app.scenes.scene import Scene
 
 FRAMES = 21  # states under the slider, unless another number is asked for
 
@@ -44,16 +43,14 @@ def write(
     out: str,
     told: Callable[[Sequence[Document]], Iterable[Document]],
     states: Sequence[Document],
-    scene: "Scene",
-    alone: "Callable[[Document, str], Figure]",
+    scene: Scene,
+    alone: Callable[[Document, str], Figure],
 ) -> str:
     """Write the page of states, which `told` yields; return a warning if it is large.
 
     `alone` returns the figure of a pane.
     """
     with importing():
-        from app.drawings.describing import describe
-        from app.drawings.film import steady
         from app.drawings.page import LARGEST, SliderPosition, drawn, page, sized
     values = _values(options, states, scene)
     panes = sweep.panes(options)
@@ -74,7 +71,7 @@ def write(
     return said("too-large-page", name, len(content) // 1000, LARGEST // 1000, fewer)
 
 
-def _values(options: Namespace, states: Sequence[Document], scene: "Scene") -> list[str]:
+def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
     if options.orbit is not None:
         turns_deg = [options.orbit * k / (len(states) - 1) for k in range(len(states))]
@@ -83,4 +80,4 @@ def _values(options: Namespace, states: Sequence[Document], scene: "Scene") -> l
     if options.transition:
         parts = (with_comma(f"{100 * k / (len(states) - 1):.3g}") for k in range(len(states)))
         return [said("way = {0} %", part) for part in parts]
-    return list(sweep.shown_values(options, states, scene))
+    return sweep.shown_values(options, states, scene)

@@ -79,6 +79,14 @@ class Dimensions(Layer):
         said = len(self._sentence_lines())
         return self._rows_em() + (0.5 + 1.5 * said if said else 0.0)
 
+    @property
+    def below(self) -> tuple[float, float]:
+        """The distances along the axis between which that room is needed; a sentence needs all."""
+        rows = [0.0, *(distance for _, distance in distances(self._state, self._state.own.fixed))]
+        if len(rows) == 1 or self._sentence_lines():
+            return -math.inf, math.inf
+        return min(rows), max(rows)
+
     def _rows_em(self) -> float:
         state = self._state
         if state.own.fixed == "axis":

@@ -272,11 +272,13 @@ def want_plane(
     ground: Ground,
     key: Hashable,
     corners: Sequence[Spot],
+    body: Sequence[Spot],
     covered: Callable[[], Sequence[Spot]] = tuple,
 ) -> None:
     """Ask for a place for a plane's name: along its visible edges, else on it.
 
-    `corners` are seen in the pane; `covered` returns the places of the pane that show the plane.
+    `corners` are seen in the pane, as are those of the `body` that the plane bounds; `covered`
+    returns the places of the pane that show the plane.
     """
     spots = [(x, y) if depth > 0.0 else (math.nan, math.nan) for x, y, depth in corners]
     size = board.label(key).size_px
@@ -288,7 +290,9 @@ def want_plane(
         possible = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
         if len(seen):
             x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
-            possible.insert(0, along(seen, (x, y), size, board.em))
+            whole = [(x, y) for x, y, depth in body if depth > 0.0 and math.isfinite(x + y)]
+            centre = np.mean(whole or [(x, y)], axis=0).tolist()
+            possible.insert(0, along(seen, (x, y), size, board.em, centre))
         return joined(*possible) if possible else NOWHERE
 
     board.want(key, spots, places, PLANE)

@@ -53,7 +53,7 @@ class OffScreen:
     def __init__(self, width: int, height: int) -> None:
         self.render_window: Any = (make_window or _window_that_draws())()
         self.render_window.SetOffScreenRendering(1)
-        if sys.platform == "darwin":  # or only the main thread may use it, as a window on screen
+        if hasattr(self.render_window, "SetConnectContextToNSView"):  # macOS: in any thread, then
             self.render_window.SetConnectContextToNSView(False)
         self.clear(width, height)
         self.render_window.SetAlphaBitPlanes(1)

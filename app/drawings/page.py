@@ -17,6 +17,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, replace
 from html import escape, unescape
+from itertools import groupby
 from pathlib import Path
 from string import Template
 from typing import Any, NamedTuple
@@ -236,13 +237,6 @@ def _stored(slots: Sequence[Sequence[Sequence[str]]]) -> list[str]:
 
 
 def _runs(places: Sequence[int]) -> str:
-    runs: list[list[int]] = []
-    for place in places:
-        if runs and runs[-1][1] == place - 1:
-            runs[-1][1] = place
-        else:
-            runs.append([place, place])
-    return ",".join(
-        "-".join(np.base_repr(end, 36).lower() for end in dict.fromkeys((first, last)))
-        for first, last in runs
-    )
+    runs = (list(run) for _, run in groupby(enumerate(places), lambda each: each[1] - each[0]))
+    ends = (dict.fromkeys((run[0][1], run[-1][1])) for run in runs)
+    return ",".join("-".join(np.base_repr(end, 36).lower() for end in each) for each in ends)

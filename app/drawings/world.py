@@ -281,7 +281,7 @@ class WorldDrawing(Drawing):
         return Framed(
             at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,
             volume.corners if volume.exists and "frustum" not in state.left_out else points,
-            state.projection.lens.central, self._lengths.below_em, self._shot,
+            state.projection.lens.central, self._lengths.below_em, self._lengths.below, self._shot,
         )  # fmt: skip
 
     @property

@@ -626,12 +626,13 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
             view.drawing.show_projection(projection)
             if afresh:
                 view.drawing.layers.place_labels(afresh=True)
-            now = {text.split()[0]: np.array(box) for text, box in boxes_of(view.plotter).items()}
+            boxes = boxes_of(view.plotter)
+            now = {text.split()[0]: np.array(box) for text, box in boxes.items()}
             changes[afresh] += sum(
                 bool(np.abs(now[name] - before[name]).max() > far) for name in now.keys() & before
             )
             before = now
-            assert overlapping(boxes_of(view.plotter)) == [], projection
+            assert overlapping(boxes) == [], projection
     assert 0 < changes[False] <= 0.7 * changes[True]
 
 

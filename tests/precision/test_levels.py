@@ -765,7 +765,7 @@ def test_predictions_of_scattered_points_are_as_tight_as_the_readme_says(
     count: int, most: float
 ) -> None:
     rng, ratios = np.random.default_rng(32), []
-    starts = [load(name).start for name in BUILT_IN] * 2
+    starts = [load(name).start for name in BUILT_IN]
     for start in (start.with_depth(depth) for start in starts for depth in DEPTH_RANGES):
         lens = start.lens.replaced(near=1.01 * start.lens.near)
         projection = replace(start, lens=lens)

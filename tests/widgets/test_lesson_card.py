@@ -1204,12 +1204,11 @@ def test_nothing_that_a_step_needs_is_below_the_fold(window: MainWindow, number:
     window.settings.reduce_motion = True
     for course in sorted(CONTENT.glob("l*.md"))[number::4]:
         assert window.lesson_card.open(course)
-        page = window.lesson_card.page
-        for place in range(len(read(course).steps)):
+        page, lesson = window.lesson_card.page, window.lessons.lesson
+        assert lesson is not None
+        for place, step in enumerate(lesson.steps):
             assert window.lessons.go(place)
             settle()
-            assert window.lessons.player is not None
-            step = window.lessons.player.step
             where = course.stem, step.title
             for row in needed(step, window):
                 assert is_in_view(window.controls, row), (*where, row.name)

@@ -1046,35 +1046,35 @@ def coloured_px(window: MainWindow, place: QRect) -> int:
 
 
 @pytest.mark.parametrize(
-    ("number", "size"),
-    [
-        *((number, (1366, 768)) for number in ("000", "001", "003", "004")),
-        *((number, (1920, 1080)) for number in ("001", "002")),
-    ],
+    ("numbers", "size"),
+    [(("000", "001", "003", "004"), (1366, 768)), (("001", "002"), (1920, 1080))],
 )
 def test_no_question_of_a_talk_lies_over_what_is_drawn(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch, number: str, size: tuple[int, int]
+    window: MainWindow,
+    monkeypatch: pytest.MonkeyPatch,
+    numbers: tuple[str, ...],
+    size: tuple[int, int],
 ) -> None:
     """Neither over a name nor over what has a colour: the ground's grey lines may be hidden."""
     there = SimpleNamespace(size=lambda: QSize(*size), geometry=lambda: QRect(0, 0, *size))
     monkeypatch.setattr(MainWindow, "screen", lambda _window: there)
-    window.present.end()
-    assert window.lessons.open(CONTENT / f"talk-{number}.md")
-    present(window)
-    question, slide = window.slide.question, window.slide
-    lesson, hides = window.lessons.lesson, {}
-    assert lesson is not None
-    for place, step in enumerate(lesson.steps):
-        if any(part.reveals for part in step.parts):
-            go_to(window.lessons, place)
-        while any(part.reveals for part in step.parts) and window.talks.reveal():
-            tick(window.lessons, TRANSITION_S)
-            settle()
-            box = question.geometry()
-            names = [each.toAlignedRect() for boxes, _ in slide.named() for each in boxes]
-            hidden = sum(map(box.intersects, names)), coloured_px(window, box)
-            if hidden[0] or hidden[1] > MOST_HIDDEN * slide.width() * slide.height():
-                hides[step.name, asked(window)[:20]] = hidden
+    question, slide, hides = window.slide.question, window.slide, {}
+    for number in numbers:
+        window.present.end()
+        assert window.lessons.open(CONTENT / f"talk-{number}.md")
+        present(window)
+        assert window.lessons.lesson is not None
+        for place, step in enumerate(window.lessons.lesson.steps):
+            if any(part.reveals for part in step.parts):
+                go_to(window.lessons, place)
+            while any(part.reveals for part in step.parts) and window.talks.reveal():
+                tick(window.lessons, TRANSITION_S)
+                settle()
+                box = question.geometry()
+                names = [each.toAlignedRect() for boxes, _ in slide.named() for each in boxes]
+                hidden = sum(map(box.intersects, names)), coloured_px(window, box)
+                if hidden[0] or hidden[1] > MOST_HIDDEN * slide.width() * slide.height():
+                    hides[number, step.name, asked(window)[:20]] = hidden
     assert not hides
 
 
@@ -1095,8 +1095,19 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
-    named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 590.0, 680.0, 5.0)]
-    named += [QRectF(x, 5.0, 5.0, 590.0) for x in (0.0, 675.0)]
+    frame = QRectF(100.0, 1.0, 800.0, 598.0)
+
+    def crossed(boxes: np.ndarray) -> np.ndarray:
+        """The ink of a picture's frame that leaves no room beside it."""
+        rects = [QRectF(left, top, right - left, low - top) for left, top, right, low in boxes]
+        is_clear = [frame.contains(each) or not frame.intersects(each) for each in rects]
+        return np.where(is_clear, 0.0, 1e5)
+
+    question = QuestionOverlay(slide, lambda: [([], crossed)])
+    question.show_text("How wide is it?  \n**A** 1  \n**B** 2", 600.0)
+    assert frame.contains(QRectF(question.geometry())), "inside, rather than over a side of it"
+    question = QuestionOverlay(slide, lambda: [(named, no_ink)])
+    named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 5.0, 680.0, 590.0)]
     question.show_text("How wide is what the camera sees at this distance?\n\n" * 4, 600.0)
     place = question.geometry()
     assert 200 < place.height() <= 300 and place.left() > 680, "rather high than over a name"

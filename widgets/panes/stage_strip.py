@@ -21,7 +21,7 @@ from app.lecture.stages import (
     VIEW,
     WORLD,
 )
-from app.model.chain import MOST_TILES, Tile
+from app.model.chain import MOST_TILES, Tile, in_words
 from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
@@ -187,7 +187,7 @@ class StageStrip(QWidget, Playing):
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
             name = called(tile.kind) + tile.kind.partition(" ")[2]
-            return [name, WORDS.say("after", tile.text)]
+            return [name, WORDS.say("after", in_words(tile.text))]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             return [self._names[CANONICAL_PARALLEL][0], WORDS.say("no-pyramid")]
         if self._parallel and stop == CANONICAL_PARALLEL:

@@ -22,6 +22,7 @@ from app.lessons.text import escaped
 from app.model.refusal import REFUSALS
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import FEW, figure_text
+from widgets.parts.translator import off_screen_application
 from widgets.parts.typeset import paint_brackets
 from widgets.program import paper
 from widgets.program.paper import (
@@ -83,6 +84,7 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
 
     `check` is called before each page; it may raise an exception.
     """
+    off_screen_application()  # which translates
     title = QCoreApplication.translate("Exam", "Test: {0}").format(name)
     left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, seed)
 
@@ -120,6 +122,7 @@ def key(
 
     `check` as for `exam`.
     """
+    off_screen_application()
     title = QCoreApplication.translate("Exam", "Key: {0}").format(name)
 
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:

@@ -360,15 +360,9 @@ class MainWindow(QMainWindow):
         self.history.stand_still()
         self.settings.language = language
         origin, lesson = self.store.origin, self.lessons.lesson
-        self.work_left = Work(
-            self.store.seen,
-            origin.saved,
-            origin.path,
-            lesson.path if lesson is not None else None,
-            lesson.steps[self.lessons.place].name if lesson is not None else "",
-            self.store,
-            self.recovery.covered,
-        )
+        at = (None, "") if lesson is None else (lesson.path, lesson.steps[self.lessons.place].name)
+        given = self.store.seen, origin.saved, origin.path, *at, self.store, self.recovery.covered
+        self.work_left = Work(*given)
         self.close()
 
     def go_on(self, work: Work) -> None:

@@ -31,7 +31,7 @@ from app.lessons.blocks.block import Here, State, Trial, Variant, Verdict
 from app.lessons.blocks.question import MODEL, YOURS, MarkedQuestion
 from app.lessons.lines import Body, Items, on_line, refused
 from app.lessons.text import escaped
-from app.model.chain import FROM_OBJECT, Chain, Tile
+from app.model.chain import FROM_OBJECT, Chain, Tile, in_words
 from app.model.limits import Array
 from app.model.refusal import REFUSALS, Refusal
 
@@ -118,10 +118,10 @@ class OrderQuestion(MarkedQuestion):
         return None
 
     def posed(self) -> str:
-        return "\n".join([self.text, "", *(f"- `{tile}`" for tile in self.tiles)])
+        return "\n".join([self.text, "", *(f"- `{in_words(tile)}`" for tile in self.tiles)])
 
     def printed(self, numbers: Sequence[str]) -> str:
-        return " · ".join(numbers)
+        return " · ".join(map(in_words, numbers))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
         return self.printed(self.chain.split("; "))
@@ -149,7 +149,7 @@ class OrderQuestion(MarkedQuestion):
         lines = [f"- ${_place(point)}$"]
         for factor in reversed(self.factors(here)):
             point = effect((factor,), point)
-            lines.append(f"- {escaped(factor.text)}: ${_place(point)}$")
+            lines.append(f"- {escaped(in_words(factor.text))}: ${_place(point)}$")
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:
