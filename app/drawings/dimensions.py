@@ -82,10 +82,9 @@ class Dimensions(Layer):
     @property
     def below(self) -> tuple[float, float]:
         """The distances along the axis between which that room is needed; a sentence needs all."""
-        rows = [0.0, *(distance for _, distance in distances(self._state, self._state.own.fixed))]
-        if len(rows) == 1 or self._sentence_lines():
-            return -math.inf, math.inf
-        return min(rows), max(rows)
+        rows = [distance for _, distance in distances(self._state, self._state.own.fixed)]
+        is_all = not rows or self._sentence_lines()
+        return (-math.inf, math.inf) if is_all else (min(0.0, *rows), max(0.0, *rows))
 
     def _rows_em(self) -> float:
         state = self._state

@@ -31,7 +31,6 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
-GRASP_EM = 0.3  # beyond its letters: a label is taken there, too, as by its underline
 PARTS = 4  # of a pixel, to which a piece is placed
 
 
@@ -312,10 +311,7 @@ class SceneLabel:
         return left, left + wide, low, low + high
 
     def covers(self, x_px: float, y_px: float) -> bool:
-        """Return whether a pixel from the renderer's left and bottom is the visible label's.
-
-        What underlines a label that is lit up belongs to it.
-        """
-        (left, right, bottom, top), rim = self.box_px, GRASP_EM * self.em
+        """Return whether the label, with its underline, is visible at a pixel of the renderer."""
+        (left, right, bottom, top), rim = self.box_px, (UNDER_EM + HALO_EM) * self.em
         inside = left - rim <= x_px <= right + rim and bottom - rim <= y_px <= top + rim
         return inside and bool(self.actor.GetVisibility())

@@ -180,19 +180,15 @@ def along(
     order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
     order = order[lengths[order] >= 1.0]
-    ends, spans, lengths, across, outward = (
-        each[order] for each in (ends, spans, lengths, across, outward)
-    )
     turns = np.arctan2(across[:, 1], across[:, 0])
     turns -= math.pi * np.round(turns / math.pi)
     is_turned = (np.abs(turns) <= _STEEPEST) & (lengths > size[0])
     half = np.abs(outward) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
     reach = size[1] / 2.0 + np.abs(outward[:, 0]) * size[0] / 6.0  # of the boxes that ink is in
     away = np.where(is_turned, reach, half) + 0.35 * em
-    anchors = ends[:, :1] + np.array(_ALONG)[:, None] * spans[:, None]
-    centres = anchors + (away[:, None] * outward)[:, None]
-    turns = np.repeat(np.where(is_turned, turns, 0.0), len(_ALONG))
-    anchors, centres = anchors.reshape(-1, 2), centres.reshape(-1, 2)
+    anchors = (ends[:, :1] + np.array(_ALONG)[:, None] * spans[:, None])[order].reshape(-1, 2)
+    centres = anchors + np.repeat((away[:, None] * outward)[order], len(_ALONG), axis=0)
+    turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
     places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
     return joined(places, round_mids)
 
