@@ -50,8 +50,9 @@ def main() -> int:
             _check(arguments)  # which prints it
             return 0
         if arguments[:1] == ["doctor"]:
-            from app.commands import doctor, terminal
+            from app.commands import doctor, options, terminal
 
+            options.choose_language(arguments)
             return terminal.outcome(lambda: doctor.run(arguments[1:]))
         from app import bootstrap
 
@@ -59,6 +60,9 @@ def main() -> int:
         try:
             from app.commands.cli import main as run  # only now are its imports sure to be there
         except ImportError as error:
+            from app.commands.options import choose_language
+
+            choose_language(arguments)
             if sentence := bootstrap.damage(error):
                 bootstrap.fail(sentence)
             raise

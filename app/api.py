@@ -35,23 +35,9 @@ from app.drawings.describing import Description
 from app.drawings.describing import describe as described
 from app.drawings.style import LIGHT
 from app.model.infinity import homogeneous_rows
-from app.model.projection import (
-    Array,
-    Camera,
-    Chain,
-    FreeMatrix,
-    Frustum,
-    Intrinsics,
-    Lens,
-    Oblique,
-    Orthographic,
-    Perspective,
-    Projection,
-    Space,
-    Stage,
-    Trace,
-    checked_points,
-)
+from app.model.lenses import FreeMatrix, Frustum, Lens, Oblique, Orthographic, Perspective
+from app.model.pipeline import Stage, Trace, checked_points
+from app.model.projection import Array, Camera, Chain, Intrinsics, Projection, Space
 from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
@@ -172,7 +158,6 @@ def project(
 
     Parameters
     ----------
-    of : Document or Projection
     points : (..., 3) or (..., 4) array_like
         World units. A fourth number is w: 0 makes a point at infinity, a direction.
     space : {"world", "object"}
@@ -195,14 +180,11 @@ def project(
         For points that are not rows of three or four finite numbers, and for an unknown space or
         precision.
 
-    See Also
-    --------
-    Projection.trace : The same in float64, without a bound on the error.
-
     Notes
     -----
-    The view matrix is that of lecture 004, the perspective matrix equation (13) of lecture 000.
-    The eye is subtracted first, so that a scene far from the origin loses no digits.
+    `Projection.trace` is the same in float64, without a bound on the error. The view matrix is that
+    of lecture 004, the perspective matrix equation (13) of lecture 000. The eye is subtracted
+    first, so that a scene far from the origin loses no digits.
     """
     projection, given = _projection(of), _checked(points)
     flat = given.reshape(-1, given.shape[-1])
@@ -220,19 +202,8 @@ def project(
 def matrices(of: Source) -> dict[str, Array]:
     """Return the matrix of every stage by its name, ``target_from_source``, in their order.
 
-    Parameters
-    ----------
-    of : Document or Projection
-
-    Returns
-    -------
-    dict from str to (4, 4) float64 array
-        Column vectors: ``p_out = M @ p_in``. The divide by w comes between clip space and NDC.
-        Each number is computed in rationals and rounded once.
-
-    See Also
-    --------
-    Projection.stages : The same with the named factors of each matrix, and in rationals.
+    Column vectors: ``p_out = M @ p_in``. The divide by w comes between clip space and NDC. Each
+    number is computed in rationals and rounded once. `Projection.stages` has the factors, too.
     """
     return {stage.name: stage.matrix for stage in _projection(of).all_stages}
 
@@ -298,11 +269,6 @@ def figure(
         Leave out what is empty around the content, but for a margin of 2 mm.
     transparent : bool
         Leave the background transparent.
-
-    Raises
-    ------
-    Refusal
-        For a value that is not possible.
     """
     document = _document(of)
     if points is not None:

@@ -40,6 +40,7 @@ from typing import NoReturn
 
 from app import modules
 from app.held_lock import HeldLock, lock, log
+from app.languages import said
 from app.python_packages import Requirement, are_importable, pins, requirements, unmet
 from app.system_packages import Need, SetupError, install, last_line, missing_system, venv_module
 
@@ -64,17 +65,17 @@ _AGAIN = "FRUSTUM_LAB_STARTED_AGAIN"
 _AS_IT_IS = "as it is"
 
 
-def _failure(what: str, why: str, folder: Path, said: str = "") -> SetupError:
+def _failure(what: str, why: str, folder: Path, output: str = "") -> SetupError:
     """Return a sentence of what failed, why, and what helps."""
     page = Path(__file__).parent / "content" / "set-up.md"  # by patterns of what was said
     remedies = re.findall("(?m)^- (.*?): (.*)", page.read_text(encoding="utf-8"))
-    remedy = next(text for pattern, text in remedies if re.search(pattern, f"{said}\n{why}"))
+    remedy = next(text for pattern, text in remedies if re.search(pattern, f"{output}\n{why}"))
     if remedy == remedies[0][1]:
-        why = "no package server could be reached"  # whatever pip's own conclusion
+        why = said("no package server could be reached")  # whatever pip's own conclusion
     bits = 64 if sys.maxsize > 2**32 else 32
-    python = f"Python {platform.python_version()}, {bits} bits, {platform.machine()},"
+    python = said("Python {0}, {1} bits, {2},", platform.python_version(), bits, platform.machine())
     names = {"again": _command_again(), "program": PROGRAM, "space": SPACE_GB}
-    helps = remedy.format(folder=folder, python=python, **names)
+    helps = said(remedy).format(folder=folder, python=python, **names)
     return SetupError(f"{what} ({why}); {helps}")
 
 
@@ -136,47 +137,41 @@ class Environment:
     def make(self) -> None:
         """Complete the environment, whatever state it is in."""
         if os.path.lexists(self.folder) and not os.path.isdir(self.folder):  # not ours to remove
-            raise SetupError(
-                f"{self.folder} is not a folder; rename or remove it, and run again: "
-                f"{_command_again()}"
-            )
+            raise SetupError("not-a-folder", self.folder, _command_again())
         started = time.monotonic()
         self.folder.parent.mkdir(parents=True, exist_ok=True)
         with _stoppable(), lock(self.folder.parent / ".venv.lock") as held:
             if self.is_complete():  # another start has just finished it
                 return
             if (self.read_stamp() or "").startswith(_here()):  # machines may share a folder
-                held.show(f"bringing {self.folder} up to date")
+                held.show(said("bringing {0} up to date", self.folder))
             else:
                 if shutil.disk_usage(self.folder.parent).free < SPACE_GB * 1e9:
-                    raise _failure("there is no room", "No space left", self.folder)
-                network = "" if os.path.exists(self.root / WHEELS) else "; needs the network"
-                held.show(f"first start: setting up {self.folder} (once{network})")
+                    raise _failure(said("there is no room"), "No space left", self.folder)
+                network = "" if os.path.exists(self.root / WHEELS) else said("; needs the network")
+                held.show(said("first start: setting up {0} (once{1})", self.folder, network))
                 self._make_anew(held)
             self._install(held)
             lines = dict.fromkeys(f"{self.line(extras)}\n" for extras in ((), self.extras))
             fresh = self.stamp.with_suffix(".new")
             fresh.write_text("".join(lines), encoding="utf-8")
             fresh.replace(self.stamp)
-        log(f"set up in {time.monotonic() - started:.0f} s")
+        log(said("set up in {0:.0f} s", time.monotonic() - started))
 
     def _make_anew(self, held: HeldLock) -> None:
         try:
             if os.path.exists(self.folder):
                 shutil.rmtree(self.folder)
         except OSError as error:
-            raise SetupError(
-                f"{self.folder} could not be removed ({error}); close the programs that run in it "
-                f"and run again: {_command_again()}"
-            ) from None
+            raise SetupError("not-removed", self.folder, error, _command_again()) from None
         self.folder.mkdir()
         self.mark_unfinished()
         output: list[str] = []
         command = [sys.executable, "-I", "-m", "venv", str(self.folder)]
         if status := held.run(command, output.append):
-            why = last_line(output) or f"status {status}"
-            said = "\n".join(output)
-            raise _failure(f"{command_line(command)} failed", why, self.folder, said)
+            why = last_line(output) or said("exit status {0}", status)
+            what = said("{0} failed", command_line(command))
+            raise _failure(what, why, self.folder, "\n".join(output))
 
     def mark_unfinished(self) -> None:
         self.stamp.write_text(_UNFINISHED, encoding="utf-8")
@@ -212,17 +207,18 @@ class Environment:
         while True:
             kept.write_text("\n".join(tested), encoding="utf-8")
             status, output = self._pip(held, [*pip, "-c", str(kept), *wanted])
-            said = "\n".join(output)
-            names = {_plain(name) for name in re.findall(_PIN, said)}
+            whole = "\n".join(output)
+            names = {_plain(name) for name in re.findall(_PIN, whole)}
             others = [pin for pin in tested if _plain(re.split("[= ]", pin)[0]) not in names]
-            if status == 0 or len(others) == len(tested) or re.search(_NO_ANSWER, said):
+            if status == 0 or len(others) == len(tested) or re.search(_NO_ANSWER, whole):
                 break
-            held.show(f"no tested version of {', '.join(sorted(names))} here: trying others")
+            lacking = ", ".join(sorted(names))
+            held.show(said("no tested version of {0} here: trying others", lacking))
             tested = others
         if status != 0:
-            why = last_line(output, "ERROR:") or f"exit status {status}"
-            what = "the Python packages could not be installed"
-            raise _failure(what, why, self.folder, said)
+            why = last_line(output, "ERROR:") or said("exit status {0}", status)
+            what = said("the Python packages could not be installed")
+            raise _failure(what, why, self.folder, whole)
 
     def _pip(self, held: HeldLock, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
@@ -232,7 +228,7 @@ class Environment:
             output.append(line)
             if line.startswith(_INSTALLING):  # everything is downloaded: pip changes nothing before
                 self.mark_unfinished()
-                held.show(f"  installing packages: {line.count(',') + 1}")
+                held.show(said("  installing packages: {0}", line.count(",") + 1))
             elif (text := _progress(line)) is not None and text not in told:
                 told.add(text)
                 held.show(f"  {text}")
@@ -274,7 +270,7 @@ def _progress(line: str) -> str | None:
         name, version = match[1].split("-")[:2]
         return f"{name} {version}{match[2].rstrip()}"
     is_lost = re.search(_NO_ANSWER, line)
-    return "the package server does not answer; trying again" if is_lost else None
+    return said("the package server does not answer; trying again") if is_lost else None
 
 
 # --- the start ------------------------------------------------------------------------------------
@@ -335,7 +331,7 @@ def damage(error: ImportError) -> str:
     environment = Environment(ROOT)
     how = pip_install("--force-reinstall", of_package.text)
     how = _remove(environment.folder) if environment.is_running() else how
-    return f"the package {of_package.name} is damaged ({error}); replace it, and start again: {how}"
+    return said("package-damaged", of_package.name, error, how)
 
 
 def _is_met(wanted: Sequence[Requirement], environment: Environment) -> bool:
@@ -352,27 +348,20 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
     """Complete the environment, and start the same command again inside it."""
     names = ", ".join(each.name for each in unmet(requirements(ROOT, environment.extras)))
     if _AGAIN in os.environ:
-        raise SetupError(
-            f"{environment.folder} lacks {names} although pip installed them; remove it and start "
-            f"again: {_remove(environment.folder)}"
-        )
+        remove = _remove(environment.folder)
+        raise SetupError("lacks-installed", environment.folder, names, remove)
     if environment.is_running():
         if environment.is_complete():  # its stamp is complete, but a package has been lost since
             environment.mark_unfinished()
         # An environment cannot be replaced while it runs, so that is done from outside.
         outside = Path(getattr(sys, "_base_executable", sys.executable))
         if sys.platform == "win32":  # where this process would wait and keep its own file open
-            raise SetupError(
-                f"{environment.folder} lacks {names or 'a part'}; start again: "
-                f"{command_line([str(outside), *sys.orig_argv[1:]])}"
-            )
+            command = command_line([str(outside), *sys.orig_argv[1:]])
+            raise SetupError("a-part", environment.folder, names or said("a part"), command)
         again(outside)
     if environment.is_foreign():
-        raise SetupError(
-            f"{environment.folder} was made by another program and lacks "
-            f"{environment.lacks() or 'packages'}; complete it with that program, or remove it "
-            f"and start again: {_remove(environment.folder)}"
-        )
+        lost, remove = environment.lacks() or said("packages"), _remove(environment.folder)
+        raise SetupError("foreign", environment.folder, lost, remove)
     if missing := [*venv_module(), *missing_system(need)]:
         with _stoppable():
             install(missing)
@@ -384,7 +373,7 @@ def _set_up(need: Need, environment: Environment) -> NoReturn:
         if lacking is None:
             raise
         log(f"{error}")
-        log(f"going on with the installed packages{lacking and f', which do not meet {lacking}'}")
+        log(said("not-met", lacking) if lacking else said("going on with the installed packages"))
         how = _AS_IT_IS
     os.environ[_AGAIN] = how
     again(environment.python)
@@ -397,7 +386,7 @@ def _in_one_sentence() -> Iterator[None]:
     except SetupError as error:
         fail(str(error))
     except OSError as error:
-        fail(str(_failure("the set-up failed", str(error), ROOT)))
+        fail(str(_failure(said("the set-up failed"), str(error), ROOT)))
     except KeyboardInterrupt:  # whichever process was setting up has reported it
         raise SystemExit(130) from None
 
@@ -408,7 +397,7 @@ def _stoppable() -> Iterator[None]:
     try:
         yield
     except KeyboardInterrupt:
-        log(f"the set-up was stopped; to go on: {_command_again()}")
+        log(said("the set-up was stopped; to go on: {0}", _command_again()))
         raise
 
 

@@ -15,6 +15,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import IO
 
+from app.languages import said
 from app.strangers import without_waiting
 
 #: Interval at which a terminal's line of progress counts its seconds.
@@ -60,16 +61,11 @@ class HeldLock:
         unwanted = ("PIP_USER", "PIP_TARGET", "PIP_PREFIX", "PIP_ROOT", "PYTHONHOME")
         environment = {key: value for key, value in os.environ.items() if key not in unwanted}
         with subprocess.Popen(
-            command,
-            env=environment | {"PYTHONUNBUFFERED": "1"},
-            stdin=subprocess.DEVNULL,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.STDOUT,
-            text=True,
-            errors="replace",
+            command, env=environment | {"PYTHONUNBUFFERED": "1"}, stdin=subprocess.DEVNULL,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace",
             pass_fds=() if sys.platform == "win32" else (self._file.fileno(),),
             preexec_fn=None if sys.platform == "win32" else die_with_parent,
-        ) as process:
+        ) as process:  # fmt: skip
             assert process.stdout is not None
             try:
                 for line in process.stdout:
@@ -92,7 +88,7 @@ def lock(path: Path) -> Iterator[HeldLock]:
     """Hold a lock that the operating system releases if the process dies."""
     with open(path, "ab", opener=without_waiting) as file:
         if not _try_lock(file):
-            log("another start is setting up Frustum Lab; waiting for it to finish")
+            log(said("another start is setting up Frustum Lab; waiting for it to finish"))
             while not _try_lock(file):
                 time.sleep(0.2)
         held = HeldLock(file)

@@ -14,9 +14,6 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import cache, wraps
 from pathlib import Path
 from typing import Any, ParamSpec, TypeAlias, TypeVar
-from xml.etree import ElementTree
-
-from app.strangers import log_warning
 
 _T = TypeVar("_T")
 _P = ParamSpec("_P")
@@ -43,6 +40,13 @@ _LATIN = str.maketrans(
              "abvgdđežzijklmnoprstćufhcčšABVGDĐEŽZIJKLMNOPRSTĆUFHCČŠ", strict=True))
     | {"љ": "lj", "њ": "nj", "џ": "dž", "Љ": "Lj", "Њ": "Nj", "Џ": "Dž"}
 )  # fmt: skip
+_MESSAGE = re.compile(
+    "<name>(.*?)</name>|<source>(.*?)</source>.*?<translation"
+    """((?: type="(?:vanished|obsolete)")?)[^>]*?(?:/>|>(.*?)</translation>)""",
+    re.DOTALL,
+)
+_FORM = re.compile("<numerusform>(.*?)</numerusform>", re.DOTALL)
+_ENTITIES = {"&lt;": "<", "&gt;": ">", "&quot;": '"', "&apos;": "'", "&#xa0;": "\xa0", "&amp;": "&"}
 _CAPITAL = "[\u0402-\u040f\u0410-\u042f]"
 _IN_CAPITALS = re.compile(f"(?<={_CAPITAL})[ЉЊЏ]|[ЉЊЏ](?={_CAPITAL})")
 _NUMBERS = re.compile(r"(?<![\w.])[-−+]?\d+(?:\.\d+)?(?:, *[-−+]?\d+(?:\.\d+)?)+(?![\w.]*\d)")
@@ -113,46 +117,74 @@ def of_system(environment: Mapping[str, str] = os.environ) -> str:
 def translate(text: str, context: str, count: int | None = None) -> str:
     """Return a text in the language of the program; in English where it has no translation."""
     language = of_lessons() if context in OF_LESSONS else _Chosen.program
-    if language == ENGLISH:
-        return text
-    forms = texts("program", language).get((context, text))
-    if forms is None:
+    forms = () if language == ENGLISH else forms_of("program", language, context, text)
+    if not forms:
         return text
     return forms[0 if count is None or len(forms) == 1 else plural(language, count)]
+
+
+@cache
+def sentences() -> Mapping[str, str]:
+    """Return the longer sentences of commands and of the set-up, by their names."""
+    page = Path(__file__).with_name("content") / "sentences.md"
+    return dict(re.findall("(?m)^- (.+?): (.+)", page.read_text("utf-8")))
+
+
+def said(sentence: str, *values: object) -> str:
+    """Return a sentence of a command, or that of this name, in the language and filled in."""
+    text = translate(sentences().get(sentence, sentence), "Command")
+    return text.format(*values) if values else text
 
 
 def sentence_of(lesson: str, text: str) -> str:
     """Return a sentence of a lesson of the program, by the name of its file."""
     if of_lessons() == ENGLISH:
         return text
-    return texts("lessons", of_lessons()).get((lesson, text), (text,))[0]
+    return (*forms_of("lessons", of_lessons(), lesson, text), text)[0]
 
 
 @cache
-def texts(part: str, language: str) -> Mapping[tuple[str, str], Forms]:
-    """Return the translations of ``program`` or ``lessons``, by context and English text."""
+def forms_of(part: str, language: str, context: str, text: str) -> Forms:
+    """Return the forms of a text of ``program`` or ``lessons``; nothing where it has none."""
     if language == "sr-Latn":
-        cyrillic = texts(part, "sr")
-        return {key: tuple(map(in_latin, forms)) for key, forms in cyrillic.items()}
-    known_texts: dict[tuple[str, str], Forms] = {}
-    path = TRANSLATIONS / f"{part}_{language}.ts"
+        return tuple(map(in_latin, forms_of(part, "sr", context, text)))
+    translation = texts(part, language).get((context, text), "")
+    forms = tuple(map(_unescaped, _FORM.findall(translation) or [translation]))
+    if not all(forms):
+        return ()
+    is_typed = context in ("Options", "Command") or _TYPED.search(text)
+    return forms if is_typed else tuple(map(_with_comma, forms))
+
+
+@cache
+def texts(part: str, language: str) -> Mapping[tuple[str, str], str]:
+    """Return what a file of Qt Linguist has for each context and English text.
+
+    A pattern reads it in half the time of ElementTree: a start waits for it.
+    """
+    path, context = TRANSLATIONS / f"{part}_{language}.ts", ""
+    known_texts: dict[tuple[str, str], str] = {}
     try:
-        root = ElementTree.parse(path).getroot()
-    except (OSError, ElementTree.ParseError) as error:  # a translator may have left it so
-        log_warning(path, f"cannot be read, and the texts stay English: {error}")
+        content = path.read_text("utf-8")
+        if not content.rstrip().endswith("</TS>"):
+            raise ValueError("its end is missing")
+    except (OSError, ValueError) as error:  # a translator may have left it so
+        import logging  # seldom: not at the start
+
+        text = "%s cannot be read, and the texts stay English: %s."
+        logging.getLogger("app.strangers").warning(text, path, error)  # which the window shows
         return {}
-    for context in root:
-        name = context.findtext("name", "")
-        for message in context.iter("message"):
-            translation = message.find("translation")
-            if translation is None or translation.get("type") in ("vanished", "obsolete"):
-                continue
-            forms = tuple(form.text or "" for form in translation) or (translation.text or "",)
-            if all(forms):
-                source = message.findtext("source", "")
-                is_typed = name == "Options" or _TYPED.search(source)
-                known_texts[name, source] = forms if is_typed else tuple(map(_with_comma, forms))
+    for name, source, gone, translation in _MESSAGE.findall(content):
+        context = _unescaped(name) or context
+        if translation and not gone:
+            known_texts[context, _unescaped(source)] = translation
     return known_texts
+
+
+def _unescaped(text: str) -> str:
+    for entity, sign in _ENTITIES.items() if "&" in text else ():
+        text = text.replace(entity, sign)
+    return text
 
 
 def plural(language: str, count: int) -> int:

@@ -10,9 +10,9 @@ import re
 import stat
 from typing import BinaryIO
 
+from app.languages import said
+
 LARGEST_FILE = 2 * 2**30  # most bytes of a file that is opened
-LATIN_1 = "is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong"
-DAMAGED = "is damaged UTF-16 or UTF-32 text; what cannot be read is shown as \ufffd"
 
 
 def open_regular(path: str | os.PathLike[str]) -> BinaryIO:
@@ -41,9 +41,9 @@ def _check_regular(status: os.stat_result) -> None:
     if stat.S_ISDIR(status.st_mode):
         raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
     if not stat.S_ISREG(status.st_mode):
-        raise OSError(errno.EINVAL, "it is a pipe or a device, not a regular file")
+        raise OSError(errno.EINVAL, said("it is a pipe or a device, not a regular file"))
     if status.st_size > LARGEST_FILE:
-        raise OSError(errno.EFBIG, f"it is larger than {LARGEST_FILE >> 30} GiB")
+        raise OSError(errno.EFBIG, said("it is larger than {0} GiB", LARGEST_FILE >> 30))
 
 
 def decode(content: bytes) -> tuple[str, str]:
@@ -56,8 +56,8 @@ def decode(content: bytes) -> tuple[str, str]:
         return content.decode(encoding), ""
     except UnicodeDecodeError:
         if encoding.startswith("utf-8"):
-            return content.removeprefix(codecs.BOM_UTF8).decode("latin-1"), LATIN_1
-        return content.decode(encoding, "replace"), DAMAGED
+            return content.removeprefix(codecs.BOM_UTF8).decode("latin-1"), said("read-as-latin-1")
+        return content.decode(encoding, "replace"), said("damaged-text")
 
 
 def log_warning(path: str | os.PathLike[str], note: str) -> None:

@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from app.held_lock import log
+from app.languages import said
 
 #: What a command needs of the machine: no graphics, pictures without a window, a window, or a
 #: window on a virtual display.
@@ -27,7 +28,10 @@ _WINDOW: tuple[Need, ...] = ("window", "tests")
 
 
 class SetupError(Exception):
-    """One sentence that says what is missing and which command helps."""
+    """One sentence that says what is missing and which command helps; filled in as by `said`."""
+
+    def __init__(self, sentence: str, *values: object) -> None:
+        super().__init__(said(sentence, *values))
 
 
 @dataclass(frozen=True)
@@ -138,14 +142,13 @@ def advice(missing: Sequence[System]) -> str:
 
     The command installs what every need lacks, so that no second command is necessary.
     """
-    names = [item.name for item in missing]
+    names = [said(item.name) for item in missing]
     if shutil.which("apt-get") is None:
-        what = ", ".join(names)
-        return f"this system lacks {what}; install what provides them, and start again"
+        return said("without-packages", ", ".join(names))
     if len(names) > 3:  # the command lists them all
-        names[2:] = [f"and {len(names) - 2} more"]
-    everything = [*missing, *(item for item in SYSTEM if not item.is_here())]
-    return f"this system lacks {', '.join(names)}; run: {apt_command(packages_of(everything))}"
+        names[2:] = [said("and {0} more", len(names) - 2)]
+    everything = packages_of([*missing, *(item for item in SYSTEM if not item.is_here())])
+    return said("this system lacks {0}; run: {1}", ", ".join(names), apt_command(everything))
 
 
 def packages_of(missing: Iterable[System]) -> list[str]:
@@ -174,20 +177,16 @@ def install(missing: Sequence[System]) -> None:
     if not is_root() or shutil.which("apt-get") is None:
         raise SetupError(advice(missing))
     packages = packages_of(missing)
-    log(f"installing system packages: {' '.join(packages)}")
+    log(said("installing system packages: {0}", " ".join(packages)))
     # An unreachable repository is no reason to stop: the necessary one may be reachable.
+    quiet = os.environ | {"DEBIAN_FRONTEND": "noninteractive"}
     for command in (["apt-get", "update"], [*APT_INSTALL, *packages]):
         done = subprocess.run(
-            command,
-            env={**os.environ, "DEBIAN_FRONTEND": "noninteractive"},
-            capture_output=True,
-            text=True,
-            errors="replace",
-            check=False,
+            command, env=quiet, capture_output=True, text=True, errors="replace", check=False
         )
     if done.returncode != 0:
-        why = last_line(done.stderr.splitlines(), "E:") or f"exit status {done.returncode}"
-        raise SetupError(f"apt-get failed ({why}); try: {apt_command(packages)}")
+        why = last_line(done.stderr.splitlines(), "E:") or said("exit status {0}", done.returncode)
+        raise SetupError("apt-failed", why, apt_command(packages))
     importlib.invalidate_caches()
     if left := [item for item in missing if not item.is_here()]:
         raise SetupError(advice(left))

@@ -7,8 +7,6 @@ to pytest: ``python3 -m tests tests/scenes/test_scene.py -k posts``. The exit st
 own, and so is the last line. ruff and mypy are tests like the others (``test_quality``).
 """
 
-from __future__ import annotations
-
 import os
 import sys
 

@@ -6,8 +6,6 @@ time is a ratio of two things done in turn in the same process. ``--json FILE`` 
 writes the run's figures into that page.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import contextlib
@@ -31,7 +29,6 @@ from tests import claims
 from tests.__main__ import at_home
 
 VERTICES = (100, 10_000, 1_000_000)
-PANES = ("world", "ndc", "image")
 
 
 def main() -> int:

@@ -4,8 +4,6 @@ Each `Claim` is one row of the page's first table. `untrue` compares the rows wi
 `written` brings them up to date.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping, Sequence
 from pathlib import Path

@@ -5,8 +5,6 @@ then the sums; the exit status is 1 if there is a fault. `tests/drawings/test_co
 takes a sample.
 """
 
-from __future__ import annotations
-
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence

@@ -1,7 +1,5 @@
 """Fixtures for all tests: a real X server, real widgets, a home of their own, nothing left over."""
 
-from __future__ import annotations
-
 import atexit
 import contextlib
 import functools
@@ -76,13 +74,20 @@ def pytest_collection(session: pytest.Session) -> None:
     """Let every second process import the tests backwards.
 
     In a fresh checkout pytest rewrites the assertions of each file: so each process does half.
+    What is made meanwhile stays: Python need not search it for what is not used any more.
     """
+    gc.disable()
     config = session.config
     if config.args_source == pytest.Config.ArgsSource.TESTPATHS and _worker[-1:] in (*"1357",):
         for path in sorted(Path(__file__).parent.rglob("test_*.py"), reverse=True):
             name = ".".join(path.relative_to(config.rootpath).with_suffix("").parts)
             with contextlib.suppress(Exception):  # pytest says so when it comes to the file
                 importlib.import_module(name)
+
+
+def pytest_collection_finish() -> None:
+    gc.freeze()
+    gc.enable()
 
 
 @pytest.hookimpl(wrapper=True)
@@ -110,7 +115,9 @@ def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     """Names of new folders; `mktemp` would look through all existing ones each time."""
     folder = tmp_path_factory.mktemp("homes")
     # Otherwise Mesa compiles its shaders in every home, and matplotlib looks for every font.
-    os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(folder)
+    kept = tmp_path_factory.getbasetemp()
+    kept = kept.parent if _worker else kept  # the processes share it
+    os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(kept)
     return (folder / str(number) for number in itertools.count())
 
 
@@ -177,10 +184,7 @@ def display(qapp: Any) -> Any:
 
 @pytest.fixture
 def make_window(
-    request: pytest.FixtureRequest,
-    display: Any,
-    own_home: Path,
-    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest, display: Any, own_home: Path, monkeypatch: pytest.MonkeyPatch
 ) -> Iterator[Callable[..., Any]]:
     """Open main windows; after the test all are closed and no interactor survives.
 

@@ -4,8 +4,6 @@ A step that visits many modules is hard to follow and slow. ``sys.setprofile`` c
 the key press to the last repaint, in the window with the letter F.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import os

@@ -8,8 +8,6 @@ command for each. The charts are drawn from the recorded ``app/measure/content/l
 the start card's pictures.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re
@@ -102,11 +100,13 @@ PICTURES: dict[str, tuple[str, ...]] = {
         "--frames", "16", "--fps", "8", "--loop", "back-and-forth",
     ),
     "figure-panes.png": _figure("world,image", "840x320"),
+    "figure-size.png": ("export", "--panes", "world,image", "--size", "70mmx24mm"),
     "figure-text-size.png": (*_figure("world,image", "840x320"), "--text-size", "6"),
     "figure-width.png": ("export", "--panes", "world", "--width", "50mm", "--text-size", "4"),
     "figure-fit.png": (*_figure("world", "640x400"), "--fit", "frustum"),
     "figure-crop.png": (*_figure("ndc", "640x400"), "--crop"),
     "figure-print.png": (*_figure("world,image", "840x320"), "--palette", "print"),
+    "figure-transparent.png": (*_figure("ndc", "640x400"), "--transparent"),
     "figure-hidden.png": ("script",),
     "figure-equation.png": (
         "export", "--panes", "equation", "--set", "view.equation=frustum", "--letters", "003",

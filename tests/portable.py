@@ -5,8 +5,6 @@ only POSIX has is gone. All tests are collected; those of `RUN`, or of the argum
 pytest names what the others need of this system (`tests.conftest.LACKING`).
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

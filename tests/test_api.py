@@ -1,7 +1,5 @@
 """Scripts and notebooks: their page is true, and what they call is what the program computes."""
 
-from __future__ import annotations
-
 import json
 import math
 import re

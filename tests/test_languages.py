@@ -1,12 +1,11 @@
 """The language of the program: which one, its texts, plural forms, letters and numbers."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
+from xml.etree import ElementTree
 
 import pytest
 
@@ -19,6 +18,11 @@ from app.lessons.course import contained, ideas
 from app.lessons.lesson import head_of, read
 from app.lessons.translating import in_language
 from app.model.refusal import REFUSALS, Refusal
+
+
+def forget() -> None:
+    languages.texts.cache_clear()
+    languages.forms_of.cache_clear()
 
 
 @pytest.fixture(autouse=True)
@@ -75,7 +79,7 @@ def test_numbers_have_a_comma(english: str, other: str) -> None:
 
 
 def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
-    languages.texts.cache_clear()
+    forget()
     languages.follow_lesson("hr")
     try:
         said = languages.translate("A number: 0.5, 1 1/2, √3/2 or 2e-3; arrow keys change the cell"
@@ -85,18 +89,57 @@ def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
     assert "0,5" in said
 
 
+@pytest.mark.parametrize("part", ["program", "lessons"])
+@pytest.mark.parametrize("language", ["hr", "sr", "et"])
+def test_the_texts_are_those_that_an_xml_parser_reads(part: str, language: str) -> None:
+    count = 0
+    for context in ElementTree.parse(languages.TRANSLATIONS / f"{part}_{language}.ts").getroot():
+        for message in context.iter("message"):
+            text, translation = message.findtext("source", ""), message.find("translation")
+            assert translation is not None
+            forms = tuple(form.text for form in translation) or (translation.text,)
+            read = languages.forms_of(part, language, context.findtext("name", ""), text)
+            assert read == forms or "," in "".join(read), text
+            count += 1
+    assert count == len(languages.texts(part, language)) > 1000
+
+
+def test_what_a_translator_has_left_open_stays_english(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    messages = """<context><name>A &amp; B</name>
+    <message><source>&lt;one&gt;</source><comment>of two</comment>
+    <translation>&quot;jedan&quot;</translation></message>
+    <message><source>new</source><translation type="unfinished" /></message>
+    <message><source>gone</source><translation type="vanished">prošlo</translation></message>
+    <message numerus="yes"><source>%n steps</source><translation>
+    <numerusform>%n korak</numerusform><numerusform></numerusform></translation></message>
+    </context><context><name>Options</name></context></TS>"""
+    (tmp_path / "program_hr.ts").write_text(messages, encoding="utf-8")
+    monkeypatch.setattr(languages, "TRANSLATIONS", tmp_path)
+    forget()
+    languages.choose("hr")
+    try:
+        assert languages.translate("<one>", "A & B") == '"jedan"'
+        for text in ("new", "gone", "%n steps", "<two>"):
+            assert languages.translate(text, "A & B", 1) == text
+        assert languages.translate("new", "Options") == "new"
+    finally:
+        forget()
+
+
 def test_a_broken_file_is_named_and_the_texts_stay_english(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     (tmp_path / "program_hr.ts").write_text("<TS><context><name>Field", encoding="utf-8")
     monkeypatch.setattr(languages, "TRANSLATIONS", tmp_path)
-    languages.texts.cache_clear()
+    forget()
     languages.choose("hr")
     try:
         assert languages.translate("Near", "Field") == "Near"
         assert languages.sentence_of("l03-field-of-view", "A text") == "A text"
     finally:
-        languages.texts.cache_clear()
+        forget()
     assert [("program_hr.ts" in each, "lessons_hr.ts" in each) for each in caplog.messages] == [
         (True, False), (False, True),
     ]  # fmt: skip

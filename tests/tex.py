@@ -5,8 +5,6 @@ matrices of every lens in every lecture's letters, whose lines must fit their te
 fault; the exit status is 1 if there is one.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys
@@ -20,7 +18,6 @@ from app.document.document import Document
 from app.document.lengths import Size
 from app.document.settings import set_values
 from app.drawings.figure import Figure
-from app.drawings.style import PALETTES
 from app.lecture.letters import LETTERS
 from app.lecture.notation import matrices
 from app.lecture.paper import displayed
@@ -56,7 +53,7 @@ def figures(scene: str) -> Iterator[tuple[str, Document, dict[str, Any]]]:
     document = Document(scene, load(scene).start)
     size = Size(120.0, 40.0, "mm")
     yield "panes", document, {"size": size, "text_pt": 6.5}
-    yield "dashed", document, {"size": size, "hidden": "dashed", "style": PALETTES["print"]}
+    yield "dashed", document, {"size": size, "hidden": "dashed", "palette": "print"}
     for stage in STAGES:
         turned = replace(document, view=replace(document.view, stage=stage))
         yield f"stage {stage:g}", turned, {"panes": ["ndc"], "size": Size(120.0, 40.0, "mm")}

@@ -5,11 +5,10 @@ files and the sentences of the lessons are given to it as Python that marks them
 or an editor, fills in what is ``unfinished``.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -19,11 +18,12 @@ from pathlib import Path
 from app.bootstrap import ROOT
 from app.commands import options
 from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
-from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS
+from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS, sentences
 from app.lecture.kinds import KINDS
 from app.lessons.course import CONTENT
 from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
+from app.model import chain
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
@@ -34,6 +34,16 @@ from app.scenes.phenomena import PHENOMENA
 TRANSLATED = [each for each in LANGUAGES if each not in (ENGLISH, "sr-Latn")]
 QT_TEXTS = {"OK", "Save", "Cancel", "Close", "Discard", "&Yes", "&No"}
 """Buttons that Qt itself names, in languages that it has no texts in."""
+SAID = {"said": 0, "CliError": 0, "SetupError": 0, "DisplayError": 0, "_Fonts": 0, "counted": 1,
+        "_parsed": 1}  # fmt: skip
+"""Which argument of a call is a sentence of a command, or what is counted."""
+ARGPARSE = {
+    "usage: ", "options", "positional arguments", "show this help message and exit",
+    "argument %(argument_name)s: %(message)s", "expected one argument",
+    "ignored explicit argument %r", "unrecognized arguments: %s",
+    "the following arguments are required: %s",
+}  # fmt: skip
+"""What Python's parser of options says."""
 EVERY_LENS = (*LENSES.values(), FreeMatrix)
 
 
@@ -104,21 +114,27 @@ def wording_texts() -> list[tuple[str, set[str]]]:
 def command_texts() -> set[str]:
     """What ``--help`` says of the commands, their words and their options."""
     return {
-        options.COMMANDS, options.LANGUAGE, options.SET,
         *(text for name, page in options.pages().items() if name != "--set" for text in page.texts),
     } - {argparse.SUPPRESS}  # fmt: skip
 
 
-def error_texts() -> set[str]:
-    """The sentences with which commands end, and their parts."""
-    texts = set()
-    for path in (ROOT / "app" / "commands").glob("*.py"):
-        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
-            if isinstance(node, ast.Call) and ast.unparse(node.func) in ("CliError", "said"):
-                match node.args[0]:
-                    case ast.Constant(value=str(text)):
-                        texts.add(text)
-    return texts
+def said_texts() -> tuple[set[str], set[str]]:
+    """The sentences of the commands and of the set-up, and the names of what they count."""
+    texts, counted = {*sentences().values(), *ARGPARSE}, set[str]()
+    page = (ROOT / "app" / "content" / "set-up.md").read_text("utf-8")
+    texts.update(re.findall("(?m)^- .*?: (.*)", page), (kind.split()[0] for kind in chain.KINDS))
+    for node in (each for path in code() for each in ast.walk(ast.parse(path.read_text("utf-8")))):
+        if isinstance(node, ast.Call):
+            name = ast.unparse(node.func).rpartition(".")[2]
+            match node.args[SAID.get(name, len(node.args)) :]:
+                case [ast.Constant(value=str(text)), *_]:
+                    (counted if name == "counted" else texts).add(text)
+    return texts - set(sentences()), counted
+
+
+def code() -> list[Path]:
+    """The files of the program."""
+    return [path for room in ("app", "widgets") for path in sorted((ROOT / room).rglob("*.py"))]
 
 
 def _noted(sentences: list[str], text: str) -> str:
@@ -138,9 +154,11 @@ def lesson_texts() -> list[tuple[str, list[str]]]:
 
 def source() -> str:
     """Python that marks them all."""
+    from app.lecture.titles import FACTORS, SPACES
     from widgets.panels.frame_panel import STEP_TEXTS
-    from widgets.parts.messages import FACTORS, SPACES
 
+    said, counted = said_texts()
+    plural = [f'        self.tr("%n {each}s", "", n)\n' for each in sorted(counted)]
     lines = (
         f'QT_TRANSLATE_NOOP("{context}", {json.dumps(text, ensure_ascii=False)})\n'
         for context, texts in (
@@ -158,7 +176,7 @@ def source() -> str:
             ("Lens", {text for lens in EVERY_LENS for text in (lens.title, lens.tip)}),
             ("Actions", menu_texts()),
             ("Options", command_texts()),
-            ("Command", error_texts()),
+            ("Command", said),
             ("Spoken", SPOKEN),
             ("QPlatformTheme", QT_TEXTS),
             *sentence_texts(),
@@ -166,7 +184,7 @@ def source() -> str:
         )
         for text in sorted(texts)
     )
-    return "".join(lines)
+    return "".join([*lines, "class Count:\n    def say(self, n):\n", *plural])
 
 
 def lesson_source() -> str:
@@ -180,9 +198,8 @@ def lesson_source() -> str:
 
 def update(folder: Path = TRANSLATIONS) -> None:
     """Bring the files of all languages up to date: Qt's lupdate marks what is new or has gone."""
-    code = [path for room in ("app", "widgets") for path in sorted((ROOT / room).rglob("*.py"))]
     with tempfile.TemporaryDirectory() as made:
-        for part, text, more in (("program", source(), code), ("lessons", lesson_source(), [])):
+        for part, text, more in (("program", source(), code()), ("lessons", lesson_source(), [])):
             page = Path(made) / f"{part}.py"
             page.write_text(text, encoding="utf-8")
             for language in TRANSLATED:

@@ -3,8 +3,6 @@
 It takes minutes and a network. The README says what is missing.
 """
 
-from __future__ import annotations
-
 import re
 import subprocess
 import sys

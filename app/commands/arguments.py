@@ -17,11 +17,12 @@ from typing import TYPE_CHECKING
 
 from app import bootstrap, python_packages, system_packages
 from app.commands.options import check_file
-from app.commands.terminal import CANNOT_DRAW, CliError, print_error, said
+from app.commands.terminal import CANNOT_DRAW, CliError, print_error
 from app.document.document import Document, is_mesh
 from app.document.files import blamed_on, read_letters
 from app.document.settings import open_with, set_values
 from app.document.view import View
+from app.languages import said
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.lesson import is_lesson
 from app.model.refusal import REFUSALS, Refusal, nearest
@@ -71,12 +72,7 @@ def place_of(course: Course, step: str | None) -> int:
         return names.index(step)
     if not re.fullmatch("[0-9]{1,4}", step) or not 1 <= int(step) <= len(names):
         near = "" if step.isdigit() else said("; the nearest is {0}", nearest(step, names))
-        raise CliError(
-            "--step = {0!r}: must be a number from 1 to {1}, or the name of a step{2}.",
-            step,
-            len(names),
-            near,
-        )
+        raise CliError("step", step, len(names), near)
     return int(step) - 1
 
 
@@ -147,9 +143,7 @@ def check_out(name: str, out: str) -> None:
         raise CliError("{0} = {1!r}: is a pipe or a device, not a regular file.", name, out)
     folder = os.path.dirname(os.path.realpath(full_path(out)))
     if not os.path.isdir(folder):
-        raise CliError(
-            "{0} = {1!r}: there is no folder {2}.", name, out, os.path.dirname(out) or folder
-        )
+        raise CliError("no-folder", name, out, os.path.dirname(out) or folder)
     needed.append(folder)
     if not all(os.access(place, os.W_OK) for place in needed):
         raise CliError("{0} = {1!r}: may not be written.", name, out)
@@ -207,7 +201,7 @@ def importing() -> Iterator[None]:
             yield
     except ImportError as error:
         missing = system_packages.missing_system("window")
-        text = f"A library cannot be loaded ({error}); {bootstrap.PROGRAM} doctor says more."
+        text = said("library-not-loaded", error, bootstrap.PROGRAM)
         text = f"{system_packages.advice(missing)}." if missing else text
         raise CliError(text, status=CANNOT_DRAW) from error
 

@@ -71,7 +71,7 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
             asked, file = _asked(parser, options, line)
             languages.choose(asked.language or own)
             if options.resume and _is_new(target, *line.sources, file):
-                said = " is there already"
+                said = languages.said(" is there already")
             elif warning := draw(asked, target, file):
                 print_error(f"{line.where}: {warning}", 0)
             about = _about(target)
@@ -81,7 +81,7 @@ def run(options: argparse.Namespace, folder: str, others: Sequence[str], draw: D
             wrong = str(error)
             print_error(f"{line.where}: {wrong}", 0)
         entries.append((out, wrong, about))
-        write_out([f"{number}/{len(lines)} {out}{' failed' if wrong else said}\n"])
+        write_out([f"{number}/{len(lines)} {out}{languages.said(' failed') if wrong else said}\n"])
     languages.choose(own)
     page = os.path.join(folder, INDEX)
     write_bytes_atomically(page, _page(os.path.basename(full_path(options.batch)), entries))
@@ -145,12 +145,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
         if ending:
             targets = [f"{stem}-{place:02}-{name}.{ending}" for place, name in enumerate(names, 1)]
         elif not targets:
-            raise CliError(
-                "file = {0!r}: is a lesson; name its step in a column step, or write a "
-                "number such as %02d in out = {1!r}.",
-                os.path.basename(lesson),
-                out,
-            )
+            raise CliError("name-a-step", os.path.basename(lesson), out)
     except (CliError, Refusal) as error:
         yield line._replace(cells=line.cells | {"out": out or stem}, wrong=str(error))
         return
@@ -158,7 +153,8 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     files = tuple(os.path.join(folder, name) for name in course.files)
     for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
-        yield ListedFigure(f"{line.where}, step {place}", cells, (*line.sources, *files))
+        where = languages.said("{0}, step {1}", line.where, place)
+        yield ListedFigure(where, cells, (*line.sources, *files))
 
 
 def _of_list(source: str) -> Iterator[ListedFigure]:
@@ -171,7 +167,8 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
     columns, begin, is_empty = list[str](), 1, True
     try:
         for row in rows:
-            cells, where = [cell.strip() for cell in row], f"{source}, line {begin}"
+            where = f"{source}, {languages.said('line')} {begin}"
+            cells = [cell.strip() for cell in row]
             begin = rows.line_num + 1
             if not any(cells):
                 continue
@@ -182,14 +179,12 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
             named = dict(zip(columns, cells, strict=False))
             wrong = ""
             if len(cells) > len(columns):
-                wrong = f"has {len(cells)} columns, but the first row names {len(columns)}."
+                wrong = languages.said("columns-more", len(cells), len(columns))
             yield ListedFigure(where, named, (source,), wrong)
     except csv.Error as error:
         raise CliError("{0}, line {1}: is not CSV ({2}).", source, begin, error) from error
     if is_empty:
-        raise CliError(
-            "{0} has no figures: its first row names columns, the others are one.", source
-        )
+        raise CliError("empty-list", source)
 
 
 def _checked_columns(columns: list[str], where: str) -> list[str]:
@@ -303,7 +298,7 @@ def _page(title: str, entries: Sequence[tuple[str, str, str]]) -> bytes:
         caption = name if wrong else f'<a href="{link}">{name}</a>'
         figures.append(f"<figure>{shown}<figcaption>{caption}</figcaption></figure>\n")
     return (
-        f'<!doctype html>\n<html lang="en">\n<meta charset="utf-8">\n'
+        f'<!doctype html>\n<html lang="{languages.chosen()}">\n<meta charset="utf-8">\n'
         f"<title>{html.escape(printable(title))}</title>\n"
         "<style>body{font-family:sans-serif}figure{display:inline-block;margin:1em;max-width:45em}"
         "img{max-width:100%}</style>\n"

@@ -74,9 +74,7 @@ def _collect(folder: Path, platforms: Sequence[str], pythons: Sequence[str]) -> 
             words = ["download", "--quiet", "--dest", str(folder / bootstrap.WHEELS)]
             words += [*target_words(platform, python), "-c", str(tested), *wanted]
             if subprocess.run([sys.executable, "-m", "pip", *words], check=False).returncode:
-                raise CliError(
-                    "pip does not find all packages for {0}, Python {1}.", platform, python
-                )
+                raise CliError("no-packages", platform, python)
         tested.unlink()
 
 

@@ -64,12 +64,8 @@ def _window(arguments: Sequence[str]) -> int:
         check_out("--screenshot", options.screenshot)
     for name, side in zip(("width", "height"), options.size or (), strict=False):
         if not 1 <= side <= LARGEST_IMAGE_PX:
-            raise CliError(
-                "--size {0} = {1}: {2}.",
-                name,
-                side,
-                REFUSALS["whole-pixels"].format(LARGEST_IMAGE_PX),
-            )
+            bound = REFUSALS["whole-pixels"]
+            raise CliError(f"--{Refusal(f'size {name}', side, bound, LARGEST_IMAGE_PX)}")
     file = words[0] if words else None
     lesson = file is not None and is_lesson(file)
     if lesson and options.set:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from app.commands.arguments import check_drawing, importing
 from app.document.document import Document
 from app.document.view import PANES
+from app.languages import said
 from app.lessons.course import Course, scene_of, unnameable
 from app.lessons.lesson import Lesson, Step
 from app.model.refusal import Refusal, counted
@@ -34,22 +35,23 @@ class Composed:
     wrong: list[str] = field(default_factory=list)
 
     def __str__(self) -> str:
-        counts = [f"{self.faulty[kind]} {kind}" for kind in ("crowded", "empty", "hidden", "cut")]
-        overlaps = counted(self.faulty["overlap"], "overlap")
-        return f"{', '.join([overlaps, *counts])} of {counted(self.steps, 'step')}"
+        counts = (self.faulty[kind] for kind in ("crowded", "empty", "hidden", "cut"))
+        overlaps, steps = counted(self.faulty["overlap"], "overlap"), counted(self.steps, "step")
+        return said("composed", overlaps, *counts, steps)
 
     def take(self, course: Course, place: int, documents: list[Document], draw: Measure) -> None:
         """Draw a step's states, and add what is wrong with them."""
         lesson, step = course.lesson, course.lesson.steps[place]
         line = step.state.line if step.state is not None else step.line
-        where = f"{lesson.path}: line {line}, step {place + 1} ({step.name})"
+        where = place_in(lesson, line, place)
         self.steps += 1
         faults, kinds = dict[str, None](), set[str]()
         for document in documents:
             seen = panes_of(document, lesson.is_talk)
             em, screen_px = (SLIDE_EM_PX, SLIDE_PX[1]) if lesson.is_talk else (PANE_EM_PX, None)
             for name in unnameable(document, [*seen] if lesson.is_talk else PANES):
-                faults[f"{where}: view.names has {name}, which no pane draws here."] = None
+                named = said("view.names has {0}, which no pane draws here.", name)
+                faults[f"{where}: {named}"] = None
             for pane, size in seen.items():
                 for picture in draw(document, pane, size, em):
                     for kind, fault in faults_in(picture, screen_px):
@@ -57,6 +59,11 @@ class Composed:
                         kinds.add(kind)
         self.wrong += faults
         self.faulty.update(kinds)
+
+
+def place_in(lesson: Lesson, line: int, place: int) -> str:
+    name = lesson.steps[place].name
+    return said("{0}: line {1}, step {2} ({3})", lesson.path, line, place + 1, name)
 
 
 def panes_of(document: Document, is_talk: bool) -> dict[str, tuple[int, int]]:
@@ -79,37 +86,31 @@ def faults_in(picture: "ComposedPicture", screen_px: int | None) -> Iterator[tup
     from app.drawings.composition import CAPITAL, FULL, LEAST_AREA, LEAST_FILL, LETTERS, MOST_LABELS
 
     for one, other in picture.overlaps:
-        yield "overlap", f"“{one}” overlaps “{other}”."
+        yield "overlap", said("“{0}” overlaps “{1}”.", one, other)
     if picture.is_crowded:
-        yield "crowded", f"{len(picture.labels)} labels; at most {MOST_LABELS}."
-    if picture.is_empty:
-        wide, high = picture.fill
         yield (
-            "empty",
-            f"what is drawn covers {wide:.0%} of the width and {high:.0%} of the height; at least"
-            f" {LEAST_FILL:.0%} of one of them, and below {FULL:.0%} also {LEAST_AREA:.0%} of the"
-            " area.",
+            "crowded",
+            said("{0}; at most {1}.", counted(len(picture.labels), "label"), MOST_LABELS),
         )
+    if picture.is_empty:
+        yield "empty", said("empty-picture", *picture.fill, LEAST_FILL, FULL, LEAST_AREA)
     for text in picture.left_out:
-        yield "hidden", f"“{text}” is named and not drawn: there is no place for it."
+        yield "hidden", said("“{0}” is named and not drawn: there is no place for it.", text)
     for one, other in picture.covered:
-        yield "hidden", f"“{one}” lies on the point that “{other}” names."
+        yield "hidden", said("“{0}” lies on the point that “{1}” names.", one, other)
     for text in picture.raw:
-        yield "raw", f"“{text}” has an underscore that is not typeset."
+        yield "raw", said("“{0}” has an underscore that is not typeset.", text)
     for name, part in picture.outside:
-        where = f"outside the pane by {part:.1%} of its height"
-        yield "cut", f"“{name}” lies {where if part < math.inf else 'behind the viewer'}."
+        behind = said("“{0}” lies behind the viewer.", name)
+        outside = said("“{0}” lies outside the pane by {1:.1%} of its height.", name, part)
+        yield "cut", outside if part < math.inf else behind
     for text in picture.cut:
-        yield "cut", f"“{text}” is cut off at the border."
+        yield "cut", said("“{0}” is cut off at the border.", text)
     if screen_px is not None:
         least, most = LETTERS
         for height in {CAPITAL * each.em / screen_px for each in picture.labels}:
             if not least <= height <= most:
-                yield (
-                    "letters",
-                    f"capitals are {height:.1%} of the screen's height; must be from {least:.1%}"
-                    f" to {most:.1%}.",
-                )
+                yield "letters", said("capitals", height, least, most)
 
 
 def measure() -> Measure:

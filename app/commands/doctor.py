@@ -16,6 +16,7 @@ from typing import Any, NamedTuple
 from app import __version__, bootstrap, modules, system_packages
 from app.commands.options import Parser
 from app.commands.terminal import CANNOT_DRAW, CliError, write_out
+from app.languages import said
 from app.python_packages import requirements
 
 LONGEST_TRIAL_S = 60.0  # longest time for a driver to answer
@@ -38,56 +39,58 @@ def run(arguments: Sequence[str]) -> int:
         if finding.remedy:
             missing.append(finding)
     if not missing:
-        write_out(["\nEverything needed is here.\n"])
+        write_out([f"\n{said('Everything needed is here.')}\n"])
         return 0
     lines = [f"  {finding.name}: {finding.remedy}\n" for finding in missing]
-    write_out(["\nThis is missing:\n", *lines])
+    write_out([f"\n{said('This is missing:')}\n", *lines])
     return CANNOT_DRAW
 
 
 def examine() -> Iterator[Finding]:
     """Examine everything, the slow parts last, without downloading anything."""
     set_up = bootstrap.enter()
-    yield Finding("Frustum Lab", f"{__version__} in {bootstrap.ROOT}")
+    yield Finding("Frustum Lab", said("{0} in {1}", __version__, bootstrap.ROOT))
     yield Finding("Python", f"{platform.python_version()} ({sys.executable})")
-    yield Finding("Platform", platform.platform())
+    yield Finding(said("Platform"), platform.platform())
     if aside := os.environ.get(modules.SET_ASIDE):
-        yield Finding("Set aside", f"{aside}; Frustum Lab prefers its own packages")
+        text = said("{0}; Frustum Lab prefers its own packages", aside)
+        yield Finding(said("Set aside"), text)
     if set_up:
         yield from _packages()
     else:
         start = bootstrap.command_line([Path(sys.executable).name, "-m", "app"])
-        remedy = f"the first start sets it up, which needs the network: {start}"
-        yield Finding("Environment", "not set up yet", remedy)
+        remedy = said("the first start sets it up, which needs the network: {0}", start)
+        yield Finding(said("Environment"), said("not set up yet"), remedy)
     missing = [] if set_up else system_packages.venv_module()
     missing += system_packages.missing_system("window")
+    text, remedy = said("all here"), ""
     if missing:
-        names = ", ".join(item.name for item in missing)
-        yield Finding("System libraries", f"missing: {names}", system_packages.advice(missing))
-    else:
-        yield Finding("System libraries", "all here")
+        text = said("missing: {0}", ", ".join(said(item.name) for item in missing))
+        remedy = system_packages.advice(missing)
+    yield Finding(said("System libraries"), text, remedy)
     if set_up:
         yield from _folders()
         yield from _display()
         yield _off_screen()
     # Nothing is missing without it: there are other formats of moving pictures.
     ffmpeg = shutil.which("ffmpeg")
-    yield Finding("MP4", f"through {ffmpeg}" if ffmpeg else "not without ffmpeg; .webp needs none")
+    without = said("not without ffmpeg; .webp needs none")
+    yield Finding("MP4", said("through {0}", ffmpeg) if ffmpeg else without)
 
 
 def _packages() -> Iterator[Finding]:
     from importlib import metadata  # slow, and every command imports this file
 
     if os.path.exists(bootstrap.ROOT / "pyproject.toml"):
-        yield Finding("Environment", sys.prefix)
+        yield Finding(said("Environment"), sys.prefix)
         for requirement in requirements(bootstrap.ROOT):
             bounds = requirement.text.partition(";")[0].removeprefix(requirement.name).strip()
             try:
                 version = metadata.version(requirement.name)
             except metadata.PackageNotFoundError:
-                version = "missing"
+                version = said("missing")
             helps = "" if requirement.admits(version) else bootstrap.pip_install(requirement.text)
-            yield Finding(requirement.name, f"{version} (needed: {bounds})", helps)
+            yield Finding(requirement.name, said("{0} (needed: {1})", version, bounds), helps)
     try:
         from PySide6.QtCore import qVersion
     except ImportError as error:
@@ -97,8 +100,8 @@ def _packages() -> Iterator[Finding]:
 
 
 def _not_loaded(name: str, error: ImportError) -> Finding:
-    remedy = bootstrap.damage(error) or "see the system libraries above"
-    return Finding(name, f"cannot be loaded: {error}", remedy)
+    remedy = bootstrap.damage(error) or said("see the system libraries above")
+    return Finding(name, said("cannot be loaded: {0}", error), remedy)
 
 
 def _folders() -> Iterator[Finding]:
@@ -107,18 +110,16 @@ def _folders() -> Iterator[Finding]:
     except ImportError:
         return  # `_display` says so
     for name, folder in (
-        ("Settings folder", settings_path().parent),
-        ("Recovery folder", data_folder()),
-        ("Log folder", log_path().parent),
+        (said("Settings folder"), settings_path().parent),
+        (said("Recovery folder"), data_folder()),
+        (said("Log folder"), log_path().parent),
     ):
-        there = folder
-        while not os.path.exists(there) and there != there.parent:
-            there = there.parent
+        there = next(filter(os.path.exists, (folder, *folder.parents)), folder)
         if os.path.isdir(there) and os.access(there, os.W_OK):
             yield Finding(name, str(folder))
         else:
-            remedy = f"make {there} a folder that you may write to"
-            yield Finding(name, f"{folder}: not writable", remedy)
+            remedy = said("make {0} a folder that you may write to", there)
+            yield Finding(name, said("{0}: not writable", folder), remedy)
 
 
 def _display() -> Iterator[Finding]:
@@ -127,32 +128,33 @@ def _display() -> Iterator[Finding]:
         from widgets.program.display import display
         from widgets.program.opengl import DisplayError
     except ImportError as error:
-        yield _not_loaded("Window", error)
+        yield _not_loaded(said("Window"), error)
         return
     try:
         with display():
             answer, problem = _try("widgets.program.opengl", dict(os.environ))
     except DisplayError as error:
-        yield Finding("Display", "none", str(error))
+        yield Finding(said("Display"), said("none"), str(error))
         return
     if answer is None:
-        remedy = "update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1"
+        remedy = said("update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1")
         yield Finding("OpenGL", problem, remedy)
         return
     places = {"xcb": "DISPLAY", "wayland": "WAYLAND_DISPLAY"}
     place = os.environ.get(places.get(answer["platform"], ""), "")
-    yield Finding("Display", f"{answer['platform']} {place}".rstrip())
-    for name, width, height, scale in answer["screens"]:
-        yield Finding("Screen", f"{name}: {width} x {height} at scale {scale:g}")
+    yield Finding(said("Display"), f"{answer['platform']} {place}".rstrip())
+    for screen in answer["screens"]:
+        yield Finding(said("Screen"), said("{0}: {1} x {2} at scale {3:g}", *screen))
     if "error" in answer:  # windows still open, drawn as pixels, if export works
-        yield Finding("OpenGL", f"none for windows: {answer['error']}")
+        yield Finding("OpenGL", said("none for windows: {0}", answer["error"]))
     else:
-        how = "software, without a graphics card" if answer["software"] else "graphics card"
+        software = said("software, without a graphics card")
+        how = software if answer["software"] else said("graphics card")
         yield Finding("OpenGL", f"{answer['version']}, {answer['renderer']} ({how})")
-    how = "drawn in the window by OpenGL"
+    how = said("drawn in the window by OpenGL")
     if answer["canvas"] == "raster":
-        how = "drawn off-screen and painted as pixels"
-    yield Finding("Panes", f"{how} (--canvas {answer['canvas']})")
+        how = said("drawn off-screen and painted as pixels")
+    yield Finding(said("Panes"), f"{how} (--canvas {answer['canvas']})")
 
 
 def _off_screen() -> Finding:
@@ -161,11 +163,11 @@ def _off_screen() -> Finding:
         environment.pop(name, None)
     answer, problem = _try("app.commands.doctor", environment)
     if answer is None:
-        remedy = "install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver"
-        if problem.startswith(ModuleNotFoundError.__name__):
-            remedy = "see Window"
-        return Finding("Export", problem, remedy)
-    return Finding("Export", f"without a display through {answer['window']}, {answer['renderer']}")
+        is_lost = problem.startswith(ModuleNotFoundError.__name__)
+        remedy = said("see Window") if is_lost else said("install-mesa")
+        return Finding(said("Export"), problem, remedy)
+    text = said("without a display through {0}, {1}", answer["window"], answer["renderer"])
+    return Finding(said("Export"), text)
 
 
 def _try(module: str, environment: dict[str, str]) -> tuple[dict[str, Any] | None, str]:
@@ -176,13 +178,13 @@ def _try(module: str, environment: dict[str, str]) -> tuple[dict[str, Any] | Non
             errors="replace", stdin=subprocess.DEVNULL, timeout=LONGEST_TRIAL_S, check=False,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        return None, f"does not answer within {LONGEST_TRIAL_S:g} s"
+        return None, said("does not answer within {0:g} s", LONGEST_TRIAL_S)
     if done.returncode < 0:
-        return None, f"the driver crashed (signal {-done.returncode})"
+        return None, said("the driver crashed (signal {0})", -done.returncode)
     lines = done.stdout.strip().splitlines()
     if done.returncode != 0 or not lines:
-        said = done.stderr.strip().splitlines()
-        return None, said[-1] if said else f"failed with exit status {done.returncode}"
+        lines = done.stderr.strip().splitlines() or [said("exit status {0}", done.returncode)]
+        return None, lines[-1]
     answer: dict[str, Any] = json.loads(lines[-1])
     return answer, ""
 

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.terminal import CliError, interrupt, write_out
 from app.document.files import write_bytes_atomically
+from app.languages import said
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.course import Course, contained, file_of
 from app.lessons.lesson import read
@@ -38,8 +39,9 @@ def print_tests(options: argparse.Namespace) -> int:
     answers = os.path.join(folder, f"key-{name}.pdf")
     for out in (*files, *[answers] * options.key):
         check_out("--out", out)
-    note = f"Left out, because it is done in the window: {'; '.join(left_out)}." if left_out else ""
-    if note:
+    note = ""
+    if left_out:
+        note = said("Left out, because it is done in the window: {0}.", "; ".join(left_out))
         write_out([f"{note}\n"])
     with importing():
         from widgets.program.exam import Numbered, exam, key
@@ -54,10 +56,10 @@ def print_tests(options: argparse.Namespace) -> int:
 
         for number, (seed, out) in enumerate(zip(seeds, files, strict=True), 1):
             numbered = [Numbered(*each, each[1].with_numbers(seed)) for each in posed]
-            _write(out, exam(title, seed, numbered, check), f"{number} of {len(files)}")
+            _write(out, exam(title, seed, numbered, check), said("{0} of {1}", number, len(files)))
             variants.append((seed, numbered))
         if options.key:
-            _write(answers, key(title, variants, note, check), "key")
+            _write(answers, key(title, variants, note, check), said("key"))
     return 0
 
 
@@ -69,12 +71,7 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
         if not os.path.isfile(path):
             stems = (re.match(r"l(\d+)-", each.stem) for each in contained())
             last = max(int(stem[1]) for stem in stems if stem)
-            raise CliError(
-                "--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, "
-                "separated by commas.",
-                word,
-                last,
-            )
+            raise CliError("topics", word, last)
         name = word.upper() if re.fullmatch(r"[Ll]\d+", word) else path.stem
         if name in paths:
             raise CliError("--topics = {0!r}: names {1} twice.", text, name)
@@ -87,16 +84,9 @@ def _seeds(text: str) -> tuple[range, int]:
     ends = re.fullmatch(r"([0-9]{1,9})(?::([0-9]{1,9}))?", text)
     first, last = (int(ends[1]), int(ends[2] or ends[1])) if ends is not None else (0, 0)
     if not 1 <= first <= last <= LARGEST_SEED:
-        raise CliError(
-            "--seeds = {0!r}: must be FIRST:LAST, such as 1:30, from 1 to {1}.", text, LARGEST_SEED
-        )
+        raise CliError("seeds", text, LARGEST_SEED)
     if last - first >= MOST_TESTS:
-        raise CliError(
-            "--seeds = {0!r}: has {1} variants; the limit is {2}.",
-            text,
-            last - first + 1,
-            MOST_TESTS,
-        )
+        raise CliError("too-many-tests", text, last - first + 1, MOST_TESTS)
     return range(first, last + 1), max(2, len(str(last)))
 
 
@@ -112,6 +102,6 @@ def _folder(out: str) -> str:
 
 
 def _write(out: str, content: bytes, progress: str) -> None:
-    done = "overwritten" if os.path.exists(out) else "written"
+    done = said("overwritten") if os.path.exists(out) else said("written")
     write_bytes_atomically(out, content)
     write_out([f"{progress}: {out} {done}\n"])

@@ -6,7 +6,7 @@ import re
 import sys
 from collections.abc import Iterator, Sequence
 from functools import partial
-from typing import TYPE_CHECKING, TypeVar
+from typing import TypeVar
 
 from app.commands import batch, page, sweep
 from app.commands.arguments import (
@@ -18,22 +18,20 @@ from app.commands.arguments import (
     load_scene,
     set_letters,
 )
-from app.commands.options import Parser, choices
-from app.commands.terminal import CliError, print_error, said
+from app.commands.options import Parser
+from app.commands.terminal import CliError, print_error
 from app.document.document import Document
 from app.document.files import blamed_on
 from app.document.view import PANES
+from app.drawings.figure import ENDINGS, Figure
+from app.drawings.film import FILMS, write_film, write_frames
+from app.languages import said
 from app.lessons.lesson import is_lesson
 from app.model.refusal import REFUSALS, Refusal
-
-if TYPE_CHECKING:
-    from app.drawings.figure import Figure
-    from app.scenes.scene import Scene
+from app.scenes.scene import Scene
 
 _Frame = TypeVar("_Frame")
 
-_ENDINGS = tuple(f".{name}" for name in choices("export", "--format"))
-_FILMS = (".gif", ".apng", ".webp", ".mp4")
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
@@ -47,7 +45,7 @@ def run(arguments: Sequence[str]) -> int:
         if options.step is not None:
             raise CliError("--step: is a column of the list of --batch.")
         return batch.run(options, out, files, _draw)
-    moving = "--sweep, --orbit, --stages or --transition"
+    moving = said("{0} or {1}", "--sweep, --orbit, --stages", "--transition")
     for names, needed in ((_OF_BATCH, "--batch"), (() if motions else _OF_FILMS, moving)):
         for option in names:
             if sweep.is_given(options, option):
@@ -66,7 +64,7 @@ def run(arguments: Sequence[str]) -> int:
 def _draw(options: argparse.Namespace, out: str, file: str | None) -> str:
     """Write a figure; return what is incomplete in it, in one sentence, or nothing."""
     _choose_panes(options, file)
-    _check(options, out, _ENDINGS)
+    _check(options, out, ENDINGS)
     document = document_of(file, options.set, options.step)
     scene = load_scene(document.scene, document.mesh, file)
     warning = _warning(document, scene)  # or a `Refusal`, before any drawing
@@ -83,7 +81,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     order, _ = sweep.order(options), sweep.speed(options)
     names = sweep.names(out, len(order))
     for name in names or [out]:
-        _check(options, name, _ENDINGS if names else _FILMS)
+        _check(options, name, ENDINGS if names else FILMS)
     if not names and (options.crop or options.width):
         option = "crop" if options.crop else "width"
         raise CliError("--{0}: is for single figures; frames of a film have one size.", option)
@@ -100,8 +98,6 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     check_drawing()
     figures = sweep.with_views(options, file, figures)
     figures = sweep.steady(options, figures, fades=True)
-    from app.drawings.film import write_film, write_frames
-
     if names:
         write_frames(names, figures, order, _with_progress)
     else:
@@ -152,14 +148,14 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
     """Refuse options that do not fit one another, before anything is loaded."""
     ending = _ending(out)
     if ending not in endings:
-        film = ", or have one number such as %03d" if endings is _FILMS else ""
-        if ending in _FILMS and not options.batch:
+        film = said(", or have one number such as %03d") if endings is FILMS else ""
+        if ending in FILMS and not options.batch:
             film = said("; for a film add --sweep, --orbit, --stages or --transition")
-        known = f"{', '.join(endings[:-1])} or {endings[-1]}"
-        if endings is _ENDINGS and not options.batch:
+        known = said("{0} or {1}", ", ".join(endings[:-1]), endings[-1])
+        if endings is ENDINGS and not options.batch:
             known += said(", or in .html for a page")
         raise CliError("OUT = {0!r}: must end in {1}{2}.", out, known, film)
-    has_pixels = ending not in (*_ENDINGS[1:], ".html")
+    has_pixels = ending not in (*ENDINGS[1:], ".html")
     if not has_pixels and options.scale != 1.0:
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and options.hidden:
@@ -184,9 +180,7 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
             odd = "x".join(map(str, size))
-            raise CliError(
-                "OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.", out, odd
-            )
+            raise CliError("even-sides", out, odd)
         with blamed_on(out, REFUSALS["unwritable"]):
             program()
 
@@ -199,11 +193,9 @@ def _ending(out: str) -> str:
 
 
 def _figure(
-    options: argparse.Namespace, scene: "Scene", document: Document, pane: str = ""
-) -> "Figure":
+    options: argparse.Namespace, scene: Scene, document: Document, pane: str = ""
+) -> Figure:
     """Return the figure of all panes, or of one; a refusal names the option that it is about."""
-    from app.drawings.figure import Figure
-
     panes = [pane] if pane else sweep.panes(options)
     try:
         return Figure(
@@ -226,14 +218,15 @@ def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:
     try:
         for number, frame in enumerate(frames, 1):
             if terminal is not None:
-                print(f"\rframe {number}/{len(frames)}", end="", file=terminal, flush=True)
+                text = said("frame {0}/{1}", number, len(frames))
+                print(f"\r{text}", end="", file=terminal, flush=True)
             yield frame
     finally:
         if terminal is not None:
             print(file=terminal)
 
 
-def _warning(document: Document, scene: "Scene") -> str:
+def _warning(document: Document, scene: Scene) -> str:
     """Return what a picture lacks that was written all the same."""
     illustration = scene.illustration(document.projection, document.settings)
     warning = None if illustration is None else illustration.warning

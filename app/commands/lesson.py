@@ -9,6 +9,7 @@ from app.commands.exam import print_tests
 from app.commands.options import Parser, one_of
 from app.commands.results import results
 from app.commands.terminal import CliError, write_out
+from app.languages import said
 from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
 from app.lessons.course import contained, file_of, ideas
@@ -25,9 +26,7 @@ def run(arguments: Sequence[str]) -> int:
     if options.csv and what != "results":
         raise CliError("--csv: is an option of lesson results, not of lesson {0}.", what)
     if options.letters and what not in ("check", "print"):
-        raise CliError(
-            "--letters: is an option of lesson check and print, not of lesson {0}.", what
-        )
+        raise CliError("letters-of", what)
     if what == "print":
         if names:
             raise CliError("lesson print takes no FILE such as {0!r}: use --topics.", names[0])
@@ -52,9 +51,10 @@ def run(arguments: Sequence[str]) -> int:
 def _line(file: Path) -> str:
     course = read(file)
     steps = len(course.steps)
-    kind = "talk" if course.is_talk else "lesson"
+    kinds = said("lesson"), said("talk")
+    kind = kinds[course.is_talk].ljust(max(map(len, kinds)) + 1)
     topics = course.lecture if course.is_talk else ", ".join(course.topics)
-    return f"{kind:<7}{topics:<8}{counted(steps, 'step'):>9}  {course.title}  ({file.name})\n"
+    return f"{kind}{topics:<8}{counted(steps, 'step'):>9}  {course.title}  ({file.name})\n"
 
 
 def _checked(

@@ -21,9 +21,10 @@ from app.document.files import write_bytes_atomically
 from app.document.lengths import PX_PER, Size
 from app.drawings import off_screen
 from app.drawings.figure import Figure
+from app.languages import said
 from app.measure import chart, measuring
 from app.measure.meaning import meaning
-from app.measure.results import GAPS, Measurements, table, to_csv, to_json
+from app.measure.results import GAPS, Measurements, named, table, to_csv, to_json
 from app.measure.sweeps import SWEEPS
 from app.model.projection import LENSES
 from app.model.refusal import Cancelled
@@ -38,9 +39,11 @@ def run(arguments: Sequence[str]) -> int:
     asked = {f"--{option}": getattr(options, option) for option in ("json", "csv", "chart")}
     targets = {option: out for option, out in asked.items() if out is not None}
     if len(set(targets.values())) < len(targets):
-        raise CliError("{0} must go to different files.", " and ".join(targets))
+        *first, last = targets
+        options_of = said("{0} and {1}", ", ".join(first), last)
+        raise CliError("{0} must go to different files.", options_of)
     if options.chart is not None and not options.chart.lower().endswith(chart.ENDINGS):
-        known = f"{', '.join(chart.ENDINGS[:-1])} or {chart.ENDINGS[-1]}"
+        known = said("{0} or {1}", ", ".join(chart.ENDINGS[:-1]), chart.ENDINGS[-1])
         raise CliError("--chart = {0!r}: must end in {1}.", options.chart, known)
     if options.size and options.width:
         raise CliError("--width: its height is free; leave out --size.")
@@ -61,11 +64,7 @@ def run(arguments: Sequence[str]) -> int:
         # A chart has the bounds of a pane: this is a `Refusal` beyond them.
         Figure(document, scene, ("ndc",), size, text_pt=options.text_size)
     if document.projection.lens.planes is None:
-        raise CliError(
-            "lens.kind = matrix: a free matrix has no near, no far and no angle to "
-            "measure; it must be one of {0}.",
-            ", ".join(LENSES),
-        )
+        raise CliError("free-matrix", ", ".join(LENSES))
     everything = not (options.trade or options.sweep)
     trades = list(dict.fromkeys(options.trade or (measuring.TRADES if everything else ())))
     if everything:
@@ -77,7 +76,7 @@ def run(arguments: Sequence[str]) -> int:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
-            print_error(f"{error} Not measured: {', '.join(left_out)}.", 0)
+            print_error(said("{0} Not measured: {1}.", error, ", ".join(left_out)), 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
             return CANNOT_DRAW
@@ -111,18 +110,10 @@ def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]
     try:
         low, high = (parse_number(end) for end in ends.split(":"))
     except ValueError:
-        raise CliError(
-            "--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.", name, ends
-        ) from None
+        raise CliError("low-high", name, ends) from None
     whole = SWEEPS[name]
     if not whole.low <= low < high <= whole.high:
-        raise CliError(
-            "--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.",
-            name,
-            ends,
-            whole.low,
-            whole.high,
-        )
+        raise CliError("high-and-low", name, ends, whole.low, whole.high)
     return name, (low, high)
 
 
@@ -169,18 +160,23 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
 def _measured(results: Measurements, cost: str) -> Iterator[str]:
     """Yield the results as tables, each trade with its meaning for this cost."""
     for trade in results.trades:
-        yield f"{trade.name}{'' if trade.complete else ' (cancelled)'}\n"
+        yield f"{trade.name}{'' if trade.complete else said(' (cancelled)')}\n"
         yield from _lines_of(table(trade), str.ljust)
         yield f"{meaning(trade.by_cost(cost))}\n\n"
     for sweep in results.sweeps:
-        shown = "smallest gap in world units" if sweep.parameter in GAPS else "largest error in px"
-        yield f"{sweep.parameter}, {shown}{'' if sweep.complete else ' (cancelled)'}\n"
+        is_gap = sweep.parameter in GAPS
+        shown = said("smallest gap in world units") if is_gap else said("largest error in px")
+        yield f"{sweep.parameter}, {shown}{'' if sweep.complete else said(' (cancelled)')}\n"
         yield from _lines_of(table(sweep), str.rjust)
         yield "\n"
 
 
 def _lines_of(rows: list[list[str]], align_names: Callable[[str, int], str]) -> Iterator[str]:
     """Return a table's lines: aligned names, numbers flush right, notes at the end."""
+    rows[0] = [*map(named, rows[0])]
+    for row in rows[1:]:
+        row[-1] = named(row[-1])
+        row[0] = named(row[0]) if align_names == str.ljust else row[0]  # or it is a number
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for name, *cells, note in rows:
         numbers = [cell.rjust(width) for cell, width in zip(cells, widths[1:-1], strict=True)]

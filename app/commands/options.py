@@ -17,8 +17,9 @@ from pathlib import Path
 from typing import Any, NamedTuple, NoReturn
 
 from app import __version__, bootstrap, languages
-from app.commands.terminal import CliError, said, write_out
+from app.commands.terminal import CliError, write_out
 from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
+from app.languages import said
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -55,13 +56,8 @@ def pages() -> dict[str, Page]:
     return pages
 
 
-COMMANDS = "commands, each with its own --help:"
-LANGUAGE = "language of messages, lessons and figures (default: the system's)"
-SET = (
-    "change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and"
-    " settings.NAME for a setting of the scene"
-)
 _tr = partial(languages.translate, context="Options")
+vars(argparse)["_"] = said  # which it calls for each text of its own
 SETTABLE = pages()["--set"].summary.split(", ")
 """Every path that ``--set`` knows, for all lenses; each scene adds its own ``settings.NAME``.
 
@@ -82,12 +78,12 @@ class Parser(argparse.ArgumentParser):
 
     def __init__(self, command: str) -> None:
         names, summary, about, options = pages()[command or "window"]
-        usage = " ".join(f"{bootstrap.PROGRAM} {command} [options] {names}".split())
+        usage = " ".join(f"{bootstrap.PROGRAM} {command} [{said('options')}] {names}".split())
         lines = "\n".join(f"  {name:<10}{_tr(text)}" for name, text in SUMMARIES.items())
         super().__init__(
             usage=usage,
             description=_tr(summary),
-            epilog="" if command else f"{_tr(COMMANDS)}\n{lines}",
+            epilog="" if command else f"{said('of-commands')}\n{lines}",
             formatter_class=argparse.RawDescriptionHelpFormatter,
             allow_abbrev=False,
         )
@@ -96,12 +92,15 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("words", nargs="*", metavar=names, help=about)
         details = _DETAILS.get(command, {})
         for option, value, text in options:
-            self._add(option, value, _tr(text).replace("%", "%%"), **details.get(option, {}))
-        if "--set" in details:
-            names = ", ".join(SETTABLE)
-            self.add_argument("--set", metavar="NAME=VALUE", action="append", default=[],
-                              help=_tr(SET).format(names))  # fmt: skip
-        self._add("--language", "|".join(languages.LANGUAGES), _tr(LANGUAGE))
+            usual = re.search(r"\(default: (\w+)\)", text)
+            more = {"default": usual[1]} if usual and usual[1] in value.split("|") else {}
+            more |= {"action": "append"} if "may be repeated" in text else {}
+            more |= details.get(option, {})
+            self._add(option, value, _tr(text).replace("%", "%%"), **more)
+        if command in _OF_A_DOCUMENT:
+            more = {"action": "append", "default": []}
+            self._add("--set", "NAME=VALUE", said("of-set", ", ".join(SETTABLE)), **more)
+        self._add("--language", "|".join(languages.LANGUAGES), said("of-language"))
 
     def _print_message(self, message: str, _file: object = None) -> None:
         """Print the help or the version; argparse would ignore write errors."""
@@ -129,9 +128,7 @@ class Parser(argparse.ArgumentParser):
             most = max(most, len(words))
         if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
             takes = self._names or said("no names")
-            raise CliError(
-                "{0} takes {1}, and was given {2}.", command, takes, counted(len(words), "name")
-            )
+            raise CliError("takes", command, takes, counted(len(words), "name"))
         return options, words
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
@@ -210,7 +207,8 @@ def _parsed(
         try:
             return parse(value)
         except ValueError:
-            raise CliError("{0} = {1!r}: must be {2}.", option, value, bound) from None
+            bounds = said(bound, ", ".join(PX_PER))
+            raise CliError("{0} = {1!r}: must be {2}.", option, value, bounds) from None
 
     return read
 
@@ -226,13 +224,7 @@ def _width(value: str) -> float:
     pt = float(match[1]) * TEX_PT_PER.get(match[2], 0.0) if match else 0.0
     if not WIDTHS_PT[0] <= pt <= WIDTHS_PT[1]:
         least, most = map(round, WIDTHS_PT)
-        raise CliError(
-            "--width = {0!r}: must be a length in {1} from {2}pt to {3}pt, such as 84mm.",
-            value,
-            ", ".join(TEX_PT_PER),
-            least,
-            most,
-        )
+        raise CliError("width", value, ", ".join(TEX_PT_PER), least, most)
     return pt
 
 
@@ -245,57 +237,38 @@ def _sweep(value: str) -> tuple[str, str]:
     return name, ends
 
 
-_COUNT = partial(_whole, "[0-9]{1,9}")
-_SIZE = f"WIDTHxHEIGHT in {', '.join(PX_PER)}, such as 120mmx80mm or 1800x600"
-_LENGTH = f"a length in {', '.join(PX_PER)}, such as 84mm"
+_COUNT, _DIGITS = partial(_whole, "[0-9]{1,9}"), partial(_whole, "[1-9]|1[0-7]")
 _PAPER: dict[str, dict[str, Any]] = {  # of figures and charts
-    "--size": {"type": _parsed("--size", _SIZE, parse_size)},
-    "--width": {"type": _parsed("--width", _LENGTH, parse_length)},
+    "--size": {"type": _parsed("--size", "size", parse_size)},
+    "--width": {"type": _parsed("--width", "a length in {0}, such as 84mm", parse_length)},
     "--text-size": {"type": _parsed("--text-size", "a number of points", parse_points)},
-    "--palette": {"default": "screen"},
 }
+_ANGLE = _parsed("--orbit", "a number of degrees")
 _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
     "": {
         "--size": {"type": _size},
         "--version": {"action": "version", "version": f"Frustum Lab {__version__}"},
-        "--set": {},
     },
     "export": {
         **_PAPER,
-        "--fit": {"default": "named"}, "--sweep": {"action": "append"},
-        "--ease": {"default": "linear"},
         "--scale": {"type": _parsed("--scale", "a finite number"), "default": 1.0},
-        "--orbit": {
-            "type": _parsed("--orbit", "a number of degrees"), "nargs": "?", "const": FULL_TURN,
-        },
+        "--orbit": {"type": _ANGLE, "nargs": "?", "const": FULL_TURN},
         "--frames": {"type": _parsed("--frames", "a whole number", _COUNT)},
         "--fps": {"type": _parsed("--fps", "a finite number")},
-        "--set": {},
-    },
-    "project": {
-        "--format": {"default": "table"}, "--space": {"default": "world"}, "--set": {},
+        "--hidden": {"default": None}, "--format": {"default": None},  # seen to be given
     },
     "matrices": {
-        "--format": {"default": "text"},
-        "--digits": {
-            "type": _parsed(
-                "--digits", "a whole number from 1 to 17", partial(_whole, "[1-9]|1[0-7]")
-            )
-        },
+        "--digits": {"type": _parsed("--digits", "a whole number from 1 to 17", _DIGITS)},
         "--width": {"type": _width},
-        "--set": {},
     },
     "measure": {
-        **_PAPER,
-        "--trade": {"action": "append"},
-        "--sweep": {"type": _sweep, "action": "append"},
-        "--cost": {"default": "time"},
-        "--set": {},
+        **_PAPER, "--sweep": {"type": _sweep, "action": "append"}, "--cost": {"default": "time"},
     },
     "talk": {"--for": {"dest": "readers", "type": str}},
-    "bundle": {"--platform": {"action": "append"}, "--python": {"action": "append", "default": []}},
+    "bundle": {"--python": {"action": "append", "default": []}},
 }  # fmt: skip
 """How options are read that are not text, a choice or yes or no: arguments for argparse."""
+_OF_A_DOCUMENT = ("", "export", "project", "matrices", "measure")  # commands with --set
 
 
 def choose_language(arguments: Sequence[str]) -> None:

@@ -3,19 +3,19 @@
 import os
 from argparse import Namespace
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING
 
 from app.commands import sweep
 from app.commands.arguments import importing
 from app.commands.terminal import CliError
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
+from app.drawings.describing import describe
+from app.drawings.figure import Figure
+from app.drawings.film import steady
+from app.languages import said, with_comma
 from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.words import digits_apart
-
-if TYPE_CHECKING:
-    from app.drawings.figure import Figure
-    from app.scenes.scene import Scene
+from app.scenes.scene import Scene
 
 FRAMES = 21  # states under the slider, unless another number is asked for
 
@@ -43,16 +43,14 @@ def write(
     out: str,
     told: Callable[[Sequence[Document]], Iterable[Document]],
     states: Sequence[Document],
-    scene: "Scene",
-    alone: "Callable[[Document, str], Figure]",
+    scene: Scene,
+    alone: Callable[[Document, str], Figure],
 ) -> str:
     """Write the page of states, which `told` yields; return a warning if it is large.
 
     `alone` returns the figure of a pane.
     """
     with importing():
-        from app.drawings.describing import describe
-        from app.drawings.film import steady
         from app.drawings.page import LARGEST, SliderPosition, drawn, page, sized
     values = _values(options, states, scene)
     panes = sweep.panes(options)
@@ -67,18 +65,19 @@ def write(
     write_bytes_atomically(out, content)
     if len(content) <= LARGEST:
         return ""
-    name, fewer = os.path.basename(out), "--frames or --panes" if len(states) > 1 else "--panes"
-    return (
-        f"{name} has {len(content) // 1000} kB, and a page for phones should have at most"
-        f" {LARGEST // 1000} kB: ask for fewer {fewer}."
-    )
+    name, fewer = os.path.basename(out), "--panes"
+    if len(states) > 1:
+        fewer = said("{0} or {1}", "--frames", fewer)
+    return said("too-large-page", name, len(content) // 1000, LARGEST // 1000, fewer)
 
 
-def _values(options: Namespace, states: Sequence[Document], scene: "Scene") -> list[str]:
+def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> list[str]:
     """Return what the slider changes, in each state: ``near n = 4``."""
     if options.orbit is not None:
         turns_deg = [options.orbit * k / (len(states) - 1) for k in range(len(states))]
-        return [f"angle = {turn_deg:.{digits_apart(*turns_deg)}g}°" for turn_deg in turns_deg]
+        digits = digits_apart(*turns_deg)
+        return [said("angle = {0}°", with_comma(f"{each:.{digits}g}")) for each in turns_deg]
     if options.transition:
-        return [f"way = {100 * k / (len(states) - 1):.3g} %" for k in range(len(states))]
-    return list(sweep.shown_values(options, states, scene))
+        parts = (with_comma(f"{100 * k / (len(states) - 1):.3g}") for k in range(len(states)))
+        return [said("way = {0} %", part) for part in parts]
+    return sweep.shown_values(options, states, scene)

@@ -14,6 +14,7 @@ from typing import NamedTuple, Self
 from app import bootstrap
 from app.commands.options import parse_number
 from app.commands.terminal import CliError, print_error
+from app.languages import said
 from app.model.infinity import homogeneous
 from app.model.limits import Row
 from app.model.numerals import plain
@@ -47,13 +48,7 @@ def check_typed(arguments: Sequence[str]) -> None:
         return
     parts = [part for part in re.split(r"[\s,;()\[\]]+", plain(" ".join(typed))) if part]
     point = ",".join(parts) if len(parts) in (3, 4) else "1,2,3"
-    raise CliError(
-        "POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: "
-        "echo {1} | {2} project -.",
-        " ".join(typed),
-        point,
-        bootstrap.PROGRAM,
-    )
+    raise CliError("points", " ".join(typed), point, bootstrap.PROGRAM)
 
 
 class Read(NamedTuple):
@@ -71,7 +66,7 @@ def read(source: str) -> Read:
     comment. The first row, or a comment before it, may name the columns, in any order. Without
     names, x is the first number of the first row, and a number after z is w.
     """
-    name = "Standard input" if source == "-" else source
+    name, line = said("Standard input") if source == "-" else source, said("line")
     try:
         text, note = decode(_read_input(source))
     except ValueError as error:  # a NUL in the file's name
@@ -86,7 +81,7 @@ def read(source: str) -> Read:
     has_w = False
     try:
         for row in rows:
-            cells, where = [cell.strip() for cell in row], f"{name}, line {rows.line_num}"
+            cells, where = [cell.strip() for cell in row], f"{name}, {line} {rows.line_num}"
             while cells and not cells[-1]:
                 cells.pop()
             if not cells:
@@ -172,18 +167,11 @@ class _Layout(NamedTuple):
         if len(cells) <= 3 and places == (0, 1, 2):
             return cells, []
         if len(cells) > width > len(places):
-            raise CliError(
-                "{0}: has {1} columns, but the first row names {2}.", where, len(cells), width
-            )
+            raise CliError(f"{where}: {said('columns-more', len(cells), width)}")
         after = places[-1] + 1
         if not width and after < len(cells) and _number(cells[after], ";") is not None:
             if len(cells) > after + 1:
-                raise CliError(
-                    "{0}: has {1} columns, must have three: x,y,z, or w too; name other columns "
-                    "in a first row: x,y,z,name.",
-                    where,
-                    len(cells),
-                )
+                raise CliError("columns-three", where, len(cells))
             places = (*places, after)
         cells = [*cells, *[""] * (max(places) + 1 - len(cells))]
         if len(places) == 4 and not cells[places[3]]:  # a point
@@ -204,16 +192,16 @@ class _Layout(NamedTuple):
 def _read_input(source: str) -> bytes:
     if source == "-":
         if sys.stdin is None:
-            raise OSError("it is closed")
+            raise OSError(said("it is closed"))
         content: bytes = sys.stdin.buffer.read(LARGEST_INPUT + 1)
     else:
         mode = os.stat(source).st_mode
         if not (stat.S_ISREG(mode) or stat.S_ISFIFO(mode) or stat.S_ISDIR(mode)):
-            raise OSError("it is a device, neither a file nor a pipe")
+            raise OSError(said("it is a device, neither a file nor a pipe"))
         with open(source, "rb") as file:
             content = file.read(LARGEST_INPUT + 1)
     if len(content) > LARGEST_INPUT:
-        raise OSError(f"it is larger than {LARGEST_INPUT // 2**20} MiB")
+        raise OSError(said("it is larger than {0} MiB", LARGEST_INPUT // 2**20))
     return content
 
 
@@ -235,7 +223,7 @@ def _point(cells: list[str], where: str, separator: str) -> Row:
     for name, cell in zip("xyzw", cells, strict=False):
         value = _number(cell, separator)
         if value is None or not math.isfinite(value):
-            raise CliError(f"{where}: {name} = {cell!r}: {REFUSALS['finite-number']}.")
+            raise CliError(f"{where}: {Refusal(name, cell, REFUSALS['finite-number'])}")
         if abs(value) > LARGEST:
             raise CliError("{0}: {1} = {2}: must lie within ±{3}.", where, name, cell, LARGEST)
         values.append(value)

@@ -16,6 +16,7 @@ from app.commands.arguments import document_of
 from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import MESH_ENDINGS
+from app.languages import said, sentences, translate
 from app.model.projection import PLANES, Array, Projection, Space, Trace
 from app.precision.levels import (
     Precision,
@@ -75,8 +76,8 @@ class _ProjectedPoints(NamedTuple):
     def why_lost(self) -> str:
         """Say why: only float32 overflows, and only a typed view matrix divides."""
         if self.precision == "float32":
-            return "float32 cannot hold its numbers"
-        return "its view coordinates are at infinity"
+            return sentences()["not-in-float32"]
+        return sentences()["view-at-infinity"]
 
     @property
     def counts(self) -> tuple[int, int]:
@@ -226,11 +227,11 @@ def _csv_row(cells: list[str]) -> str:
 
 
 def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
-    labels = ("world", "view", "clip", "NDC", "image px", "depth")
+    labels = said("world"), said("view"), said("clip"), "NDC", said("image px"), said("depth")
+    wide = max(10, *map(len, labels))
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
-    seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
-    unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
-    nothing = "%-10s  " + line + f"{labels[0]:>10}  {line}"
+    head, *below = f"%-{wide}s  {line}", *(f"{label:>{wide}}  {line}" for label in labels)
+    seen, unseen, nothing = ("".join([head, *below[:count]]) for count in (len(labels), 3, 1))
     # The position of each number in a table of four columns with a header row.
     sizes = [len(names) for _, names in answer.stages]
     places = [4 * row + i for row, size in enumerate(sizes, 1) for i in range(size)]
@@ -239,7 +240,7 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
     names = answer.columns.names
     others = answer.columns.written(
         lambda row: "".join(
-            f"{_printable(name):>10}  {_printable(text)}\n"
+            f"{_printable(name):>{wide}}  {_printable(text)}\n"
             for name, text in zip(names, row, strict=True)
         )
     )
@@ -268,24 +269,28 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
             first = 8 * rows * i
             values = filled[first : first + 8 * (known + 1)]
             lines.append("\n" if number > 1 else "")
-            lines.append(shown % (f"point {number}", *values))
+            lines.append(shown % (said("point {0}", number), *values))
             if known < len(labels):
                 numbers_of = block.numbers[i, :before_ndc].tolist()
                 why = answer.why_lost if lost else _why_no_picture(numbers_of)
-                lines += [f"{label:>10}  none: {why}\n" for label in labels[known:]]
+                none = said("none: {0}", said(why))
+                lines += [f"{label:>{wide}}  {none}\n" for label in labels[known:]]
             if lost:
                 lines.append(next(others))
                 continue
-            where = "outside of" if outside_of else "inside"
-            lines.append(f"{where:>10}  {', '.join(outside_of) or 'the view volume'}\n")
+            where = said("outside of") if outside_of else said("inside")
+            planes = ", ".join(translate(plane, "Plane") for plane in outside_of)
+            lines.append(f"{where:>{wide}}  {planes or said('the view volume')}\n")
             lines.append(next(others))
         yield "".join(lines)
     if answer.predictions is not None:
         errors = [
-            f"{name} {error.px:.1e} px" if math.isfinite(error.px) else f"{name} has no bound"
+            f"{name} {error.px:.1e} px" if math.isfinite(error.px)
+            else said("{0} has no bound", name)
             for name, error in answer.predictions.items()
-        ]
-        yield f"\ncomputed in {answer.precision}; errors are below: {', '.join(errors)}\n"
+        ]  # fmt: skip
+        bounds = said("computed in {0}; errors are below: {1}", answer.precision, ", ".join(errors))
+        yield f"\n{bounds}\n"
 
 
 def _printable(text: str) -> str:
@@ -297,12 +302,10 @@ def _why_no_picture(numbers: list[float]) -> str:
     """Say why a point has no picture, from its numbers up to clip space."""
     at_infinity, w = len(numbers) > 10 and numbers[3] == 0.0, numbers[-1]
     if w > 0.0:
-        return "the point is in front of the eye; its pixel is larger than float64 can hold"
+        return sentences()["too-large-pixel"]
     if not at_infinity:
-        return "the point is not in front of the eye"
-    if w < 0.0:
-        return "the point at infinity is behind the eye; the opposite direction has a picture"
-    return "the picture is at infinity too: w = 0, and lines of this direction stay parallel"
+        return sentences()["not-in-front"]
+    return sentences()["opposite" if w < 0.0 else "parallel"]
 
 
 _PROJECT_FORMATS: dict[str, Callable[[_ProjectedPoints], Iterator[str]]] = {

@@ -11,6 +11,7 @@ from pathlib import Path
 from app.commands.arguments import check_out
 from app.commands.terminal import BAD_INPUT, CliError, print_error, write_out
 from app.document.files import write_bytes_atomically
+from app.languages import said
 from app.lessons.course import idea_named
 from app.lessons.record import RIGHT, SHOWN, WRONG
 from app.lessons.results import Marker, RemarkedAnswer, StudentResults, read
@@ -91,16 +92,14 @@ def _summary(students: Sequence[Sequence[RemarkedAnswer]]) -> Iterator[str]:
     words = Counter(each.word for each in answers)
     ideas = Counter(key for key in map(_idea, answers) if key is not None)
     wrong = words[WRONG] + ideas.total()
-    yield (
-        f"{counted(len(students), 'file')}, {counted(len(answers), 'answer')}: "
-        f"{words[RIGHT]} right, {wrong} wrong, {words[SHOWN]} shown, {words['']} not marked"
-    )
+    files, total = counted(len(students), "file"), counted(len(answers), "answer")
+    yield said("how-marked", files, total, words[RIGHT], wrong, words[SHOWN], words[""])
     given = [each for each in answers if each.word]
     changed = sum((each.word == RIGHT) != (each.attempt.verdict == RIGHT) for each in given)
     if changed:
-        yield f"{counted(changed, 'mark')} not as in the files"
+        yield said("{0} not as in the files", counted(changed, "mark"))
     if ideas:
-        yield "Wrong ideas (answers, students):"
+        yield said("Wrong ideas (answers, students):")
     for key in sorted(ideas, key=lambda each: (-ideas[each], each)):
         count = sum(any(_idea(each) == key for each in student) for student in students)
         lesson, idea = key
@@ -116,8 +115,8 @@ def _summary(students: Sequence[Sequence[RemarkedAnswer]]) -> Iterator[str]:
         if word == WRONG and a.typed
     )
     if unexplained:
-        yield "No idea explains (answers; lesson, exercise, variant; what was typed; right):"
+        yield said("unexplained")
     for (lesson, exercise, seed, typed, right), count in unexplained.most_common(MOST_LISTED):
         yield f"{count:>5}  {lesson} {exercise} {seed}: {typed} ({right})"
     if len(unexplained) > MOST_LISTED:
-        yield f"       … and {len(unexplained) - MOST_LISTED} more; --csv has them all"
+        yield said("       … and {0} more; --csv has them all", len(unexplained) - MOST_LISTED)

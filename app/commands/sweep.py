@@ -13,28 +13,19 @@ import os
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING, Any
 
-from app.commands.arguments import (
-    course_of,
-    document_before,
-    importing,
-    place_of,
-    state_at,
-    with_values,
-)
+from app.commands.arguments import course_of, document_before, place_of, state_at, with_values
 from app.commands.options import FULL_TURN
 from app.commands.terminal import CliError
 from app.document import sweeping
 from app.document.document import Document
 from app.document.sweeping import FPS, FRAMES, eased
+from app.drawings import film
+from app.drawings.figure import Figure
 from app.lecture.stages import IMAGE
 from app.model.projection import Camera
 from app.model.refusal import Refusal
-
-if TYPE_CHECKING:
-    from app.drawings.figure import Figure
-    from app.scenes.scene import Scene
+from app.scenes.scene import Scene
 
 MOTIONS = ("sweep", "orbit", "stages", "transition")  # options that move a picture, one at a time
 _FRAMES = {"stages": 120, "transition": 24}  # unless others are asked for
@@ -109,13 +100,15 @@ def with_views(
         return _along(options, file, figures)
     if options.orbit is not None:
         return _round(options, figures)
-    return _film().still(figures) if options.sweep else figures
+    return film.still(figures) if options.sweep else figures
 
 
-def shown_values(options: argparse.Namespace, states: Sequence[Document], scene: Scene) -> Any:
+def shown_values(
+    options: argparse.Namespace, states: Sequence[Document], scene: Scene
+) -> list[str]:
     """Return the swept values in each state: ``near n = 4``."""
     paths = [text.partition("=")[0].strip() for text in options.sweep or ()]
-    return _film().shown_values(states, scene, paths)
+    return film.shown_values(states, scene, paths)
 
 
 def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -> list[Figure]:
@@ -124,7 +117,7 @@ def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -
         notes = shown_values(options, [each.document for each in figures], figures[0].scene)
         figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
     is_round = options.loop == "repeat" and options.orbit is not None
-    return list(_film().steady(figures, is_round=is_round, fades=fades))
+    return film.steady(figures, is_round=is_round, fades=fades)
 
 
 def check_stages(options: argparse.Namespace) -> None:
@@ -162,11 +155,7 @@ def _transition(options: argparse.Namespace, file: str | None, count: int) -> li
     place, start, end = _steps(options, file)
     moves = transition.can_move(start, end)
     if not moves and start != end:
-        raise CliError(
-            "--transition: step {0} shows another scene or another kind of lens than the "
-            "step before; nothing moves from one to the other.",
-            place,
-        )
+        raise CliError("other-scene", place)
     states = list[Document]()
     for step in range(count):
         part = eased(step / (count - 1))
@@ -196,8 +185,8 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
     place, *ends = _steps(options, file)
     views: list[Camera | None] = [None, None]
     shown = [replace(figures[0], document=end) for end in ends]
-    if not any(map(_film().is_fixed, shown)):
-        views = [_film().still([end])[0].document.view.panes.get("world") for end in shown]
+    if not any(map(film.is_fixed, shown)):
+        views = [film.still([end])[0].document.view.panes.get("world") for end in shown]
     first, last = views
     stages = {end.view.stage for end in ends}
     if ends[0] == ends[1] and len(stages) == 1 and (first is None or last in (None, first)):
@@ -205,7 +194,7 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
     if first is None or last is None:
         return figures
     return [
-        _film().seen_by(figure, camera_between(first, last, eased(step / (len(figures) - 1))))
+        film.seen_by(figure, camera_between(first, last, eased(step / (len(figures) - 1))))
         for step, figure in enumerate(figures)
     ]
 
@@ -215,11 +204,7 @@ def _along(options: argparse.Namespace, file: str | None, figures: list[Figure])
 
 def _check_orbit(options: argparse.Namespace) -> None:
     if not 0.0 < abs(options.orbit) <= FULL_TURN:
-        raise CliError(
-            "--orbit = {0:g}: must be from -{1:g} to {1:g} degrees, not 0.",
-            options.orbit,
-            FULL_TURN,
-        )
+        raise CliError("orbit", options.orbit, FULL_TURN)
     if "world" not in panes(options):
         raise CliError("--orbit: needs the pane world, and --panes = {0!r}.", options.panes)
 
@@ -231,7 +216,7 @@ def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
     steps = count if options.loop == "repeat" and abs(options.orbit) == FULL_TURN else count - 1
     turns_deg = [options.orbit * step / steps for step in range(count)]
     if (view := figure.document.view.panes.get("world")) is None:
-        views = _film().standing(figure, [figure.document], turns_deg)
+        views = film.standing(figure, [figure.document], turns_deg)
     else:
         at = view.orbit
         views = [view]  # to the last bit
@@ -239,13 +224,7 @@ def _round(options: argparse.Namespace, figures: list[Figure]) -> list[Figure]:
             Camera.from_orbit(view.target, at._replace(azimuth_deg=at.azimuth_deg + turn_deg))
             for turn_deg in turns_deg[1:]
         )
-    return [_film().seen_by(figure, view) for view in views]
-
-
-def _film() -> Any:
-    with importing():
-        from app.drawings import film
-    return film
+    return [film.seen_by(figure, view) for view in views]
 
 
 # --------------------------------------------------------------------------- the options

@@ -5,10 +5,11 @@ from pathlib import Path
 
 from app import bootstrap
 from app.commands.arguments import check_drawing, check_out, importing, set_letters
-from app.commands.composed import SLIDE_PX, Composed, measure, taken
+from app.commands.composed import SLIDE_PX, Composed, measure, place_in, taken
 from app.commands.options import Parser, one_of
 from app.commands.terminal import CliError, write_out
 from app.document.files import write_bytes_atomically
+from app.languages import said
 from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
 from app.lessons.course import Course, file_of
@@ -23,11 +24,7 @@ def run(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
     options, (name,) = Parser("talk").read(arguments)
     if not options.check and options.handout is None:
-        raise CliError(
-            "talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.",
-            bootstrap.PROGRAM,
-            name,
-        )
+        raise CliError("needs-handout", bootstrap.PROGRAM, name)
     if options.handout is not None:
         if not options.handout.lower().endswith((".pdf", ".html")):
             raise CliError("--handout = {0!r}: must end in .pdf or .html.", options.handout)
@@ -55,7 +52,8 @@ def _faults_and_warnings(path: Path, letters: Letters | None) -> tuple[list[str]
     else:
         report.wrong += taken(composed, course, measure(), report.wrong)
         left = _take_texts(composed, course.lesson)
-    drawn = f"{path.name}: {counted(composed.steps, 'step')} drawn, {len(report.wrong)} wrong"
+    steps, wrong = counted(composed.steps, "step"), len(report.wrong)
+    drawn = said("{0}: {1} drawn, {2} wrong", path.name, steps, wrong)
     sums = [*map(str, report.warnings), drawn, str(composed), *filter(None, [left])]
     return [*map(str, report.wrong), *composed.wrong], sums
 
@@ -68,13 +66,10 @@ def _take_texts(composed: Composed, lesson: Lesson) -> str:
     parts = zip(lesson.steps, shortened(lesson.steps, SLIDE_PX), strict=True)
     for number, (step, (is_cut, leaves)) in enumerate(parts, 1):
         if is_cut:
-            composed.wrong.append(
-                f"{lesson.path}: line {step.line}, step {number} ({step.name}):"
-                " the text is longer or higher than the two lines above the picture."
-            )
+            composed.wrong.append(f"{place_in(lesson, step.line, number - 1)}: {said('cut-text')}")
         elif leaves:
             left.append(f"{number} ({step.name})")
-    return f"part of the text is only in the speaker's notes: {', '.join(left)}" if left else ""
+    return said("left-to-speaker", ", ".join(left)) if left else ""
 
 
 def _print(lesson: Lesson, out: str, answers: bool) -> None:

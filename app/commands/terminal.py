@@ -12,7 +12,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from typing import TextIO, TypeVar
 
-from app.languages import translate
+from app.languages import said
 from app.strangers import printable
 
 _Status = TypeVar("_Status", int, "int | None")
@@ -22,17 +22,11 @@ CANNOT_DRAW = 3
 INTERRUPTED = 130
 
 
-def said(template: str, *values: object) -> str:
-    """Return a sentence of a command, or a part of one, in the language and filled in."""
-    sentence = translate(template, "Command")
-    return sentence.format(*values) if values else sentence
-
-
 class CliError(Exception):
     """One sentence for standard error, in the language and filled in; and the exit status."""
 
-    def __init__(self, template: str, *values: object, status: int = BAD_INPUT) -> None:
-        super().__init__(said(template, *values))
+    def __init__(self, sentence: str, *values: object, status: int = BAD_INPUT) -> None:
+        super().__init__(said(sentence, *values))
         self.status = status
 
 

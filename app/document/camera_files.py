@@ -20,6 +20,7 @@ import numpy as np
 
 from app.document.codec import Path, tree_of
 from app.document.document import Tree
+from app.languages import said
 from app.model.camera import (
     rotation_from_quaternion,
     rotation_from_vector,
@@ -186,7 +187,7 @@ def _placed(pose: Array, before: Camera) -> Camera:
     is_uneven = lengths.max() > lengths.min() * (1.0 + _TURNED)
     if error > _TURNED or is_uneven or np.linalg.det(axes) < 0.0:
         raise Refusal.in_document(
-            REFUSALS["rotation"], field="the pose", value=pose[:, :3].tolist()
+            REFUSALS["rotation"], field=said("the pose"), value=pose[:, :3].tolist()
         )
     distance = math.dist(eye.tolist(), before.target) or before.distance
     return Camera(eye.tolist(), (eye - distance * axes[:, 2]).tolist(), axes[:, 1].tolist())

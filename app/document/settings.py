@@ -22,6 +22,7 @@ from app.document.document import (
 )
 from app.document.files import read
 from app.document.view import AS_EVER, STRIP
+from app.languages import said
 from app.lecture.equation import equation_of
 from app.model.chain import NOT_MOVED, FiveTiles
 from app.model.limits import OTHER_SIDE, positive
@@ -340,7 +341,7 @@ def compared(document: Document, name: str) -> Document:
     phenomenon = PHENOMENA.get(document.scene)
     ready = {each.name: each for each in phenomenon.words.comparisons} if phenomenon else {}
     if name not in ready:
-        names = ", ".join(ready) or "none"
+        names = ", ".join(ready) or said("none")
         raise Refusal.in_document(REFUSALS["compared"], names, field="view.compare", value=name)
     pictures = [ComparedPicture(*each) for each in ready[name].pictures]
     states = [pictured(document, picture) for picture in pictures]

@@ -17,6 +17,7 @@ from app.lecture.typesetting import line_of, piece_of
 from app.model.refusal import REFUSALS, Refusal
 
 _ROUNDING_EM = 1e-6
+_WIDER = 0.1  # of a column's width, for letters of TeX
 _LINES_APART_EM, _CAPTION_EM, _AXIS_EM, _FOOT_EM, _RULE_EM = 0.9, 1.0, 0.25, 0.22, 0.045
 
 
@@ -42,17 +43,19 @@ class EquationPicture:
         view, em = self.document.view, self.style.font_size
         asked = self.document.projection, view.letters, view.equation, self.document.settings
         equation = equation_of(*asked)
-        laid, room_em = (
-            [*laid_out(equation)],
-            self.size[0] / em + _ROUNDING_EM if self.size[0] else inf,
-        )
+        laid = [
+            each._replace(widths=tuple((1.0 + _WIDER) * wide for wide in each.widths))
+            for each in laid_out(equation)
+        ]
+        room_em = self.size[0] / em + _ROUNDING_EM if self.size[0] else inf
         gap_em = GAP_EM if equation.result or len(laid) == 1 else APART_EM
         lines, right_em = list[list[_EquationPart]](), 0.0
         for place, each in enumerate(laid):
             sign = each.lead if len(laid) == 1 else ""
             if equation.factors and equation.result and place == len(laid) - 1:
                 sign = "="
-            wide = each.width + (width_em(sign) + GAP_EM if sign else 0.0)
+            before = (1.0 + _WIDER) * width_em(sign) + GAP_EM if sign else 0.0
+            wide = each.width + before
             if not lines or right_em + gap_em + wide > room_em:
                 right_em = -gap_em
                 lines.append([])

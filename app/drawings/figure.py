@@ -27,6 +27,7 @@ from app.drawings.describing import Description, describe
 from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
+from app.model.limits import check_name
 from app.model.projection import LARGEST_IMAGE_PX
 from app.model.refusal import REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
@@ -108,9 +109,7 @@ class Figure:
 
     def __post_init__(self) -> None:
         for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
-            value = getattr(self, name)
-            if not isinstance(value, str) or value not in known:
-                raise Refusal(name, value, REFUSALS["one-of"], ", ".join(known))
+            check_name(name, getattr(self, name), known)
         if isinstance(self.panes, str) or not self.panes:
             raise Refusal.saying(REFUSALS["no-panes"], repr(self.panes), ", ".join(PANES))
         for pane in self.panes:
@@ -204,7 +203,7 @@ class Figure:
         """Draw it, and return (height, width, 3 or 4) uint8 pixels.
 
         The first row is the top one; colours are not multiplied by alpha. Raises `Cancelled` when
-        `progress` returned False.
+        `progress` returned False, and RuntimeError where there is no OpenGL.
 
         - `progress`: called now and then with the fraction done; drawing stops when it returns
           False.
@@ -342,11 +341,13 @@ class Figure:
     def _parts(self, scale: float, watch: _Watch) -> Iterator[tuple[Any, tuple[int, int]]]:
         """Yield what each pane shows, with its left and top."""
         from app.drawings.compared_figures import compared_in
+        from app.drawings.off_screen import check_off_screen
         from app.drawings.one_pane import PanePicture
 
         if self.panes == ("equation",):
             yield self._equation(self.full_size.px), (0, 0)
             return
+        check_off_screen()
         document, view = self.document, self.document.view
         # Beside an image several worlds that are compared would be small.
         aspect = None if view.compare else document.projection.aspect
@@ -392,34 +393,19 @@ class Figure:
 
     def array(self) -> Pixels:
         """Return its pixels, (height, width, 3) uint8; with a fourth channel if transparent."""
-        from app.drawings.off_screen import check_off_screen
-
-        check_off_screen()
         return self.pixels()
 
     def png(self, progress: Callable[[float], bool] | None = None) -> bytes:
         """Return it as a PNG file, which contains the document."""
         from app.drawings.figure_files import png_bytes
-        from app.drawings.off_screen import check_off_screen
 
-        check_off_screen()
         json, pixels = picture_json(self.document), self.pixels(progress)
         return png_bytes(pixels, json, self.scale, self.description)
 
     def svg(self) -> str:
-        """Return it as SVG, without reference to another file.
-
-        Raises
-        ------
-        Refusal
-            For more faces and lines than a file of shapes should have.
-        RuntimeError
-            If this machine has no OpenGL to draw with; the text says what to install.
-        """
-        from app.drawings.off_screen import check_off_screen
+        """Return it as SVG, without reference to another file; a `Refusal` for too many shapes."""
         from app.drawings.svg import svg
 
-        check_off_screen()
         size, shapes = self.shapes()
         return svg(shapes, size, self.description.title, self.description.text).decode()
 
@@ -433,17 +419,10 @@ class Figure:
         """Write a .svg, .pdf, .tex (TikZ) or .png file, whole or not at all.
 
         The PNG contains the document: dropped on the window, it brings its state back. TikZ reads
-        PNG files beside it, if any.
-
-        Raises
-        ------
-        Refusal
-            For another ending, and for a file that cannot be written.
-        RuntimeError, Cancelled
-            As for `svg` and `pixels`.
+        PNG files beside it, if any. A `Refusal` for another ending, too many shapes, and a file
+        that cannot be written.
         """
         from app.drawings.figure_files import write_shapes
-        from app.drawings.off_screen import check_off_screen
 
         name = os.fspath(path)
         if not name.lower().endswith(ENDINGS):
@@ -451,7 +430,6 @@ class Figure:
         if name.lower().endswith(".png"):
             write_bytes_atomically(name, self.png(progress))
             return
-        check_off_screen()
         tell = progress or (lambda _part: True)
         try:
             size, shapes = self.shapes(lambda part: tell(part / 2.0))
@@ -459,10 +437,8 @@ class Figure:
             if error.bound != REFUSALS["too-many"]:
                 raise
             png = f"{os.path.splitext(os.path.basename(name))[0]}.png"
-            limits = (*error.limits, png)
-            raise Refusal.in_document(
-                REFUSALS["too-many-for"], *limits, field=error.field
-            ) from error
+            bound, limits = REFUSALS["too-many-for"], (*error.limits, png)
+            raise Refusal.in_document(bound, *limits, field=error.field) from error
         watch = _Watch(lambda part: tell(0.5 + part / 2.0), 1)
         watch.begin(0)
         write_shapes(name, shapes, size, self.description, watch)

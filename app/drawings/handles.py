@@ -83,6 +83,8 @@ class HandleMarks(Handles, Layer):
         """The pixel that was asked for last, and what is there."""
         self._drawn_edges: tuple[list[Handle], Lines] | None = None
         """The handles of the edges, each with its line; None until they are asked for."""
+        self._drawn_faces: list[tuple[Handle, Array, Array, Array]] | None = None
+        """Of each face its handle, corners, normal, and the way in from each edge; as above."""
         sizes = _RADIUS_EM + np.array([_RING_EM, 0.0])
         turns = 2.0 * math.pi * np.arange(_POINTS) / _POINTS
         unit = np.column_stack([np.cos(turns), np.sin(turns)])
@@ -110,7 +112,7 @@ class HandleMarks(Handles, Layer):
 
     def settle(self) -> None:
         """Find the visible handles, and mark them."""
-        self._last = self._drawn_edges = None
+        self._last = self._drawn_edges = self._drawn_faces = None
         self._mark([] if "handles" in self._state.canvas.hidden else self._visible())
 
     def _visible(self, *reaches: float) -> list[tuple[Handle, Spot]]:
@@ -129,7 +131,7 @@ class HandleMarks(Handles, Layer):
 
     def is_drawn(self, handle: Handle) -> bool:
         is_called = bool({handle.name, handle.setting} & self.called)
-        is_drawn = is_called or self._state.names.all or handle == self.held
+        is_drawn = is_called or self._state.names.wanted is None or handle == self.held
         return is_drawn or handle in self._at_rest[1]
 
     def _in_renderer(self, spot: Spot) -> Spot:
@@ -237,13 +239,17 @@ class HandleMarks(Handles, Layer):
         """The foremost face at a pixel."""
         sight, first = self._state.sight, math.inf
         taken = None
-        for handle, corners in self._faces():
-            across = np.roll(corners, -1, axis=0) - corners
-            normal = np.cross(across[0], across[1])
+        if self._drawn_faces is None:
+            self._drawn_faces = []
+            for handle, corners in self._faces():
+                across = np.roll(corners, -1, axis=0) - corners
+                normal = np.cross(across[0], across[1])
+                self._drawn_faces.append((handle, corners, normal, np.cross(normal, across)))
+        for handle, corners, normal, inward in self._drawn_faces:
             point = sight.meets(pixel, normal, corners[0])
             order, w = sight.rows[2:] @ np.append(point - sight.eye, 1.0)
             if w > 0.0 and order / w < first:  # never for NaN
-                sides = np.cross(across, point - corners) @ normal
+                sides = ((point - corners) * inward).sum(axis=1)
                 if (sides >= 0.0).all() or (sides <= 0.0).all():
                     first, taken = order / w, self._taken(handle, point)
         return None if taken is None or self._is_hidden(pixel, first) else taken

@@ -25,6 +25,8 @@ from vtkmodules.vtkRenderingCore import (
 
 from app.model.parameter import read_content
 
+from app.languages import said
+
 Pixels: TypeAlias = NDArray[np.uint8]
 
 _SMALL_PX = 8, 8
@@ -50,10 +52,7 @@ def check_off_screen() -> None:
     window.SetOffScreenRendering(1)
     # VTK's last resort, a missing library, reports support untested.
     if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
-        raise RuntimeError(
-            "There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install "
-            "Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1."
-        )
+        raise RuntimeError(said("no-opengl"))
 
 
 class OffScreen:
@@ -65,7 +64,7 @@ class OffScreen:
     def __init__(self, width: int, height: int) -> None:
         self.render_window: Any = (make_window or _window_that_draws())()
         self.render_window.SetOffScreenRendering(1)
-        if sys.platform == "darwin":  # or only the main thread may use it, as a window on screen
+        if hasattr(self.render_window, "SetConnectContextToNSView"):  # macOS: in any thread, then
             self.render_window.SetConnectContextToNSView(False)
         self.clear(width, height)
         self.render_window.SetAlphaBitPlanes(1)

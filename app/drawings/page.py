@@ -17,6 +17,7 @@ import re
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, replace
 from html import escape, unescape
+from itertools import groupby
 from pathlib import Path
 from string import Template
 from typing import Any, NamedTuple
@@ -28,6 +29,7 @@ from app.drawings.figure import PANE_PX, Figure
 from app.drawings.style import DARK, LIGHT
 from app.drawings.svg import OF_ALL, elements
 from app.drawings.vectors import PixelShape, Shape
+from app.languages import chosen, said
 from app.lecture.typesetting import font_file
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import printable
@@ -98,7 +100,7 @@ def page(title: str, states: Sequence[SliderPosition], column: bool = False) -> 
         f'<input type="range" id="slider" aria-label="{escaped(name)}"'
         f' aria-valuetext="{value}" min="0" max="{len(states) - 1}" value="{middle}">',
         "</form>",
-        f"<noscript><p>{value}. The other states need scripts.</p></noscript>",
+        f"<noscript><p>{value}. {said('The other states need scripts.')}</p></noscript>",
     ]
     return html(title, style, [*body, *slider, *texts, *_stored(slots)], _SCRIPT)
 
@@ -183,7 +185,7 @@ def html(title: str, style: str, body: Iterable[str], script: str = "") -> bytes
         policy += f"; script-src {_hash(script)}"
     lines = [
         "<!doctype html>",
-        '<html lang="en">',
+        f'<html lang="{chosen()}">',
         '<meta charset="utf-8">',
         '<meta http-equiv="Content-Security-Policy"'
         f" content=\"{policy}; base-uri 'none'; form-action 'none'\">",
@@ -235,13 +237,6 @@ def _stored(slots: Sequence[Sequence[Sequence[str]]]) -> list[str]:
 
 
 def _runs(places: Sequence[int]) -> str:
-    runs: list[list[int]] = []
-    for place in places:
-        if runs and runs[-1][1] == place - 1:
-            runs[-1][1] = place
-        else:
-            runs.append([place, place])
-    return ",".join(
-        "-".join(np.base_repr(end, 36).lower() for end in dict.fromkeys((first, last)))
-        for first, last in runs
-    )
+    runs = (list(run) for _, run in groupby(enumerate(places), lambda each: each[1] - each[0]))
+    ends = (dict.fromkeys((run[0][1], run[-1][1])) for run in runs)
+    return ",".join("-".join(np.base_repr(end, 36).lower() for end in each) for each in ends)

@@ -33,6 +33,8 @@ _COMMANDS = "|".join((
 _FORMULA = re.compile(
     rf"(?:\\(?:{_COMMANDS})(?![a-zA-Z])|\\,|[a-zA-Z0-9_ +\-*/=<>()\[\].,:;|{{}}'\u2032]|\^(?!\^))*"
 )
+_NO_GAP = r"\nulldelimiterspace0pt"  # no space beside fractions, as in other formats
+_NO_SPACE = re.compile(r" *\\, *(?=\(|\\(?:tan|cot|sin|cos)\b)")  # TeX makes its own
 _CYRILLIC = re.compile("[\u0400-\u052f]")
 _PLAIN = "0123456789+=/()[],."
 _IN_MATH = {
@@ -41,7 +43,7 @@ _IN_MATH = {
     "\u2212": "-", "\u2032": "'", "²": "^2", "°": r"^\circ ", "×": r"\times ", "·": r"\cdot ",
     "∞": r"\infty ", "→": r"\to ", "←": r"\leftarrow ", "↔": r"\leftrightarrow ", "±": r"\pm ",
     "≈": r"\approx ", "≠": r"\neq ", "≤": r"\leq ", "≥": r"\geq ", "<": "<", ">": ">", "%": r"\%",
-    "|": "|",
+    "|": "|", "½": r"{}^1\!/_2 ",
 }  # fmt: skip
 _IN_WORDS = {
     **{sign: f"${tex.strip()}$" for sign, tex in _IN_MATH.items() if sign not in _PLAIN},
@@ -63,7 +65,11 @@ def tikz(
     `text` is a description, which becomes a comment; `name` is the file's own, without its ending.
     """
     writer = _TikzWriter(size, name)
-    lines = [line for _, group in groupby(shapes, key=kind_of) for line in writer.lines([*group])]
+    box, lines = f"(0,0) rectangle ({_n(size[0])},{_n(size[1])});", list[str]()
+    for is_text, part in groupby(shapes, key=lambda shape: isinstance(shape, TextShape)):
+        drawn = [line for _, each in groupby(part, key=kind_of) for line in writer.lines([*each])]
+        cut = [rf"\begin{{scope}}\clip {box}", *drawn, r"\end{scope}"]
+        lines += drawn if is_text else cut  # TeX's letters may be higher than those at the edge
     head = [
         *(f"% {printable(said)}" for said in (title, text) if said),
         r"% LaTeX reads it by \input; the preamble needs \usepackage{tikz}. A unit is 1/72 inch.",
@@ -74,7 +80,7 @@ def tikz(
         *(f"  {style}/.style={{{options}}}," for options, style in writer.styles.items()),
         "]",
         *(rf"\definecolor{{{name}}}{{HTML}}{{{code}}}" for code, name in writer.colours.items()),
-        rf"\clip (0,0) rectangle ({_n(size[0])},{_n(size[1])});",
+        rf"\useasboundingbox {box}",
     ]
     return "\n".join([*head, *lines, r"\end{tikzpicture}%", ""]).encode(), writer.files
 
@@ -95,6 +101,8 @@ class _TikzWriter:
                 r"% Its Cyrillic letters need \usepackage[T2A]{fontenc}; in XeLaTeX and LuaLaTeX"
                 " a font that has them."
             )
+        if not {"đ", "Đ"}.isdisjoint(letters):
+            yield r"% Its letter đ needs \usepackage[T1]{fontenc}."
         if self.files:
             yield (
                 rf"% It reads {', '.join(self.files)} from the document's folder;"
@@ -174,7 +182,7 @@ class _TikzWriter:
         size = min((size for _, _, size, _ in written.pieces), default=1.0)
         scale = size * text.em * _BP_PER_PX * _PT_PER_BP / _FONT_PT
         options = (
-            rf"anchor=base,font=\fontsize{{{_FONT_PT:g}}}{{{_FONT_PT:g}}}\selectfont,"
+            rf"anchor=base,font=\fontsize{{{_FONT_PT:g}}}{{{_FONT_PT:g}}}\selectfont{_NO_GAP},"
             f"scale={scale:.4f},inner sep=0bp{_faint('text', written.opacity)}"
         )
         return self.styles.setdefault(options, f"t{len(self.styles) + 1}")
@@ -215,7 +223,7 @@ def _tex(pieces: Iterable[tuple[str, bool]]) -> str:
 
 def _grouped(tex: str) -> str:
     tex = tex.strip().replace("\u2032", "'").replace(r"\dfrac", r"\displaystyle\frac")
-    tex = tex.replace(r"\text", r"\mathrm")  # which need no package
+    tex = _NO_SPACE.sub("", tex.replace(r"\text", r"\mathrm"))  # which need no package
     return tex if len(tex) == 1 else f"{{{tex}}}"
 
 

@@ -21,13 +21,14 @@ _SMALLEST = r"\footnotesize"
 _NAMES = "pckqdrwyzABCDEFGHKLNQ"  # letters for cells that are named and given below
 _EQUAL_PT, _INDENT_PT, _FURTHER_PT = 13.4, 10.0, 20.0
 _COLUMN_PT, _BRACKETS_PT, _FRACTION_PT = 10.0, 18.0, 2.4
+_ALIGNED_PT = 10.0  # of aligned, after its lines
 _READABLE = 1.16  # of a text's width: a wider product of formulas is left to its factors
 _LETTER_PT, _CAPITAL_PT, _SCRIPT = 5.6, 9.5, 0.72
 _PT = {
     **dict.fromkeys("0123456789/", 5.1), **dict.fromkeys("+-", 12.3), **dict.fromkeys("()", 3.9),
     **dict.fromkeys(".,|", 2.8), " ": 1.5, "=": _EQUAL_PT, r"\cdot": 7.3, r"\,": 1.7,
     **dict.fromkeys((r"\leftarrow", r"\to"), 15.6),
-    **dict.fromkeys((r"\left", r"\right", r"\vec", r"\text", r"\mathrm"), 0.0),
+    **dict.fromkeys((r"\vec", r"\text", r"\mathrm"), 0.0), r"\left": 4.4, r"\right": 4.4,
     **dict.fromkeys((r"\tan", r"\sin", r"\cos", r"\cot"), 18.0),
 }  # fmt: skip
 _TOKEN = re.compile(r"\\[a-zA-Z]+|\\.|.", re.DOTALL)
@@ -64,19 +65,22 @@ def displayed(
     sides = [[_ProductPart(each, _width(each)) for each in chain]] if chain else []
     for wanted, formulas in ((symbols, True), (numbers, False)):
         for product in (matrix.factors, (matrix,)) if wanted else ():
+            if formulas and not all(each.formulas for each in product):
+                continue  # a result that is too long for formulas
             side = [_pmatrix(_cells_of(each, letters, formulas, digits)) for each in product]
             is_product = formulas and bool(sides) and product is not matrix.factors
             is_left = is_product and side[0].width > _READABLE * text_pt
             if side and side not in sides and not is_left:
                 sides.append(side)
+    free_pt = text_pt - _ALIGNED_PT
     widest = max(part.width for side in sides for part in side)
-    is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= text_pt
+    is_beside = _width(name) + _EQUAL_PT + max(widest, _INDENT_PT) <= free_pt
     is_beside |= _width(name) <= 2.0 * _INDENT_PT
     begin = _width(name) if is_beside else _INDENT_PT
 
     def room(parts: Sequence[_ProductPart], size: str) -> float:
         has_indices = any(r"\frac" in part.tex or r"\text" in part.tex for part in parts)
-        return text_pt / _SIZES[size][has_indices] - begin
+        return free_pt / _SIZES[size][has_indices] - begin
 
     def fits(size: str) -> bool:
         return all(

@@ -10,6 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from app.document.view import PANES
+from app.languages import said
 from app.lecture.letters import Letters
 from app.lecture.typesetting import outline
 from app.lessons.blocks.block import Asked, Here, Trial, path_of
@@ -44,10 +45,9 @@ class CheckReport:
 
     def __str__(self) -> str:
         warnings = f", {counted(len(self.warnings), 'warning')}" if self.warnings else ""
-        return (
-            f"{counted(self.lessons, 'lesson')}, {counted(self.talks, 'talk')}, "
-            f"{counted(self.checks, 'check')}, {len(self.wrong)} wrong{warnings}"
-        )
+        lessons, talks = counted(self.lessons, "lesson"), counted(self.talks, "talk")
+        wrong = said("{0} wrong", len(self.wrong))
+        return f"{lessons}, {talks}, {counted(self.checks, 'check')}, {wrong}{warnings}"
 
     def read(
         self, path: Path, progress: Progress | None = None, letters: Letters | None = None
@@ -98,10 +98,10 @@ def _count(steps: Sequence[Step], trial: Trial) -> None:
         (False, MOST_STEPS, REFUSALS["checking-too-many"]),
         (True, MOST_PRACTICE, REFUSALS["too-much-practice"]),
     )
-    for varies, most, said in limits:
+    for varies, most, bound in limits:
         some = [step for step in steps if step.varies == varies]
         if len(some) > most:
-            trial.add_fault(refused(some[most].line, said, most + 1, most))
+            trial.add_fault(refused(some[most].line, bound, most + 1, most))
 
 
 def _check_view(course: Course, place: int, trial: Trial) -> None:
@@ -175,9 +175,9 @@ def _problems(text: str) -> Iterator[tuple[str, str]]:
         try:
             outline(tex)
         except ValueError as error:
-            said = str(error).strip().splitlines()[-1]
+            why = str(error).strip().splitlines()[-1]
             # Drop the exception's name, its position, and its list of expected tokens.
             noise = r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)"
-            said = re.sub(noise, "", said)
-            said = re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", said)
-            yield tex, said
+            why = re.sub(noise, "", why)
+            why = re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", why)
+            yield tex, why

@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, TypeAlias
 from app import languages
 from app.document.codec import Path as AnyPath
 from app.document.files import blamed_on, content_of, read_letters
+from app.languages import said
 from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Block, StepContent, TextBlock
@@ -354,7 +355,10 @@ class _StepReader:
         for sample in step.samples if not self._lacking else ():
             if sample.block not in names:
                 raise refused(
-                    sample.line, REFUSALS["one-of"], ", ".join(names) or "none", value=sample.block
+                    sample.line,
+                    REFUSALS["one-of"],
+                    ", ".join(names) or said("none"),
+                    value=sample.block,
                 )
         return None if ShownState.kind in self._lacking else step
 

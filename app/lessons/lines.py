@@ -10,6 +10,7 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from app.languages import said
 from app.lessons.quantities import Condition, read_formula
 from app.model import numerals
 from app.model.formula import Formula
@@ -166,7 +167,7 @@ class Body(NamedTuple):
                 raise refused(number, bound, ", ".join(keys), value=text.strip()[:60])
         asked = "\n".join(question).strip()
         if not asked:
-            raise refused(self.line, REFUSALS["lacks"], "a question or a task")
+            raise refused(self.line, REFUSALS["lacks"], said("a question or a task"))
         return asked, Items(items)
 
 

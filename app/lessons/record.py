@@ -23,6 +23,7 @@ from statistics import median
 from typing import Any, NamedTuple
 
 from app.document.files import blamed_on
+from app.languages import said
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.model.refusal import REFUSALS, Refusal
 from app.strangers import decode, open_regular
@@ -130,7 +131,7 @@ class Record:
             try:
                 status = os.fstat(file)
                 if not stat.S_ISREG(status.st_mode):
-                    raise OSError("it is not a regular file")
+                    raise OSError(said("it is not a regular file"))
                 left = line
                 while left:  # at once if it fits, so that lines of two windows do not mix
                     left = left[os.write(file, left) :]

@@ -144,10 +144,7 @@ def _placed(error: float, bottom: float, top: float) -> float:
 
 
 def _of_trade(
-    trade: Trade,
-    current: Mapping[str, str],
-    other: Trade | None,
-    other_name: str,
+    trade: Trade, current: Mapping[str, str], other: Trade | None, other_name: str
 ) -> tuple[Diagram, ...]:
     shown = [trade, *([other] if other else [])]
     both = [c for each in shown for c in each.choices if c.error is not None]

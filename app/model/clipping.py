@@ -25,7 +25,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.model.limits import within
+from app.languages import said
+from app.model.limits import check_name, within
 from app.model.projection import DEPTH_RANGES, PLANES, Array
 from app.model.refusal import REFUSALS, Refusal
 
@@ -103,12 +104,10 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
     """Check the names, and return which of `PLANES` are chosen."""
-    if not isinstance(depth, str) or depth not in DEPTH_RANGES:
-        raise Refusal("depth", depth, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
+    check_name("depth", depth, DEPTH_RANGES)
     names = [planes] if isinstance(planes, str) else list(planes)
     for name in names:
-        if name not in PLANES:
-            raise Refusal("planes", name, REFUSALS["one-of"], ", ".join(PLANES))
+        check_name("planes", name, PLANES)
     return np.array([plane in names for plane in PLANES])
 
 
@@ -123,7 +122,8 @@ def _refuse_opposite(field: str, starts: Array, ends: Array) -> None:
     wrong = opposite.all(axis=-1)
     if wrong.any():
         end = tuple(ends[wrong][0].tolist())
-        raise Refusal(field, end, REFUSALS["distinct"], "the opposite of the segment's other end")
+        other = said("the opposite of the segment's other end")
+        raise Refusal(field, end, REFUSALS["distinct"], other)
 
 
 # --------------------------------------------------------------------------- the six planes

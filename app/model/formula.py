@@ -26,6 +26,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from typing import Any, ClassVar, NamedTuple, TypeAlias
 
+from app.languages import said
 from app.model.refusal import REFUSALS, Bound, Refusal
 
 LONGEST = 400  # characters
@@ -323,7 +324,8 @@ class _FormulaParser:
         return token.text
 
     def _refused(self, refusal: Bound) -> Refusal:
-        return _refused(self._text, self._token.position, refusal, self._token.text)
+        text = said("the end") if self._token.kind == "end" else self._token.text
+        return _refused(self._text, self._token.position, refusal, text)
 
     def _sum(self) -> Formula:
         self._depth += 1

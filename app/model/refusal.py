@@ -9,6 +9,7 @@ import difflib
 import json
 import math
 import numbers
+import re
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from pathlib import Path
@@ -107,10 +108,11 @@ class Refusal(ValueError):
             file = "..." + file[3 - _LONGEST_FILE :]
         if not self.field:
             return f"{file or translate(REFUSALS['the-document'])} {bound}."
-        place = f"{file}: " if file else ""
+        field = re.sub(r"\bline (?=\d)", f"{languages.said('line')} ", self.field)
+        place = f"{file}: {field}" if file else field
         if self.value is ...:
-            return f"{place}{self.field} {bound}."
-        return f"{place}{self.field} = {_as_written(self.value)}: {bound}."
+            return f"{place} {bound}."
+        return f"{place} = {_as_written(self.value)}: {bound}."
 
 
 class Cancelled(Exception):
@@ -223,5 +225,7 @@ def nearest(word: str, known: Iterable[str]) -> str:
 
 
 def counted(count: int, word: str) -> str:
-    """Write a number of things: ``1 step``, ``2 steps``."""
-    return f"{count} {word}{'' if count == 1 else 's'}"
+    """Write a number of things in the language: ``1 step``, ``2 steps``."""
+    several = f"%n {word}s"
+    text = languages.translate(several, "Count", count)
+    return (f"%n {word}" if count == 1 and text == several else text).replace("%n", str(count))

@@ -71,7 +71,8 @@ def divided(
     """Return triangles (k, 3) of polygons as indices of points, and the polygon of each.
 
     A polygon that crosses itself becomes its ears or the fan about its first corner, whichever is
-    closer to its area. `tell` is called with each polygon that takes long, before it is divided.
+    closer to its area; one whose parts cancel, the fan. `tell` is called with each polygon that
+    takes long, before it is divided.
     """
     counts, areas = np.diff(offsets), area_vectors(points, offsets, corners)
     waiting, returning = np.arange(len(counts)), _returning(points[corners], counts)
@@ -127,7 +128,7 @@ def _cut(points: Floats, area: Floats) -> Ints:
     flat = flat / np.abs(flat).max()
     count, (_, holes) = len(flat), _parted(flat)
     enclosed = _shoelace(flat) - 2.0 * sum(max(_shoelace(flat[hole]), 0.0) for hole in holes)
-    best = _fans(np.array([0, count]), np.zeros(1, dtype=np.int64), 0)[0]
+    best = fan = _fans(np.array([0, count]), np.zeros(1, dtype=np.int64), 0)[0]
     least = _wrong(flat[best], enclosed)
     for start in range(0, count, -(-count // _STARTS)):
         ears = (_ears(np.roll(flat, -start, axis=0)) + start) % count
@@ -136,7 +137,10 @@ def _cut(points: Floats, area: Floats) -> Ints:
             best, least = ears, wrong
         if least <= _RIGHT * enclosed:
             break
-    return best if len(best) else np.array([[0, 0, count - 1]])  # something keeps its colour
+    if len(best):
+        return best
+    # a bow tie, whose halves cancel, is its fan; a polygon of edges there and back has no surface
+    return fan if _rings(flat) else np.array([[0, 0, count - 1]])
 
 
 def _ears(flat: Floats) -> Ints:

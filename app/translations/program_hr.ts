@@ -144,7 +144,7 @@
         <translation>Pono&amp;vi</translation>
     </message>
     <message>
-        <source>&amp;Reset the panes&apos; own views</source>
+        <source>&amp;Reset the panes' own views</source>
         <translation>Vrati po&amp;glede okana</translation>
     </message>
     <message>
@@ -249,7 +249,7 @@
     </message>
     <message>
         <source>Export</source>
-        <translation>Izvezi</translation>
+        <translation>Izvoz</translation>
     </message>
     <message>
         <source>Export panes as PNG, SVG, PDF or TikZ; a PNG contains the document</source>
@@ -296,7 +296,7 @@
         <translation>Pogled n&amp;a svijet</translation>
     </message>
     <message>
-        <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
+        <source>Measure the cost of every step: the model, each pane's matrices and repaint</source>
         <translation>Mjeri trošak svakog koraka: model te matrice i crtanje svakog okna</translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation>Okna u st&amp;upcima</translation>
     </message>
     <message>
-        <source>Play or pause the camera&apos;s orbit</source>
+        <source>Play or pause the camera's orbit</source>
         <translation>Pokreće ili zaustavlja kruženje kamere</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Prikazuje okna i najvažnije kontrole preko cijelog ekrana, za nastavu</translation>
     </message>
     <message>
-        <source>Show the step as the lesson&apos;s file has it, without your changes</source>
+        <source>Show the step as the lesson's file has it, without your changes</source>
         <translation>Prikazuje korak kakav je u datoteci lekcije, bez vaših promjena</translation>
     </message>
     <message>
@@ -436,7 +436,7 @@
         <translation>Scene u slikama, lekcije, izlaganja i nedavne datoteke</translation>
     </message>
     <message>
-        <source>Try everything in the lesson&apos;s file</source>
+        <source>Try everything in the lesson's file</source>
         <translation>Isprobava sve u datoteci lekcije</translation>
     </message>
     <message>
@@ -506,7 +506,7 @@
         <translation>Visina</translation>
     </message>
     <message>
-        <source>How the eye&apos;s y changes during the walk (the exercise of lecture 004).</source>
+        <source>How the eye's y changes during the walk (the exercise of lecture 004).</source>
         <translation>Kako se tijekom obilaska mijenja y kamere (vježba iz predavanja 004).</translation>
     </message>
     <message>
@@ -522,7 +522,7 @@
         <translation>glatko se njiše</translation>
     </message>
     <message>
-        <source>The eye&apos;s y swings between the lowest and the highest value.</source>
+        <source>The eye's y swings between the lowest and the highest value.</source>
         <translation>y kamere njiše se između najniže i najviše vrijednosti.</translation>
     </message>
     <message>
@@ -530,7 +530,7 @@
         <translation>u skokovima</translation>
     </message>
     <message>
-        <source>The eye&apos;s y jumps to the next of four values every 2 seconds.</source>
+        <source>The eye's y jumps to the next of four values every 2 seconds.</source>
         <translation>y kamere skače svake 2 sekunde na sljedeću od četiri vrijednosti.</translation>
     </message>
     <message>
@@ -578,7 +578,7 @@
         <translation>horizontalno</translation>
     </message>
     <message>
-        <source>The target gets the eye&apos;s y: the camera looks horizontally.</source>
+        <source>The target gets the eye's y: the camera looks horizontally.</source>
         <translation>Cilj dobiva y kamere: kamera gleda horizontalno.</translation>
     </message>
     <message>
@@ -681,7 +681,7 @@
         <translation>Po&amp;kaži</translation>
     </message>
     <message>
-        <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
+        <source>Show the picture with your number beside that with the model's (Alt+M)</source>
         <translation>Prikazuje sliku s vašim brojem pokraj slike s brojem iz modela (Alt+M)</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
         <translation>Dvaput kliknite ili pritisnite Enter i upišite drugi broj ili razlomak, npr. 1/3.</translation>
     </message>
     <message>
-        <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
+        <source>The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}.</source>
         <translation>Globalna komponenta {1} osi kamere {0}: dodaje {3} puta {1} koordinati {2}.</translation>
     </message>
     <message>
@@ -716,7 +716,7 @@
         <translation>Koordinata {0} položaja kamere, u kojem je ishodište koordinatnog sustava kamere.</translation>
     </message>
     <message>
-        <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
+        <source>The world's {1} component of the camera's axis {0}.</source>
         <translation>Globalna komponenta {1} osi kamere {0}.</translation>
     </message>
     <message>
@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Pogled: poništeni pokreti kamere</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Pogled kao R T ili kao inverz svakog pokreta</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Dodaj pločicu</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Prikaži scenu nakon ovog faktora</translation>
     </message>
 </context>
 <context>
@@ -822,7 +834,7 @@
         <translation>Odgovor je {0}.</translation>
     </message>
     <message>
-        <source>The model&apos;s answer</source>
+        <source>The model's answer</source>
         <translation>Odgovor modela</translation>
     </message>
     <message>
@@ -838,7 +850,7 @@
         <translation>Prikazuje što se događa</translation>
     </message>
     <message>
-        <source>Show the model&apos;s answer once more</source>
+        <source>Show the model's answer once more</source>
         <translation>Prikazuje odgovor modela još jednom</translation>
     </message>
 </context>
@@ -964,8 +976,28 @@
         <translation>--size = {0!r}: mora biti WIDTHxHEIGHT u pikselima, npr. 1800x600.</translation>
     </message>
     <message>
-        <source>--size {0} = {1}: {2}.</source>
-        <translation>--size {0} = {1}: {2}.</translation>
+        <source>       … and {0} more; --csv has them all</source>
+        <translation>       … i još {0}; --csv ima sve</translation>
+    </message>
+    <message>
+        <source>  installing packages: {0}</source>
+        <translation>  instaliram pakete: {0}</translation>
+    </message>
+    <message>
+        <source> (cancelled)</source>
+        <translation> (prekinuto)</translation>
+    </message>
+    <message>
+        <source> failed</source>
+        <translation> nije uspjelo</translation>
+    </message>
+    <message>
+        <source> is there already</source>
+        <translation> već postoji</translation>
+    </message>
+    <message>
+        <source>, or have one number such as %03d</source>
+        <translation>, ili imati jedan broj kao %03d</translation>
     </message>
     <message>
         <source>--size, --width and --text-size: need --chart.</source>
@@ -988,8 +1020,8 @@
         <translation>--step: treba lekciju ili izlaganje kao FILE.</translation>
     </message>
     <message>
-        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
-        <translation>--sweep {0} = &apos;&apos;: mora biti LOW:HIGH, npr. 0.001:10.</translation>
+        <source>--sweep {0} = '': must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = '': mora biti LOW:HIGH, npr. 0.001:10.</translation>
     </message>
     <message>
         <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
@@ -1088,8 +1120,48 @@
         <translation>; za film dodajte --sweep, --orbit, --stages ili --transition</translation>
     </message>
     <message>
+        <source>; needs the network</source>
+        <translation>; treba mreža</translation>
+    </message>
+    <message>
         <source>; the nearest is {0}</source>
         <translation>; najbliže je {0}</translation>
+    </message>
+    <message>
+        <source>A library cannot be loaded ({0}); {1} doctor says more.</source>
+        <translation>Biblioteka se ne može učitati ({0}); više kaže {1} doctor.</translation>
+    </message>
+    <message>
+        <source>Display</source>
+        <translation>Zaslon</translation>
+    </message>
+    <message>
+        <source>Environment</source>
+        <translation>Okruženje</translation>
+    </message>
+    <message>
+        <source>Everything needed is here.</source>
+        <translation>Sve što treba je tu.</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>Izvoz</translation>
+    </message>
+    <message>
+        <source>Left out, because it is done in the window: {0}.</source>
+        <translation>Izostavljeno jer se radi u prozoru: {0}.</translation>
+    </message>
+    <message>
+        <source>Log folder</source>
+        <translation>Mapa zapisnika</translation>
+    </message>
+    <message>
+        <source>No OpenGL could be started, and 3.2 is needed. {0}</source>
+        <translation>OpenGL se nije mogao pokrenuti, a treba 3.2. {0}</translation>
+    </message>
+    <message>
+        <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
+        <translation>Nijedna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1108,6 +1180,22 @@
         <translation>OUT = {0!r}: mora završavati na {1}{2}.</translation>
     </message>
     <message>
+        <source>Only OpenGL ES is offered here ({0}), not OpenGL 3.2. {1}</source>
+        <translation>Ovdje postoji samo OpenGL ES ({0}), a ne OpenGL 3.2. {1}</translation>
+    </message>
+    <message>
+        <source>OpenGL {0}.{1} is too old ({2}): 3.2 is needed. {3}</source>
+        <translation>OpenGL {0}.{1} je prestar ({2}): treba 3.2. {3}</translation>
+    </message>
+    <message>
+        <source>P does not say near, far and the size of the image</source>
+        <translation>P ne određuje blisku ni daleku ravninu ni veličinu slike</translation>
+    </message>
+    <message>
+        <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
+        <translation>P ima w &gt; 0 iza kamere: možda je y u njezinoj slici usmjeren prema gore</translation>
+    </message>
+    <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
         <translation>POINTS = {0!r}: mora biti datoteka CSV, ili - za standardni ulaz; za jednu točku: echo {1} | {2} project -.</translation>
     </message>
@@ -1116,8 +1204,52 @@
         <translation>POINTS nedostaje: {0} daje samo kameru.</translation>
     </message>
     <message>
+        <source>Panes</source>
+        <translation>Okna</translation>
+    </message>
+    <message>
+        <source>Platform</source>
+        <translation>Platforma</translation>
+    </message>
+    <message>
         <source>PyInstaller ended with status {0}.</source>
         <translation>PyInstaller je završio sa statusom {0}.</translation>
+    </message>
+    <message>
+        <source>Python {0}, {1} bits, {2},</source>
+        <translation>Python {0}, broj bitova {1}, {2},</translation>
+    </message>
+    <message>
+        <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
+        <translation>QT_QPA_PLATFORM = {0}: mora biti jedno od {1}; uklonite tu varijablu.</translation>
+    </message>
+    <message>
+        <source>Qt cannot reach the X server, because a system library is missing ({0}); {1} doctor says which package provides it.</source>
+        <translation>Qt ne može doći do poslužitelja X, jer nedostaje biblioteka sustava ({0}); {1} doctor kaže koji je paket sadrži.</translation>
+    </message>
+    <message>
+        <source>Qt's platform {0} shows no OpenGL windows. {1}</source>
+        <translation>Qt-ova platforma {0} ne prikazuje prozore s OpenGL-om. {1}</translation>
+    </message>
+    <message>
+        <source>Recovery folder</source>
+        <translation>Mapa za oporavak</translation>
+    </message>
+    <message>
+        <source>Screen</source>
+        <translation>Ekran</translation>
+    </message>
+    <message>
+        <source>Set aside</source>
+        <translation>Zanemareno</translation>
+    </message>
+    <message>
+        <source>Settings folder</source>
+        <translation>Mapa postavki</translation>
+    </message>
+    <message>
+        <source>Standard input</source>
+        <translation>Standardni ulaz</translation>
     </message>
     <message>
         <source>Standard output cannot be written: {0}.</source>
@@ -1128,12 +1260,124 @@
         <translation>Standardni izlaz je zatvoren.</translation>
     </message>
     <message>
+        <source>System libraries</source>
+        <translation>Biblioteke sustava</translation>
+    </message>
+    <message>
+        <source>The X server DISPLAY = {0} does not answer or does not let this user in</source>
+        <translation>Poslužitelj X, DISPLAY = {0}, ne odgovara ili ne pušta ovog korisnika</translation>
+    </message>
+    <message>
+        <source>The other states need scripts.</source>
+        <translation>Za ostala stanja trebaju skripte.</translation>
+    </message>
+    <message>
         <source>The settings cannot be deleted: {0}.</source>
         <translation>Postavke se ne mogu izbrisati: {0}.</translation>
     </message>
     <message>
         <source>The window</source>
         <translation>Prozor</translation>
+    </message>
+    <message>
+        <source>There is no screen to open a window on ({0} names none)</source>
+        <translation>Nema ekrana na kojem bi se otvorio prozor ({0} ne imenuje nijedan)</translation>
+    </message>
+    <message>
+        <source>This is missing:</source>
+        <translation>Nedostaje:</translation>
+    </message>
+    <message>
+        <source>This page does not keep what you type; print it to keep it.</source>
+        <translation>Ova stranica ne čuva ono što upišete; ispišite je da to sačuvate.</translation>
+    </message>
+    <message>
+        <source>Update the graphics driver; on Linux install Mesa (libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1, and over a remote desktop use one that offers OpenGL.</source>
+        <translation>Ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1, a za udaljenu radnu površinu upotrijebite onu koja nudi OpenGL.</translation>
+    </message>
+    <message>
+        <source>WIDTHxHEIGHT in {0}, such as 120mmx80mm or 1800x600</source>
+        <translation>WIDTHxHEIGHT u {0}, npr. 120mmx80mm ili 1800x600</translation>
+    </message>
+    <message>
+        <source>Window</source>
+        <translation>Prozor</translation>
+    </message>
+    <message>
+        <source>Wrong ideas (answers, students):</source>
+        <translation>Pogrešne predodžbe (odgovori, studenti):</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Vaš odgovor</translation>
+    </message>
+    <message>
+        <source>a finite number</source>
+        <translation>konačan broj</translation>
+    </message>
+    <message>
+        <source>a font</source>
+        <translation>font</translation>
+    </message>
+    <message>
+        <source>a length in {0}, such as 84mm</source>
+        <translation>duljina u {0}, npr. 84mm</translation>
+    </message>
+    <message>
+        <source>a number of degrees</source>
+        <translation>broj stupnjeva</translation>
+    </message>
+    <message>
+        <source>a number of points</source>
+        <translation>broj točaka</translation>
+    </message>
+    <message>
+        <source>a part</source>
+        <translation>dio</translation>
+    </message>
+    <message>
+        <source>a whole number</source>
+        <translation>cijeli broj</translation>
+    </message>
+    <message>
+        <source>a whole number from 1 to 17</source>
+        <translation>cijeli broj od 1 do 17</translation>
+    </message>
+    <message>
+        <source>a x + b y + c z + d &gt;= 0 in the view volume, in world space</source>
+        <translation>a x + b y + c z + d &gt;= 0 u volumenu pogleda, u globalnom koordinatnom sustavu</translation>
+    </message>
+    <message>
+        <source>all here</source>
+        <translation>sve su tu</translation>
+    </message>
+    <message>
+        <source>and {0} more</source>
+        <translation>i još {0}</translation>
+    </message>
+    <message>
+        <source>angle = {0}°</source>
+        <translation>kut = {0}°</translation>
+    </message>
+    <message>
+        <source>another start is setting up Frustum Lab; waiting for it to finish</source>
+        <translation>drugo pokretanje upravo postavlja Frustum Lab; čekam da završi</translation>
+    </message>
+    <message>
+        <source>apt-get failed ({0}); try: {1}</source>
+        <translation>apt-get nije uspio ({0}); pokušajte: {1}</translation>
+    </message>
+    <message>
+        <source>argument %(argument_name)s: %(message)s</source>
+        <translation>%(argument_name)s: %(message)s</translation>
+    </message>
+    <message>
+        <source>at infinity</source>
+        <translation>u beskonačnosti</translation>
+    </message>
+    <message>
+        <source>bringing {0} up to date</source>
+        <translation>ažuriram {0}</translation>
     </message>
     <message>
         <source>bundle needs PyInstaller, which is not installed; run: {0}</source>
@@ -1144,16 +1388,144 @@
         <translation>bundle: ovaj program nema mapu sa svojim kodom od koje bi se to načinilo.</translation>
     </message>
     <message>
+        <source>cannot be loaded: {0}</source>
+        <translation>ne može se učitati: {0}</translation>
+    </message>
+    <message>
+        <source>capitals are {0:.1%} of the screen's height; must be from {1:.1%} to {2:.1%}.</source>
+        <translation>velika slova imaju {0:.1%} visine ekrana; mora biti od {1:.1%} do {2:.1%}.</translation>
+    </message>
+    <message>
+        <source>check the network and run again: {again}</source>
+        <translation>provjerite mrežu i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>close all windows of Frustum Lab and run again: {again}</source>
+        <translation>zatvorite sve prozore programa Frustum Lab i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>column vectors, M p</source>
+        <translation>vektori stupci, M p</translation>
+    </message>
+    <message>
         <source>commands are {0}</source>
         <translation>naredbe su {0}</translation>
+    </message>
+    <message>
+        <source>computed in {0}; errors are below: {1}</source>
+        <translation>računano u {0}; pogreške su manje od: {1}</translation>
+    </message>
+    <message>
+        <source>does not answer within {0:g} s</source>
+        <translation>ne odgovara unutar {0:g} s</translation>
+    </message>
+    <message>
+        <source>drawn in the window by OpenGL</source>
+        <translation>u prozoru ih crta OpenGL</translation>
+    </message>
+    <message>
+        <source>drawn off-screen and painted as pixels</source>
+        <translation>crtaju se izvan ekrana i prikazuju kao pikseli</translation>
+    </message>
+    <message>
+        <source>exit status {0}</source>
+        <translation>izlazni status {0}</translation>
+    </message>
+    <message>
+        <source>expected one argument</source>
+        <translation>treba jedan argument</translation>
     </message>
     <message>
         <source>file = {0!r}: is a lesson; name its step in a column step, or write a number such as %02d in out = {1!r}.</source>
         <translation>file = {0!r}: to je lekcija; navedite njezin korak u stupcu step ili u out = {1!r} upišite broj poput %02d.</translation>
     </message>
     <message>
+        <source>first start: setting up {0} (once{1})</source>
+        <translation>prvo pokretanje: postavljam {0} (jednom{1})</translation>
+    </message>
+    <message>
+        <source>float32 cannot hold its numbers</source>
+        <translation>float32 ne može držati njezine brojeve</translation>
+    </message>
+    <message>
+        <source>for x right, y down, z forward; pixels from the centre of the first one</source>
+        <translation>za x udesno, y dolje, z naprijed; pikseli od sredine prvoga</translation>
+    </message>
+    <message>
+        <source>frame {0}/{1}</source>
+        <translation>kadar {0}/{1}</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages</source>
+        <translation>nastavljam s instaliranim paketima</translation>
+    </message>
+    <message>
+        <source>going on with the installed packages, which do not meet {0}</source>
+        <translation>nastavljam s instaliranim paketima, koji ne zadovoljavaju {0}</translation>
+    </message>
+    <message>
+        <source>graphics card</source>
+        <translation>grafička kartica</translation>
+    </message>
+    <message>
+        <source>has {0} columns, but the first row names {1}.</source>
+        <translation>broj stupaca je {0}, a prvi redak imenuje ih {1}.</translation>
+    </message>
+    <message>
+        <source>ignored explicit argument %r</source>
+        <translation>ne prima vrijednost %r</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>unutar</translation>
+    </message>
+    <message>
+        <source>install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri), or update the driver</source>
+        <translation>instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili ažurirajte upravljački program</translation>
+    </message>
+    <message>
+        <source>installing system packages: {0}</source>
+        <translation>instaliram pakete sustava: {0}</translation>
+    </message>
+    <message>
+        <source>it is a device, neither a file nor a pipe</source>
+        <translation>to je uređaj, a ne datoteka ni cijev</translation>
+    </message>
+    <message>
+        <source>it is closed</source>
+        <translation>zatvoren je</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} MiB</source>
+        <translation>veće je od {0} MiB</translation>
+    </message>
+    <message>
+        <source>its view coordinates are at infinity</source>
+        <translation>njezine su koordinate u sustavu kamere u beskonačnosti</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>ključ</translation>
+    </message>
+    <message>
+        <source>largest error in px</source>
+        <translation>najveća pogreška u px</translation>
+    </message>
+    <message>
+        <source>left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)</source>
+        <translation>lijevi globalni sustav: z obrnut; kamera gleda duž -z, y gore (worldToCameraMatrix)</translation>
+    </message>
+    <message>
+        <source>left-handed: world z reversed; looks along +z, y up</source>
+        <translation>lijevi sustav: globalni z obrnut; gleda duž +z, y gore</translation>
+    </message>
+    <message>
         <source>lens.kind = matrix: a free matrix has no near, no far and no angle to measure; it must be one of {0}.</source>
         <translation>lens.kind = matrix: slobodna matrica nema ni bliske ni daleke ravnine ni kuta za mjerenje; mora biti jedno od {0}.</translation>
+    </message>
+    <message>
+        <source>lesson</source>
+        <translation>lekcija</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1168,6 +1540,30 @@
         <translation>lesson results treba FILE.</translation>
     </message>
     <message>
+        <source>line</source>
+        <translation>redak</translation>
+    </message>
+    <message>
+        <source>looks along -z, y up</source>
+        <translation>gleda duž -z, y gore</translation>
+    </message>
+    <message>
+        <source>looks along -z; y of clip down</source>
+        <translation>gleda duž -z; y prostora odsijecanja dolje</translation>
+    </message>
+    <message>
+        <source>make {0} a folder that you may write to</source>
+        <translation>neka {0} bude mapa u koju smijete pisati</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>nedostaje</translation>
+    </message>
+    <message>
+        <source>missing: {0}</source>
+        <translation>nedostaje: {0}</translation>
+    </message>
+    <message>
         <source>nearest command is {0}</source>
         <translation>najbliža je naredba {0}</translation>
     </message>
@@ -1176,12 +1572,48 @@
         <translation>nijedno ime</translation>
     </message>
     <message>
+        <source>no package server could be reached</source>
+        <translation>nijedan poslužitelj paketa nije dostupan</translation>
+    </message>
+    <message>
         <source>no smooth edges then</source>
         <translation>tada samo oštre rubove</translation>
     </message>
     <message>
+        <source>no tested version of {0} here: trying others</source>
+        <translation>ovdje nema isprobane inačice paketa {0}: pokušavam druge</translation>
+    </message>
+    <message>
         <source>no transparency</source>
         <translation>samo neprozirne piksele</translation>
+    </message>
+    <message>
+        <source>no version fits {python} on this machine; use another Python</source>
+        <translation>nijedna inačica ne odgovara za {python} na ovom računalu; upotrijebite drugi Python</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>nema</translation>
+    </message>
+    <message>
+        <source>none for windows: {0}</source>
+        <translation>nema za prozore: {0}</translation>
+    </message>
+    <message>
+        <source>none: {0}</source>
+        <translation>nema: {0}</translation>
+    </message>
+    <message>
+        <source>not set up yet</source>
+        <translation>još nije postavljeno</translation>
+    </message>
+    <message>
+        <source>not without ffmpeg; .webp needs none</source>
+        <translation>ne bez programa ffmpeg; .webp ga ne treba</translation>
+    </message>
+    <message>
+        <source>options</source>
+        <translation>opcije</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1196,16 +1628,220 @@
         <translation>out = {0!r}: mora biti ime datoteke bez mape.</translation>
     </message>
     <message>
+        <source>outside of</source>
+        <translation>izvan:</translation>
+    </message>
+    <message>
+        <source>overwritten</source>
+        <translation>prepisano</translation>
+    </message>
+    <message>
+        <source>packages</source>
+        <translation>pakete</translation>
+    </message>
+    <message>
+        <source>part of the text is only in the speaker's notes: {0}</source>
+        <translation>dio teksta je samo u bilješkama predavača: {0}</translation>
+    </message>
+    <message>
         <source>pip does not find all packages for {0}, Python {1}.</source>
         <translation>pip ne nalazi sve pakete za {0}, Python {1}.</translation>
+    </message>
+    <message>
+        <source>point {0}</source>
+        <translation>točka {0}</translation>
+    </message>
+    <message>
+        <source>positional arguments</source>
+        <translation>argumenti po mjestu</translation>
+    </message>
+    <message>
+        <source>put Frustum Lab into a folder that you may write to</source>
+        <translation>stavite Frustum Lab u mapu u koju smijete pisati</translation>
+    </message>
+    <message>
+        <source>row vectors, p M</source>
+        <translation>vektori retci, p M</translation>
+    </message>
+    <message>
+        <source>run again: {again}; {program} doctor says more</source>
+        <translation>pokrenite ponovno: {again}; više kaže {program} doctor</translation>
+    </message>
+    <message>
+        <source>scale = {0} is free, and so is its sign</source>
+        <translation>scale = {0} je slobodan, a tako i predznak</translation>
+    </message>
+    <message>
+        <source>see Window</source>
+        <translation>vidi Prozor</translation>
+    </message>
+    <message>
+        <source>see the system libraries above</source>
+        <translation>vidi biblioteke sustava iznad</translation>
+    </message>
+    <message>
+        <source>set up in {0:.0f} s</source>
+        <translation>postavljeno za {0:.0f} s</translation>
+    </message>
+    <message>
+        <source>show this help message and exit</source>
+        <translation>prikaži ovu pomoć i završi</translation>
+    </message>
+    <message>
+        <source>smallest gap in world units</source>
+        <translation>najmanji razmak u jedinicama svijeta</translation>
+    </message>
+    <message>
+        <source>so far</source>
+        <translation>dosad</translation>
+    </message>
+    <message>
+        <source>software, without a graphics card</source>
+        <translation>programski, bez grafičke kartice</translation>
+    </message>
+    <message>
+        <source>talk</source>
+        <translation>izlaganje</translation>
     </message>
     <message>
         <source>talk needs --check or --handout OUT.pdf; {0} {1} opens the talk.</source>
         <translation>talk treba --check ili --handout OUT.pdf; {0} {1} otvara izlaganje.</translation>
     </message>
     <message>
+        <source>the Python packages could not be installed</source>
+        <translation>paketi za Python nisu se mogli instalirati</translation>
+    </message>
+    <message>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0</source>
+        <translation>kamera gleda duž +z, y dolje; K je u pikselima, sredina prvog piksela je u 0, 0</translation>
+    </message>
+    <message>
+        <source>the driver crashed (signal {0})</source>
+        <translation>upravljački program se srušio (signal {0})</translation>
+    </message>
+    <message>
+        <source>the first start sets it up, which needs the network: {0}</source>
+        <translation>postavlja ga prvo pokretanje, za što treba mreža: {0}</translation>
+    </message>
+    <message>
+        <source>the following arguments are required: %s</source>
+        <translation>nedostaju argumenti: %s</translation>
+    </message>
+    <message>
+        <source>the package server does not answer; trying again</source>
+        <translation>poslužitelj paketa ne odgovara; pokušavam ponovno</translation>
+    </message>
+    <message>
+        <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
+        <translation>paket {0} je oštećen ({1}); zamijenite ga i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive's root</source>
+        <translation>putanja {folder} je preduga: premjestite mapu s kodom bliže korijenu diska</translation>
+    </message>
+    <message>
+        <source>the picture is at infinity too: w = 0, and lines of this direction stay parallel</source>
+        <translation>i slika je u beskonačnosti: w = 0, pa pravci tog smjera ostaju paralelni</translation>
+    </message>
+    <message>
+        <source>the point at infinity is behind the eye; the opposite direction has a picture</source>
+        <translation>beskonačno daleka točka je iza kamere; suprotni smjer ima sliku</translation>
+    </message>
+    <message>
+        <source>the point is in front of the eye; its pixel is larger than float64 can hold</source>
+        <translation>točka je ispred kamere; njezin je piksel veći nego što stane u float64</translation>
+    </message>
+    <message>
+        <source>the point is not in front of the eye</source>
+        <translation>točka nije ispred kamere</translation>
+    </message>
+    <message>
+        <source>the rightmost factor acts first</source>
+        <translation>faktor sasvim desno djeluje prvi</translation>
+    </message>
+    <message>
+        <source>the set-up failed</source>
+        <translation>postavljanje nije uspjelo</translation>
+    </message>
+    <message>
+        <source>the set-up was stopped; to go on: {0}</source>
+        <translation>postavljanje je prekinuto; za nastavak: {0}</translation>
+    </message>
+    <message>
+        <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
+        <translation>kosina {0:.1g} matrice K je izostavljena: toliko px na 45 stupnjeva iznad ili ispod</translation>
+    </message>
+    <message>
+        <source>the text is longer or higher than the two lines above the picture.</source>
+        <translation>tekst je dulji ili viši od dvaju redaka iznad slike.</translation>
+    </message>
+    <message>
+        <source>the view volume</source>
+        <translation>volumena pogleda</translation>
+    </message>
+    <message>
         <source>the window</source>
         <translation>prozor</translation>
+    </message>
+    <message>
+        <source>there is no room</source>
+        <translation>nema mjesta</translation>
+    </message>
+    <message>
+        <source>this machine's rules forbid programs in {folder}; ask who set it up</source>
+        <translation>pravila ovog računala zabranjuju programe u {folder}; pitajte onoga tko ga je postavio</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; install what provides them, and start again</source>
+        <translation>na ovom sustavu nedostaje: {0}; instalirajte što je potrebno i pokrenite ponovno</translation>
+    </message>
+    <message>
+        <source>this system lacks {0}; run: {1}</source>
+        <translation>na ovom sustavu nedostaje: {0}; pokrenite: {1}</translation>
+    </message>
+    <message>
+        <source>through {0}</source>
+        <translation>preko {0}</translation>
+    </message>
+    <message>
+        <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
+        <translation>premalo je slobodnog mjesta: oslobodite {space} GB pokraj {folder}, ili postavite TMPDIR ako je puna mapa privremenih datoteka, i pokrenite ponovno: {again}</translation>
+    </message>
+    <message>
+        <source>unrecognized arguments: %s</source>
+        <translation>nepoznati argumenti: %s</translation>
+    </message>
+    <message>
+        <source>update the graphics driver, or start with LIBGL_ALWAYS_SOFTWARE=1</source>
+        <translation>ažurirajte upravljački program grafike ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1</translation>
+    </message>
+    <message>
+        <source>usage: </source>
+        <translation>uporaba: </translation>
+    </message>
+    <message>
+        <source>view.names has {0}, which no pane draws here.</source>
+        <translation>view.names sadrži {0}, a to ovdje ne crta nijedno okno.</translation>
+    </message>
+    <message>
+        <source>way = {0} %</source>
+        <translation>put = {0} %</translation>
+    </message>
+    <message>
+        <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
+        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ispod {3:.0%} i {4:.0%} površine.</translation>
+    </message>
+    <message>
+        <source>without a display through {0}, {1}</source>
+        <translation>bez zaslona, preko {0}, {1}</translation>
+    </message>
+    <message>
+        <source>written</source>
+        <translation>zapisano</translation>
+    </message>
+    <message>
+        <source>x, y and z divided by w</source>
+        <translation>x, y i z podijeljeno s w</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
@@ -1218,6 +1854,10 @@
     <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} nije ime koje datoteka može imati.</translation>
+    </message>
+    <message>
+        <source>{0} (needed: {1})</source>
+        <translation>{0} (potrebno: {1})</translation>
     </message>
     <message>
         <source>{0} = {1!r}: has a character NUL.</source>
@@ -1252,8 +1892,24 @@
         <translation>{0} = {1!r}: nema mape {2}.</translation>
     </message>
     <message>
+        <source>{0} Not measured: {1}.</source>
+        <translation>{0} Nije mjereno: {1}.</translation>
+    </message>
+    <message>
         <source>{0} cannot be read: {1}.</source>
         <translation>{0} se ne može pročitati: {1}.</translation>
+    </message>
+    <message>
+        <source>{0} could not be removed ({1}); close the programs that run in it and run again: {2}</source>
+        <translation>{0} se nije moglo ukloniti ({1}); zatvorite programe koji u tome rade i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} failed</source>
+        <translation>{0} nije uspjelo</translation>
+    </message>
+    <message>
+        <source>{0} has no bound</source>
+        <translation>{0} nema granicu</translation>
     </message>
     <message>
         <source>{0} has no figures: its first row names columns, the others are one.</source>
@@ -1264,6 +1920,14 @@
         <translation>{0} nema točaka: mora imati retke x,y,z.</translation>
     </message>
     <message>
+        <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
+        <translation>{0} ima {1} kB, a stranica za telefone trebala bi imati najviše {2} kB: zatražite manje s {3}.</translation>
+    </message>
+    <message>
+        <source>{0} in {1}</source>
+        <translation>{0} u {1}</translation>
+    </message>
+    <message>
         <source>{0} is a command and must come first: {1} {0} ...</source>
         <translation>{0} je naredba i mora stajati prva: {1} {0} ...</translation>
     </message>
@@ -1272,12 +1936,36 @@
         <translation>{0} je scena: napišite --set scene={0}.</translation>
     </message>
     <message>
+        <source>{0} is not a folder; rename or remove it, and run again: {1}</source>
+        <translation>{0} nije mapa; preimenujte ili uklonite to i pokrenite ponovno: {1}</translation>
+    </message>
+    <message>
         <source>{0} is not an option of {1}; the nearest is {2}.</source>
         <translation>{0} nije opcija za {1}; najbliža je {2}.</translation>
     </message>
     <message>
+        <source>{0} lacks {1} although pip installed them; remove it and start again: {2}</source>
+        <translation>{0} nema {1} iako ih je pip instalirao; uklonite to i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} lacks {1}; start again: {2}</source>
+        <translation>{0} nema {1}; pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
         <source>{0} must go to different files.</source>
         <translation>{0} moraju ići u različite datoteke.</translation>
+    </message>
+    <message>
+        <source>{0} not as in the files</source>
+        <translation>{0} drukčije nego u datotekama</translation>
+    </message>
+    <message>
+        <source>{0} of {1}</source>
+        <translation>{0} od {1}</translation>
+    </message>
+    <message>
+        <source>{0} or {1}</source>
+        <translation>{0} ili {1}</translation>
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
@@ -1288,8 +1976,28 @@
         <translation>{0}: zadano je prazno ime.</translation>
     </message>
     <message>
+        <source>{0} was made by another program and lacks {1}; complete it with that program, or remove it and start again: {2}</source>
+        <translation>{0} je načinio drugi program i nema {1}; dopunite to tim programom, ili uklonite i pokrenite ponovno: {2}</translation>
+    </message>
+    <message>
+        <source>{0} wrong</source>
+        <translation>pogrešno: {0}</translation>
+    </message>
+    <message>
         <source>{0}, line {1}: is not CSV ({2}).</source>
         <translation>{0}, redak {1}: nije CSV ({2}).</translation>
+    </message>
+    <message>
+        <source>{0}, step {1}</source>
+        <translation>{0}, korak {1}</translation>
+    </message>
+    <message>
+        <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
+        <translation>{0}, prenatrpano: {1}, prazno: {2}, skriveno: {3}, odsječeno: {4}; ukupno: {5}</translation>
+    </message>
+    <message>
+        <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
+        <translation>{0}, {1}: točno {2}, pogrešno {3}, prikazano {4}, neocijenjeno {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -1304,8 +2012,48 @@
         <translation>{0}: ima dva stupca {1}.</translation>
     </message>
     <message>
-        <source>{0}: has {1} columns, but the first row names {2}.</source>
-        <translation>{0}: ima više stupaca, {1}, nego što ih imenuje prvi redak, {2}.</translation>
+        <source>{0}: {1} drawn, {2} wrong</source>
+        <translation>{0}: nacrtano: {1}, pogrešno: {2}</translation>
+    </message>
+    <message>
+        <source>{0}: {1} x {2} at scale {3:g}</source>
+        <translation>{0}: {1} x {2}, mjerilo {3:g}</translation>
+    </message>
+    <message>
+        <source>{0}; Frustum Lab prefers its own packages</source>
+        <translation>{0}; Frustum Lab daje prednost svojim paketima</translation>
+    </message>
+    <message>
+        <source>{0}; at most {1}.</source>
+        <translation>{0}; najviše {1}.</translation>
+    </message>
+    <message>
+        <source>“{0}” has an underscore that is not typeset.</source>
+        <translation>„{0}” ima podvlaku koja nije složena kao indeks.</translation>
+    </message>
+    <message>
+        <source>“{0}” is cut off at the border.</source>
+        <translation>„{0}” je odsječeno na rubu.</translation>
+    </message>
+    <message>
+        <source>“{0}” is named and not drawn: there is no place for it.</source>
+        <translation>„{0}” je imenovano, a nije nacrtano: nema mjesta.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies behind the viewer.</source>
+        <translation>„{0}” leži iza promatrača.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies on the point that “{1}” names.</source>
+        <translation>„{0}” leži na točki koju imenuje „{1}”.</translation>
+    </message>
+    <message>
+        <source>“{0}” lies outside the pane by {1:.1%} of its height.</source>
+        <translation>„{0}” leži izvan okna za {1:.1%} njegove visine.</translation>
+    </message>
+    <message>
+        <source>“{0}” overlaps “{1}”.</source>
+        <translation>„{0}” se preklapa s „{1}”.</translation>
     </message>
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
@@ -1320,8 +2068,20 @@
         <translation>{0}: već postoji; uklonite to ili odaberite drugu mapu.</translation>
     </message>
     <message>
+        <source>{0}: line {1}, step {2} ({3})</source>
+        <translation>{0}: redak {1}, korak {2} ({3})</translation>
+    </message>
+    <message>
         <source>{0}: must name columns x, y and z, or hold a point.</source>
         <translation>{0}: mora imenovati stupce x, y i z ili sadržavati točku.</translation>
+    </message>
+    <message>
+        <source>{0}: not writable</source>
+        <translation>{0}: nema dopuštenja za pisanje</translation>
+    </message>
+    <message>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX'{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: pokrenite program na radnoj površini, preko ssh s -X, ili s xvfb-run -s '+extension GLX'{1} ispred; „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” i „doctor” ne trebaju ekran.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -1334,6 +2094,130 @@
     <message>
         <source>{0}: {1} = {2}: must lie within ±{3}.</source>
         <translation>{0}: {1} = {2}: mora biti unutar ±{3}.</translation>
+    </message>
+    <message>
+        <source>There are no settings to delete: {0}</source>
+        <translation>Nema postavki za brisanje: {0}</translation>
+    </message>
+    <message>
+        <source>Settings deleted: {0}</source>
+        <translation>Postavke su izbrisane: {0}</translation>
+    </message>
+    <message>
+        <source>it is a pipe or a device, not a regular file</source>
+        <translation>to je cijev ili uređaj, a ne obična datoteka</translation>
+    </message>
+    <message>
+        <source>it is larger than {0} GiB</source>
+        <translation>veće je od {0} GiB</translation>
+    </message>
+    <message>
+        <source>it is not a regular file</source>
+        <translation>to nije obična datoteka</translation>
+    </message>
+    <message>
+        <source>is neither UTF-8 nor UTF-16 text, and is read as Latin-1; some letters may be wrong</source>
+        <translation>nije tekst ni u UTF-8 ni u UTF-16, pa se čita kao Latin-1; neka slova mogu biti pogrešna</translation>
+    </message>
+    <message>
+        <source>is damaged UTF-16 or UTF-32 text; what cannot be read is shown as �</source>
+        <translation>oštećen je tekst u UTF-16 ili UTF-32; nečitljivo se prikazuje kao �</translation>
+    </message>
+    <message>
+        <source>a question or a task</source>
+        <translation>pitanje ili zadatak</translation>
+    </message>
+    <message>
+        <source>“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices</source>
+        <translation>„value:”, „count:”, „matrix:”, „click:”, „order:” ili mogućnosti</translation>
+    </message>
+    <message>
+        <source>{0} and choices</source>
+        <translation>{0} i mogućnosti</translation>
+    </message>
+    <message>
+        <source>the end</source>
+        <translation>kraj</translation>
+    </message>
+    <message>
+        <source>the pose</source>
+        <translation>položaj</translation>
+    </message>
+    <message>
+        <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <translation>Nema OpenGL-a 3.2 za crtanje: ažurirajte upravljački program grafike; na Linuxu instalirajte Mesu (libegl1 libegl-mesa0 libgl1-mesa-dri) ili pokrenite s LIBGL_ALWAYS_SOFTWARE=1.</translation>
+    </message>
+    <message>
+        <source>the whole numbers from 0 to {0}</source>
+        <translation>cijelih brojeva od 0 do {0}</translation>
+    </message>
+    <message>
+        <source>the opposite of the segment's other end</source>
+        <translation>suprotnoj drugom kraju dužine</translation>
+    </message>
+    <message>
+        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
+        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
+    </message>
+    <message>
+        <source>commands, each with its own --help:</source>
+        <translation>naredbe, svaka s vlastitim --help:</translation>
+    </message>
+    <message>
+        <source>language of messages, lessons and figures (default: the system's)</source>
+        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
+    </message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} i {1}</translation>
+    </message>
+    <message>
+        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
+        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>translacija</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>rotacija</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skaliranje</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>smicanje</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>zrcaljenje</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>matrica</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>svijet</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>odsijecanje</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>slika px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>dubina</translation>
     </message>
 </context>
 <context>
@@ -1409,8 +2293,8 @@
         <translation>Slika i raspon dubine</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
+        <source>Chain</source>
+        <translation>Lanac</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -1439,6 +2323,129 @@
     <message>
         <source>No control has this name.</source>
         <translation>Nijedna kontrola nema to ime.</translation>
+    </message>
+</context>
+<context>
+    <name>Count</name>
+    <message numerus="yes">
+        <source>%n answers</source>
+        <translation>
+            <numerusform>%n odgovor</numerusform>
+            <numerusform>%n odgovora</numerusform>
+            <numerusform>%n odgovora</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n checks</source>
+        <translation>
+            <numerusform>%n provjera</numerusform>
+            <numerusform>%n provjere</numerusform>
+            <numerusform>%n provjera</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n stupac</numerusform>
+            <numerusform>%n stupca</numerusform>
+            <numerusform>%n stupaca</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n files</source>
+        <translation>
+            <numerusform>%n datoteka</numerusform>
+            <numerusform>%n datoteke</numerusform>
+            <numerusform>%n datoteka</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n labels</source>
+        <translation>
+            <numerusform>%n natpis</numerusform>
+            <numerusform>%n natpisa</numerusform>
+            <numerusform>%n natpisa</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n lessons</source>
+        <translation>
+            <numerusform>%n lekcija</numerusform>
+            <numerusform>%n lekcije</numerusform>
+            <numerusform>%n lekcija</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n marks</source>
+        <translation>
+            <numerusform>%n ocjena</numerusform>
+            <numerusform>%n ocjene</numerusform>
+            <numerusform>%n ocjena</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n names</source>
+        <translation>
+            <numerusform>%n ime</numerusform>
+            <numerusform>%n imena</numerusform>
+            <numerusform>%n imena</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n overlaps</source>
+        <translation>
+            <numerusform>%n preklapanje</numerusform>
+            <numerusform>%n preklapanja</numerusform>
+            <numerusform>%n preklapanja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n korak</numerusform>
+            <numerusform>%n koraka</numerusform>
+            <numerusform>%n koraka</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n talks</source>
+        <translation>
+            <numerusform>%n izlaganje</numerusform>
+            <numerusform>%n izlaganja</numerusform>
+            <numerusform>%n izlaganja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n warnings</source>
+        <translation>
+            <numerusform>%n upozorenje</numerusform>
+            <numerusform>%n upozorenja</numerusform>
+            <numerusform>%n upozorenja</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n exercises</source>
+        <translation>
+            <numerusform>%n vježba</numerusform>
+            <numerusform>%n vježbe</numerusform>
+            <numerusform>%n vježbi</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n minutes</source>
+        <translation>
+            <numerusform>%n minuta</numerusform>
+            <numerusform>%n minute</numerusform>
+            <numerusform>%n minuta</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n samples</source>
+        <translation>
+            <numerusform>%n uzorak</numerusform>
+            <numerusform>%n uzorka</numerusform>
+            <numerusform>%n uzoraka</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1474,7 +2481,7 @@
 <context>
     <name>Description</name>
     <message>
-        <source>All of the scene&apos;s objects lie inside the view volume.</source>
+        <source>All of the scene's objects lie inside the view volume.</source>
         <translation>Svi objekti scene leže unutar volumena pogleda.</translation>
     </message>
     <message>
@@ -1502,11 +2509,11 @@
         <translation>Objektiv: {0}.</translation>
     </message>
     <message>
-        <source>Parts of the scene&apos;s objects lie behind the eye, where a point has no picture.</source>
+        <source>Parts of the scene's objects lie behind the eye, where a point has no picture.</source>
         <translation>Dijelovi objekata scene leže iza kamere, gdje točka nema sliku.</translation>
     </message>
     <message>
-        <source>Parts of the scene&apos;s objects lie outside of these planes: {0}.</source>
+        <source>Parts of the scene's objects lie outside of these planes: {0}.</source>
         <translation>Dijelovi objekata scene leže izvan ovih ravnina: {0}.</translation>
     </message>
     <message>
@@ -1534,7 +2541,7 @@
         <translation>Vertikalno vidno polje iznosi {0}°.</translation>
     </message>
     <message>
-        <source>World: the scene along the camera&apos;s axis, in parallel projection.</source>
+        <source>World: the scene along the camera's axis, in parallel projection.</source>
         <translation>Svijet: scena duž osi kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
@@ -1550,7 +2557,7 @@
         <translation>Svijet: scena odozgo iznad kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
-        <source>World: the scene from the camera&apos;s side, in parallel projection.</source>
+        <source>World: the scene from the camera's side, in parallel projection.</source>
         <translation>Svijet: scena sa strane kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
@@ -1610,22 +2617,6 @@
         <source>A pane cannot draw with {0}: it uses its default smoothing</source>
         <translation>Okno ne može crtati uz {0}: koristi svoje uobičajeno zaglađivanje</translation>
     </message>
-    <message numerus="yes">
-        <source>%n samples per pixel</source>
-        <translation>
-            <numerusform>%n uzorak po pikselu</numerusform>
-            <numerusform>%n uzorka po pikselu</numerusform>
-            <numerusform>%n uzoraka po pikselu</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>1 sample per pixel</source>
-        <translation>1 uzorak po pikselu</translation>
-    </message>
-    <message>
-        <source>This computer&apos;s OpenGL gives {0} instead of {1}</source>
-        <translation>OpenGL ovog računala daje {0} umjesto {1}</translation>
-    </message>
     <message>
         <source>The scene has too few triangles to leave any out</source>
         <translation>Scena ima premalo trokuta da bi se ijedan izostavio</translation>
@@ -1641,6 +2632,10 @@
     <message>
         <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
         <translation>Čak i najgrublja slika traje {0} ms po kadru umjesto {1}</translation>
+    </message>
+    <message>
+        <source>This computer's OpenGL gives {0} per pixel instead of {1}</source>
+        <translation>OpenGL ovog računala daje {0} po pikselu umjesto {1}</translation>
     </message>
 </context>
 <context>
@@ -1731,6 +2726,10 @@
         <source>Answer:</source>
         <translation>Odgovor:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Napišite slova pločica kao umnožak: desna djeluje prva.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -1790,7 +2789,7 @@
         <translation>Visina slova u točkama</translation>
     </message>
     <message>
-        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
+        <source>The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
         <translation>Format datoteke; SVG, PDF i TEX (TikZ) imaju oblike i tekst, bez piksela. Pokretne slike i mnogo slika odjednom: naredba „export”</translation>
     </message>
     <message>
@@ -1929,6 +2928,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Dijeli s w</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>zrcaljenje</translation>
     </message>
@@ -1963,6 +2966,10 @@
     <message>
         <source>typed matrix</source>
         <translation>upisana matrica</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z podijeljeno s w</translation>
     </message>
 </context>
 <context>
@@ -2072,7 +3079,7 @@
         <translation>Donji rub</translation>
     </message>
     <message>
-        <source>Bottom edge of the picture&apos;s window on the near plane: where the view volume begins in y of view space.</source>
+        <source>Bottom edge of the picture's window on the near plane: where the view volume begins in y of view space.</source>
         <translation>Donji rub prozora slike na bliskoj ravnini: gdje volumen pogleda počinje po y u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -2124,7 +3131,7 @@
         <translation>Udaljenost</translation>
     </message>
     <message>
-        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider&apos;s end.</source>
+        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider's end.</source>
         <translation>Udaljenost od kamere do daleke ravnine: ništa udaljenije se ne crta. Perspektivni objektiv prima i inf (∞), na kraju klizača.</translation>
     </message>
     <message>
@@ -2208,11 +3215,11 @@
         <translation>Žarišna duljina e</translation>
     </message>
     <message>
-        <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
+        <source>Focal length in pixel heights: K's second diagonal entry. Equal to fx if the pixels are square.</source>
         <translation>Žarišna duljina u visinama piksela: drugi dijagonalni element matrice K. Jednaka fx ako su pikseli kvadratni.</translation>
     </message>
     <message>
-        <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
+        <source>Focal length in pixel widths: K's first diagonal entry.</source>
         <translation>Žarišna duljina u širinama piksela: prvi dijagonalni element matrice K.</translation>
     </message>
     <message>
@@ -2220,11 +3227,11 @@
         <translation>Žarišna duljina fotoaparata za film od 35 mm (36 × 24 mm) s istim dijagonalnim vidnim poljem: ispod 35 je širokokutni objektiv, iznad 70 teleobjektiv.</translation>
     </message>
     <message>
-        <source>Half the height of the picture on the near plane: glFrustum&apos;s top, and −bottom. With near it sets the field of view.</source>
+        <source>Half the height of the picture on the near plane: glFrustum's top, and −bottom. With near it sets the field of view.</source>
         <translation>Pola visine slike na bliskoj ravnini: top iz glFrustum, i −bottom. Zajedno s bliskom ravninom određuje vidno polje.</translation>
     </message>
     <message>
-        <source>Half the width of the picture on the near plane: glFrustum&apos;s right, and −left. With near it sets the field of view.</source>
+        <source>Half the width of the picture on the near plane: glFrustum's right, and −left. With near it sets the field of view.</source>
         <translation>Pola širine slike na bliskoj ravnini: right iz glFrustum, i −left. Zajedno s bliskom ravninom određuje vidno polje.</translation>
     </message>
     <message>
@@ -2240,7 +3247,7 @@
         <translation>Visina</translation>
     </message>
     <message>
-        <source>Height above the target&apos;s horizon as an angle: 90 looks straight down.</source>
+        <source>Height above the target's horizon as an angle: 90 looks straight down.</source>
         <translation>Visina iznad horizonta cilja kao kut: 90 gleda ravno dolje.</translation>
     </message>
     <message>
@@ -2264,7 +3271,7 @@
         <translation>Vrsta projekcije. Kad se promijeni, objekti kod cilja zadržavaju veličinu.</translation>
     </message>
     <message>
-        <source>Lecture 003&apos;s focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
+        <source>Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
         <translation>Žarišna duljina e = 1/tan(fov/2) iz predavanja 003, s horizontalnim vidnim poljem: na toj udaljenosti slika seže od x = −1 do 1.</translation>
     </message>
     <message>
@@ -2272,7 +3279,7 @@
         <translation>Lijevi rub</translation>
     </message>
     <message>
-        <source>Left edge of the picture&apos;s window on the near plane: where the view volume begins in x of view space.</source>
+        <source>Left edge of the picture's window on the near plane: where the view volume begins in x of view space.</source>
         <translation>Lijevi rub prozora slike na bliskoj ravnini: gdje volumen pogleda počinje po x u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -2308,11 +3315,11 @@
         <translation>OpenGL: −1 do 1</translation>
     </message>
     <message>
-        <source>Principal point, downwards from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, downwards from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Glavna točka, prema dolje od središta prvog piksela. U središtu slike objektiv je simetričan, inače je asimetričan.</translation>
     </message>
     <message>
-        <source>Principal point, to the right from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, to the right from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Glavna točka, udesno od središta prvog piksela. U središtu slike objektiv je simetričan, inače je asimetričan.</translation>
     </message>
     <message>
@@ -2328,7 +3335,7 @@
         <translation>Desni rub</translation>
     </message>
     <message>
-        <source>Right edge of the picture&apos;s window on the near plane: where the view volume ends in x of view space.</source>
+        <source>Right edge of the picture's window on the near plane: where the view volume ends in x of view space.</source>
         <translation>Desni rub prozora slike na bliskoj ravnini: gdje volumen pogleda završava po x u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -2360,7 +3367,7 @@
         <translation>Centar projekcije, u globalnim koordinatama.</translation>
     </message>
     <message>
-        <source>The direction that is vertical in the picture (the lectures&apos; view-up vector); its length does not matter.</source>
+        <source>The direction that is vertical in the picture (the lectures' view-up vector); its length does not matter.</source>
         <translation>Smjer koji je na slici vertikalan (view-up vector iz predavanja); duljina mu nije važna.</translation>
     </message>
     <message>
@@ -2396,7 +3403,7 @@
         <translation>Gornji rub</translation>
     </message>
     <message>
-        <source>Top edge of the picture&apos;s window on the near plane: where the view volume ends in y of view space.</source>
+        <source>Top edge of the picture's window on the near plane: where the view volume ends in y of view space.</source>
         <translation>Gornji rub prozora slike na bliskoj ravnini: gdje volumen pogleda završava po y u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -2545,7 +3552,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>kruženje nagib</translation>
+        <translation>nagib kruženja</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -2635,7 +3642,7 @@
         <translation>Mreže ({0});;Sve datoteke (*)</translation>
     </message>
     <message>
-        <source>Use a mesh in place of the scene&apos;s own objects</source>
+        <source>Use a mesh in place of the scene's own objects</source>
         <translation>Koristi mrežu umjesto vlastitih objekata scene</translation>
     </message>
     <message>
@@ -2706,7 +3713,7 @@
         <translation>Os</translation>
     </message>
     <message>
-        <source>Along the camera&apos;s axis, flat</source>
+        <source>Along the camera's axis, flat</source>
         <translation>Duž osi kamere, ravno</translation>
     </message>
     <message>
@@ -2910,11 +3917,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Health</name>
     <message>
-        <source>A GPU&apos;s float32 cannot hold this picture: it is computed in float64</source>
+        <source>A GPU's float32 cannot hold this picture: it is computed in float64</source>
         <translation>float32 grafičke kartice ne može prikazati ovu sliku: računa se u float64</translation>
     </message>
     <message>
-        <source>A GPU&apos;s float32 could be up to {0} px off: the picture is computed in float64</source>
+        <source>A GPU's float32 could be up to {0} px off: the picture is computed in float64</source>
         <translation>float32 grafičke kartice mogao bi pogriješiti do {0} px: slika se računa u float64</translation>
     </message>
     <message>
@@ -2930,7 +3937,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>U float64 bilo bi sigurno malo decimala, {0} piksela i {1} dubine: brojevi se računaju egzaktno</translation>
     </message>
     <message>
-        <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
+        <source>None of the scene's objects is in the picture: all lie outside the {0} plane</source>
         <translation>Nijedan objekt scene nije na slici: svi leže izvan ove ravnine: {0}</translation>
     </message>
     <message>
@@ -2942,7 +3949,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Slobodna matrica je gotovo singularna: krnja piramida se ne crta</translation>
     </message>
     <message>
-        <source>The free matrix&apos;s view volume reaches infinity: no frustum is drawn</source>
+        <source>The free matrix's view volume reaches infinity: no frustum is drawn</source>
         <translation>Volumen pogleda slobodne matrice seže u beskonačnost: krnja piramida se ne crta</translation>
     </message>
     <message>
@@ -2950,7 +3957,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Scena je {0} puta veća od udaljenosti bliske ravnine: od 1e7 naviše VTK sam ne crta ono što je blizu</translation>
     </message>
     <message>
-        <source>VTK&apos;s own camera would clamp the field of view to {0}°</source>
+        <source>VTK's own camera would clamp the field of view to {0}°</source>
         <translation>Kamera samog VTK-a ograničila bi vidno polje na {0}°</translation>
     </message>
 </context>
@@ -2989,7 +3996,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Laserski pokazivač; slike na njega ne reagiraju</translation>
     </message>
     <message>
-        <source>A pane&apos;s own view (the model does not change)</source>
+        <source>A pane's own view (the model does not change)</source>
         <translation>Vlastiti pogled okna (model se ne mijenja)</translation>
     </message>
     <message>
@@ -3053,8 +4060,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Zatvara ono što je na vrhu ili prekida povlačenje</translation>
     </message>
     <message>
-        <source>Column vectors, &lt;i&gt;p&apos; = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
-        <translation>Vektori stupci, &lt;i&gt;p&apos; = M p&lt;/i&gt;. Globalni sustav i sustav kamere su desni, s osi y prema gore; kamera gleda duž −z svojega koordinatnog sustava.</translation>
+        <source>Column vectors, &lt;i&gt;p' = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
+        <translation>Vektori stupci, &lt;i&gt;p' = M p&lt;/i&gt;. Globalni sustav i sustav kamere su desni, s osi y prema gore; kamera gleda duž −z svojega koordinatnog sustava.</translation>
     </message>
     <message>
         <source>Compare side by side or overlaid</source>
@@ -3121,7 +4128,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>E</translation>
     </message>
     <message>
-        <source>Enlarge or shrink the speaker&apos;s notes</source>
+        <source>Enlarge or shrink the speaker's notes</source>
         <translation>Povećava ili smanjuje bilješke predavača</translation>
     </message>
     <message>
@@ -3189,7 +4196,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Skriva ili prikazuje kontrole</translation>
     </message>
     <message>
-        <source>Highlight the same thing everywhere; the keyboard&apos;s focus does the same</source>
+        <source>Highlight the same thing everywhere; the keyboard's focus does the same</source>
         <translation>Ističe isto svuda; isto čini i fokus tipkovnice</translation>
     </message>
     <message>
@@ -3209,7 +4216,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kako kamera 3D scenu pretvara u sliku: svijet, kocka NDC i slika, iz jednog modela.</translation>
     </message>
     <message>
-        <source>Image: origin top left, x right, y down, in pixels; the first pixel&apos;s centre is at 0.5.</source>
+        <source>Image: origin top left, x right, y down, in pixels; the first pixel's centre is at 0.5.</source>
         <translation>Slika: ishodište gore lijevo, x udesno, y prema dolje, u pikselima; središte prvog piksela je na 0.5.</translation>
     </message>
     <message>
@@ -3325,7 +4332,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pokreće ga naprijed-natrag</translation>
     </message>
     <message>
-        <source>Play or pause the camera&apos;s walk</source>
+        <source>Play or pause the camera's walk</source>
         <translation>Pokreće ili zaustavlja obilazak kamere</translation>
     </message>
     <message>
@@ -3349,7 +4356,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Izlaganje</translation>
     </message>
     <message>
-        <source>Presenting a talk, and in the speaker&apos;s window</source>
+        <source>Presenting a talk, and in the speaker's window</source>
         <translation>Pri izlaganju i u prozoru predavača</translation>
     </message>
     <message>
@@ -3469,7 +4476,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Okreće ga; uz Shift ga pomiče; + i − približavaju ili udaljavaju; Home ga vraća</translation>
     </message>
     <message>
-        <source>Type a number, even beyond the slider&apos;s ends, and press Enter; Esc discards it</source>
+        <source>Type a number, even beyond the slider's ends, and press Enter; Esc discards it</source>
         <translation>Upišite broj, i izvan krajeva klizača, pa pritisnite Enter; Esc ga odbacuje</translation>
     </message>
     <message>
@@ -3864,7 +4871,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Prethodni korak ({0})</translation>
     </message>
     <message>
-        <source>Show the step as the lesson&apos;s file has it, without your changes ({0})</source>
+        <source>Show the step as the lesson's file has it, without your changes ({0})</source>
         <translation>Prikazuje korak kakav je u datoteci lekcije, bez vaših promjena ({0})</translation>
     </message>
     <message>
@@ -3904,7 +4911,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Najprije predvidite: odaberite, zatim potvrdite.</translation>
     </message>
     <message>
-        <source>Nothing is wrong in this lesson&apos;s file.</source>
+        <source>Nothing is wrong in this lesson's file.</source>
         <translation>U datoteci ove lekcije nema pogrešaka.</translation>
     </message>
     <message>
@@ -4060,7 +5067,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Matrice</translation>
     </message>
     <message>
-        <source>Every stage&apos;s matrix: numbers, formulas, factors and products</source>
+        <source>Every stage's matrix: numbers, formulas, factors and products</source>
         <translation>Matrica svake etape: brojevi, formule, faktori i umnošci</translation>
     </message>
     <message>
@@ -4068,7 +5075,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Koordinatni sustav kamere</translation>
     </message>
     <message>
-        <source>The camera&apos;s axes, step by step: eye, target and up make the view matrix</source>
+        <source>The camera's axes, step by step: eye, target and up make the view matrix</source>
         <translation>Osi kamere, korak po korak: položaj kamere, cilj i smjer prema gore daju matricu pogleda</translation>
     </message>
     <message>
@@ -4249,7 +5256,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>lijevi sustav: gleda duž +z, y prema gore; z od {0} na bliskoj do {1} na dalekoj ravnini; {2}, bliska {3}, daleka {4}</translation>
     </message>
     <message>
-        <source>looks along −z, the picture&apos;s y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
+        <source>looks along −z, the picture's y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
         <translation>gleda duž −z, y slike prema dolje; z od {0} na bliskoj do {1} na dalekoj ravnini; {2}, bliska {3}, daleka {4}</translation>
     </message>
     <message>
@@ -4286,15 +5293,15 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>zatim se x, y i z dijele s w</translation>
     </message>
     <message>
-        <source>with lecture 002&apos;s sign: w = z</source>
+        <source>with lecture 002's sign: w = z</source>
         <translation>s predznakom predavanja 002: w = z</translation>
     </message>
     <message>
-        <source>with lecture 002&apos;s sign: z runs from 1 at near to −1</source>
+        <source>with lecture 002's sign: z runs from 1 at near to −1</source>
         <translation>s predznakom predavanja 002: z ide od 1 na bliskoj ravnini do −1</translation>
     </message>
     <message>
-        <source>with lecture 002&apos;s signs: w = z, and z runs from 1 at near to −1</source>
+        <source>with lecture 002's signs: w = z, and z runs from 1 at near to −1</source>
         <translation>s predznacima predavanja 002: w = z, a z ide od 1 na bliskoj ravnini do −1</translation>
     </message>
     <message>
@@ -4382,7 +5389,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Djelomični umnošci</translation>
     </message>
     <message>
-        <source>Also the product of all stages so far, and the view matrix&apos;s inverse, whose columns are the camera&apos;s axes and the eye</source>
+        <source>Also the product of all stages so far, and the view matrix's inverse, whose columns are the camera's axes and the eye</source>
         <translation>I umnožak svih dosadašnjih etapa te inverz matrice pogleda, čiji su stupci osi kamere i njezin položaj</translation>
     </message>
     <message>
@@ -4619,7 +5626,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Niz: smjer prema gore</translation>
     </message>
     <message>
-        <source>VTK&apos;s transform</source>
+        <source>VTK's transform</source>
         <translation>transformacija iz VTK-a</translation>
     </message>
     <message>
@@ -4819,7 +5826,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>logaritamski</translation>
     </message>
     <message>
-        <source>matplotlib&apos;s proj3d</source>
+        <source>matplotlib's proj3d</source>
         <translation>proj3d iz matplotliba</translation>
     </message>
     <message>
@@ -4835,7 +5842,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>bliska ravnina je najviše daleka / 4</translation>
     </message>
     <message>
-        <source>no edge of the scene&apos;s box is in the picture</source>
+        <source>no edge of the scene's box is in the picture</source>
         <translation>nijedan brid kvadra scene nije na slici</translation>
     </message>
     <message>
@@ -4848,7 +5855,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>bez</translation>
+        <translation>nema</translation>
     </message>
     <message>
         <source>not installed</source>
@@ -4867,7 +5874,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ns po točki</translation>
     </message>
     <message>
-        <source>numpy&apos;s hstack</source>
+        <source>numpy's hstack</source>
         <translation>hstack iz numpyja</translation>
     </message>
     <message>
@@ -5344,10 +6351,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kamera i objektiv kako ih piše drugi program</translation>
     </message>
     <message>
-        <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
-        <translation>mijenja vrijednost dokumenta, npr. lens.far=inf; može se ponoviti; imena su {0} te settings.NAME za postavku scene</translation>
-    </message>
-    <message>
         <source>check or list lessons and talks, print tests of exercises, mark results</source>
         <translation>provjerava ili nabraja lekcije i izlaganja, ispisuje testove od vježbi, ocjenjuje rezultate</translation>
     </message>
@@ -5362,10 +6365,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>colours: as on a light or dark screen; for print, where faces and lines differ in grey, too; or with the most contrast (default: screen)</source>
         <translation>boje: kao na svijetlom ili tamnom ekranu; za tisak, gdje se strane i linije razlikuju i u sivom; ili s najvećim kontrastom (zadano: screen)</translation>
-    </message>
-    <message>
-        <source>commands, each with its own --help:</source>
-        <translation>naredbe, svaka s vlastitim --help:</translation>
     </message>
     <message>
         <source>delete the settings, then open the window</source>
@@ -5432,7 +6431,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>u LaTeX-u: formule u ćelijama umjesto brojeva</translation>
     </message>
     <message>
-        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
+        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
         <translation>u LaTeX-u: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
@@ -5460,10 +6459,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>umjesto toga: kod i njegovi paketi, za računala s Pythonom</translation>
     </message>
     <message>
-        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
-        <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
-    </message>
-    <message>
         <source>leave out what is empty around the figure, but for a margin of 2 mm</source>
         <translation>izostavlja ono što je oko slike prazno, osim ruba od 2 mm</translation>
     </message>
@@ -5472,15 +6467,15 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ostavlja pozadinu prozirnom</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's, or the lesson's)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta ili iz lekcije)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk's)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz izlaganja)</translation>
     </message>
     <message>
@@ -5492,7 +6487,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mjeri samo pola minute, manje točno</translation>
     </message>
     <message>
-        <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
+        <source>measure the errors over a parameter's range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
         <translation>mjeri pogreške kroz raspon parametra; NAME je jedno od near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
@@ -5520,7 +6515,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>uz --sweep: ispisuje vrijednosti ispod okana</translation>
     </message>
     <message>
-        <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
+        <source>of --wheels, such as 3.12; may be repeated (default: this one's)</source>
         <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: ona ovdje)</translation>
     </message>
     <message>
@@ -5540,7 +6535,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>uz pokretnu sliku: koliko kadrova u sekundi (zadano: 25)</translation>
     </message>
     <message>
-        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson's)</source>
         <translation>uz check i print: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz lekcije)</translation>
     </message>
     <message>
@@ -5588,7 +6583,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>format ispisa (zadano: text)</translation>
     </message>
     <message>
-        <source>print every stage&apos;s matrix</source>
+        <source>print every stage's matrix</source>
         <translation>ispisuje matricu svake etape</translation>
     </message>
     <message>
@@ -5604,7 +6599,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>sprema sliku prozora kao PNG i završava</translation>
     </message>
     <message>
-        <source>show program&apos;s version number and exit</source>
+        <source>show program's version number and exit</source>
         <translation>ispisuje verziju programa i završava</translation>
     </message>
     <message>
@@ -5628,7 +6623,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>koordinatni sustav koordinata (zadano: world)</translation>
     </message>
     <message>
-        <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
+        <source>the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
         <translation>slika koju treba zapisati (.png; .svg, .pdf ili TikZ-ov .tex za oblike i tekst; .html za stranicu koju prikazuju telefoni) te dokument, slika, mreža, kamera, lekcija ili izlaganje za crtanje (zadano: slovo F); uz --batch, mapa za slike; uz --sweep, --orbit, --stages ili --transition, film (.gif, .apng, .webp ili .mp4 s ffmpegom), stranica s klizačem (.html) ili ime s %03d za sliku svakog kadra</translation>
     </message>
     <message>
@@ -5741,7 +6736,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Pane</name>
     <message>
-        <source>Reset this pane&apos;s own view (double-click)</source>
+        <source>Reset this pane's own view (double-click)</source>
         <translation>Vraća vlastiti pogled ovog okna (dvoklik)</translation>
     </message>
     <message>
@@ -5892,18 +6887,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0} od {1}</translation>
     </message>
     <message>
-        <source>about %n minutes</source>
-        <translation>otprilike %n min</translation>
-    </message>
-    <message>
-        <source>about 1 minute</source>
-        <translation>otprilike 1 minuta</translation>
-    </message>
-    <message>
-        <source>&amp;Review: {0}, {1}</source>
-        <translation>Po&amp;navljanje: {0}, {1}</translation>
-    </message>
-    <message>
         <source>The next review is tomorrow.</source>
         <translation>Sljedeće ponavljanje je sutra.</translation>
     </message>
@@ -5963,6 +6946,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <source>Nothing has come back today.</source>
         <translation>Danas se ništa nije vratilo.</translation>
     </message>
+    <message>
+        <source>&amp;Review: {0}, about {1}</source>
+        <translation>Po&amp;navljanje: {0}, otprilike {1}</translation>
+    </message>
 </context>
 <context>
     <name>ProbeNumbers</name>
@@ -6000,7 +6987,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>inside</source>
-        <translation>unutra</translation>
+        <translation>unutar</translation>
     </message>
     <message>
         <source>outside of: {0}</source>
@@ -6047,11 +7034,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>pokraj kamere: nijedan broj nije dovoljno velik</translation>
     </message>
     <message>
-        <source>the pixel&apos;s ray, from near to far</source>
+        <source>the pixel's ray, from near to far</source>
         <translation>zraka piksela, od bliske do daleke ravnine</translation>
     </message>
     <message>
-        <source>the pixel&apos;s ray, as far as it is in front of the eye</source>
+        <source>the pixel's ray, as far as it is in front of the eye</source>
         <translation>zraka piksela, dokle je ispred kamere</translation>
     </message>
     <message>
@@ -6066,7 +7053,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>ProbePanel</name>
     <message>
-        <source>The probes&apos; numbers at every stage</source>
+        <source>The probes' numbers at every stage</source>
         <translation>Brojevi sonda u svakoj etapi</translation>
     </message>
     <message>
@@ -6153,13 +7140,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
 </context>
 <context>
-    <name>Program</name>
-    <message>
-        <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
-        <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
-    </message>
-</context>
-<context>
     <name>Progress</name>
     <message>
         <source>Cancel</source>
@@ -6238,7 +7218,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Refusal</name>
     <message>
-        <source>A film&apos;s frames have one size: leave out crop and width.</source>
+        <source>A film's frames have one size: leave out crop and width.</source>
         <translation>Kadrovi filma imaju istu veličinu: izostavite crop i width.</translation>
     </message>
     <message>
@@ -6666,7 +7646,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kao dokument nema pogled {0}</translation>
     </message>
     <message>
-        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
+        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV's K, R, t</source>
         <translation>ne čita se, jer je datoteka programa {0}: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
     </message>
     <message>
@@ -6850,7 +7830,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti 0 ili po veličini bar {0}</translation>
     </message>
     <message>
-        <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
+        <source>must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1</source>
         <translation>mora biti 16 brojeva ili K kalibrirane kamere: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
@@ -6862,8 +7842,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti NAME=VALUE ili document: FILE.json</translation>
     </message>
     <message>
-        <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
-        <translation>mora biti [SECTION] ili NAME = &quot;LETTER&quot;, ili počinjati s # kao komentar</translation>
+        <source>must be [SECTION], or NAME = "LETTER", or begin with # as a comment</source>
+        <translation>mora biti [SECTION] ili NAME = "LETTER", ili počinjati s # kao komentar</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
@@ -6890,7 +7870,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti konačan broj ili inf</translation>
     </message>
     <message>
-        <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
+        <source>must be a list of 2 to {0} pictures, exactly one of them the document's own</source>
         <translation>mora biti popis od 2 do {0} slika, od kojih je točno jedna slika samog dokumenta</translation>
     </message>
     <message>
@@ -7098,11 +8078,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti fx, fy, cx, cy ili K: tri retka fx, 0, cx i 0, fy, cy i 0, 0, 1</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
+        <source>must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx</source>
         <translation>mora biti veće od 0; ispod 0 os x slike pokazuje ulijevo: uzmite fx = {0} i cx = W - 1 - cx</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
+        <source>must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy</source>
         <translation>mora biti veće od 0; ispod 0 os y slike pokazuje prema gore: uzmite fy = {0} i cy = H - 1 - cy</translation>
     </message>
     <message>
@@ -7154,7 +8134,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti jedan redak teksta</translation>
     </message>
     <message>
-        <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
+        <source>must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
         <translation>mora biti jedna od usporedbi same scene ({0}) ili PATH=VALUE, s ; između vrijednosti jedne slike, | između slika i NAME: ispred slike koja ima ime</translation>
     </message>
     <message>
@@ -7186,7 +8166,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti jedno od {0}; najbliže je {1}</translation>
     </message>
     <message>
-        <source>must be the document&apos;s own, {0}</source>
+        <source>must be the document's own, {0}</source>
         <translation>mora biti vlastito dokumentu, {0}</translation>
     </message>
     <message>
@@ -7242,7 +8222,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora imati dva broja piksela, širinu i visinu</translation>
     </message>
     <message>
-        <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
+        <source>must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
         <translation>mora biti world ili ndc s položajem kamere okna, ili s njezinim položajem i ciljem, npr. world: 6,4,8 ili ndc: 1.3,0.2,0.3,0,0,0; znak | odvaja ta dva okna (što vide studenti, kaže view.slide)</translation>
     </message>
     <message>
@@ -7462,7 +8442,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ponavlja ime iz retka {0}; svaki treba svoje</translation>
     </message>
     <message>
-        <source>says another number than its formula&apos;s value, {0}</source>
+        <source>says another number than its formula's value, {0}</source>
         <translation>kaže drugi broj, a ne vrijednost svoje formule, {0}</translation>
     </message>
     <message>
@@ -7558,7 +8538,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: datoteka mreže mora završavati na {1} ili {2}; pretvorite je u jedno od toga.</translation>
     </message>
     <message>
-        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
+        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size; move the mesh to the origin.</source>
         <translation>{0}: vrh ima koordinatu {1}, a ona mora biti unutar ±{2}, 1e12 puta veličina mreže; pomaknite mrežu u ishodište.</translation>
     </message>
     <message>
@@ -7666,7 +8646,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: datoteka je prazna; ponovno je spremite ili preuzmite.</translation>
     </message>
     <message>
-        <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
+        <source>{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
         <translation>{0}: broj vrhova strane je {1}, a mora biti od 3 do {2}; podijelite je ili popravite.</translation>
     </message>
     <message>
@@ -7706,7 +8686,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: izmjerio je drugi Frustum Lab: njegova je verzija {1}, ovaj čita {2}.</translation>
     </message>
     <message>
-        <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
+        <source>{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}.</source>
         <translation>{0}: imalo bi {1} MB; TeX-ova memorija prima slike od {2} MB: zapišite {3}.</translation>
     </message>
     <message>
@@ -7747,7 +8727,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Moja mreža…</translation>
     </message>
     <message>
-        <source>Replace the scene&apos;s own objects with a mesh from a file</source>
+        <source>Replace the scene's own objects with a mesh from a file</source>
         <translation>Zamjenjuje vlastite objekte scene mrežom iz datoteke</translation>
     </message>
     <message>
@@ -7759,7 +8739,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Vlastiti objekti</translation>
     </message>
     <message>
-        <source>Restore the scene&apos;s own objects</source>
+        <source>Restore the scene's own objects</source>
         <translation>Vraća vlastite objekte scene</translation>
     </message>
     <message>
@@ -7850,14 +8830,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 </context>
 <context>
     <name>SelfTestDialog</name>
-    <message>
-        <source>1 exercise</source>
-        <translation>1 vježba</translation>
-    </message>
-    <message>
-        <source>%n exercises</source>
-        <translation>broj vježbi: %n</translation>
-    </message>
     <message>
         <source>Test yourself</source>
         <translation>Provjerite znanje</translation>
@@ -7983,7 +8955,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>SpeakerWindow</name>
     <message>
-        <source>Speaker&apos;s window – Frustum Lab</source>
+        <source>Speaker's window – Frustum Lab</source>
         <translation>Prozor predavača – Frustum Lab</translation>
     </message>
     <message>
@@ -8161,7 +9133,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Stage</name>
     <message>
-        <source>the scene&apos;s objects are given in world coordinates</source>
+        <source>the scene's objects are given in world coordinates</source>
         <translation>objekti scene zadani su u globalnim koordinatama</translation>
     </message>
     <message>
@@ -8244,7 +9216,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Objekt</translation>
     </message>
     <message>
-        <source>The object&apos;s own space</source>
+        <source>The object's own space</source>
         <translation>Vlastiti koordinatni sustav objekta</translation>
     </message>
     <message>
@@ -8264,7 +9236,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Slijeva: svako pomicanje u osima koje su pomaknula prethodna pomicanja</translation>
     </message>
     <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
+        <source>Read from the right: each move in the world's axes</source>
         <translation>Čitano zdesna: svako pomicanje u osima svijeta</translation>
     </message>
     <message>
@@ -8494,7 +9466,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Tolerancija crtanja</translation>
     </message>
     <message>
-        <source>A GPU&apos;s own arithmetic (float32) may draw with an error of up to this many pixels:</source>
+        <source>A GPU's own arithmetic (float32) may draw with an error of up to this many pixels:</source>
         <translation>Vlastita aritmetika grafičke kartice (float32) smije crtati s pogreškom do ovoliko piksela:</translation>
     </message>
 </context>
@@ -8539,7 +9511,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>TalkActions</name>
     <message>
-        <source>Speaker&apos;s &amp;window</source>
+        <source>Speaker's &amp;window</source>
         <translation>Prozor predava&amp;ča</translation>
     </message>
     <message>
@@ -8609,7 +9581,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Datoteka je promijenjena i ne može se pročitati.</translation>
     </message>
     <message>
-        <source>Open a talk first: the speaker&apos;s window shows its notes.</source>
+        <source>Open a talk first: the speaker's window shows its notes.</source>
         <translation>Najprije otvorite izlaganje: prozor predavača prikazuje njegove bilješke.</translation>
     </message>
 </context>
@@ -8759,14 +9731,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>_TileRow</name>
     <message>
-        <source>Divide by w</source>
-        <translation>Dijeli s w</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z podijeljeno s w</translation>
-    </message>
-    <message>
         <source>Whether the product has this tile</source>
         <translation>Ima li umnožak ovu pločicu</translation>
     </message>
@@ -8782,7 +9746,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>isključeno</translation>
     </message>
     <message>
-        <source>this computer&apos;s OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
+        <source>this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
         <translation>OpenGL ovog računala odbija program za sjenčanje koji ova scena treba: slika se crta bez njega i točni su samo izračunani brojevi</translation>
     </message>
     <message>
@@ -8922,7 +9886,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kamera se okreće za 1° po kadru: svaki kadar množi njezine osi istim malim zakretom, a svaki se umnožak zaokružuje. Nakon 360° trebala bi biti na početku. Blijeda slika je prava, a uz nju je ono što kamera vidi: jedan umnožak matrica po kadru umjesto dvaju sinusa ima svoju cijenu. Svakih deset kadrova osi se mogu renormirati, što popravlja njihove duljine i prave kutove, ali ne i smjer.</translation>
     </message>
     <message>
-        <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
+        <source>A field of view from lecture 001; the camera moves so that things at the target's distance keep their size</source>
         <translation>Vidno polje iz predavanja 001; kamera se pomiče tako da stvari na udaljenosti cilja zadržavaju veličinu</translation>
     </message>
     <message>
@@ -8930,11 +9894,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Svjetiljka u točki ili sunce: beskonačno daleka točka</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall&apos;s foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
+        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall's foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
         <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Kad se računa za svaki vrh, stoji jedan logaritam po vrhu, a rani test dubine ostaje uključen. Ali između vrhova rasterizator je interpolira linearno na ekranu, gdje je 1/w linearan, a log w nije. Zato se duga strana crta predaleko: kroz nju se vidi temelj zida, koji je ispod poda. To popravljaju kraći komadi ili logaritam za svaki piksel.</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye&apos;s coordinates with 1/w, a difference of nearly equal numbers. Far from the world&apos;s origin, float32 then misses the point by parts of its distance. If the pixel&apos;s ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
+        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye's coordinates with 1/w, a difference of nearly equal numbers. Far from the world's origin, float32 then misses the point by parts of its distance. If the pixel's ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
         <translation>Piksel i njegova dubina vode natrag do točke koja je ondje nacrtana. Inverz od P V čini to u jednom umnošku, ali množi koordinate kamere s 1/w, razlikom gotovo jednakih brojeva. Daleko od ishodišta svijeta float32 tada promašuje točku za dijelove njezine udaljenosti. Ako se zraka piksela množi dubinom ili ako se P i V poništavaju jedna za drugom, položaj kamere samo se pribraja i zaokružuje jednom. Na putu do slike jedva je važno jesu li P i V jedna matrica ili dvije: da je u tome razlika, mit je.</translation>
     </message>
     <message>
@@ -8946,7 +9910,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Sjena je projekcija s centrom u svjetlu: matrica S crta objekt još jednom, u jednoj boji. Za sunce, beskonačno daleko svjetlo s w = 0, projekcija je paralelna. Dijelovi objekta iznad svjetiljke imaju w &lt; 0. Ako se ne odsijeku, crtaju se s druge strane svjetiljke kao protusjena.</translation>
     </message>
     <message>
-        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL&apos;s.</source>
+        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.</source>
         <translation>Lik unutar volumena pogleda se crta, a lik izvan njega ne. Lik koji ga siječe odsijecaju redom sve ravnine, i dobiva nov vrh gdje mu brid prolazi kroz ravninu. Bliska ravnina uklanja sve što je kod kamere ili iza nje, gdje je w ≤ 0 i dijeljenje zakaže, a daleka ograničava dubine. Odsijeca se u kanonskom volumenu, prije dijeljenja, jer su ondje ravnine iste za svaki objektiv: −w ≤ x, y, z ≤ w u OpenGL-ovu.</translation>
     </message>
     <message>
@@ -9022,7 +9986,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kavalirski: 1 ×</translation>
     </message>
     <message>
-        <source>Changes the lens, but keeps the picture of the target&apos;s plane</source>
+        <source>Changes the lens, but keeps the picture of the target's plane</source>
         <translation>Mijenja objektiv, ali zadržava sliku ravnine kroz cilj</translation>
     </message>
     <message>
@@ -9098,7 +10062,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Usporedite oba filma: što je okrenuto?</translation>
     </message>
     <message>
-        <source>Cone (the eye&apos;s own)</source>
+        <source>Cone (the eye's own)</source>
         <translation>Stožac (vidno polje oka)</translation>
     </message>
     <message>
@@ -9114,7 +10078,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pukotine</translation>
     </message>
     <message>
-        <source>Crossed, left eye&apos;s on the right</source>
+        <source>Crossed, left eye's on the right</source>
         <translation>Unakrsno, slika lijevog oka desno</translation>
     </message>
     <message>
@@ -9178,7 +10142,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Udaljenost plohe 2 iza plohe 1, duž smjera gledanja</translation>
     </message>
     <message>
-        <source>Distance of the eye from the window&apos;s middle; the window stays in the world</source>
+        <source>Distance of the eye from the window's middle; the window stays in the world</source>
         <translation>Udaljenost kamere od sredine prozora; prozor ostaje u svijetu</translation>
     </message>
     <message>
@@ -9198,8 +10162,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Mijenjaju li bliska i daleka ravnina luk?</translation>
     </message>
     <message>
-        <source>Double d: how large is h&apos;?</source>
-        <translation>Udvostručite d: koliko je velik h&apos;?</translation>
+        <source>Double d: how large is h'?</source>
+        <translation>Udvostručite d: koliko je velik h'?</translation>
     </message>
     <message>
         <source>Double d: what are x_p and y_p now?</source>
@@ -9258,7 +10222,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Odlutavanje</translation>
     </message>
     <message>
-        <source>Each coordinate is stored as an integer over the mesh&apos;s box</source>
+        <source>Each coordinate is stored as an integer over the mesh's box</source>
         <translation>Svaka koordinata sprema se kao cijeli broj nad kvadrom mreže</translation>
     </message>
     <message>
@@ -9278,7 +10242,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Povećaj fotografiju od 105 mm</translation>
     </message>
     <message>
-        <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
+        <source>Enlarges the middle of the picture until things at the target's distance are as large as on the 29-mm photograph; this narrows the field of view</source>
         <translation>Povećava sredinu slike dok stvari na udaljenosti cilja ne budu velike kao na fotografiji od 29 mm; to sužava vidno polje</translation>
     </message>
     <message>
@@ -9310,7 +10274,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Daleko od ishodišta: pomaknite ishodište.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex's exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
         <translation>S manje bitova slika je manja i brža, ali i manje točna. Svaki se vrh sprema i projicira u odabranim formatima i crta ondje kamo ga oni stave. Strelica ide od točnog piksela svakog vrha prema nacrtanom, povećana onoliko koliko piše uz nju. Granica se predviđa samo iz formata i nijedna pogreška nije veća. Konzola iz 1996. crtala je cijele piksele i afine teksture, a vrhovi su joj skakali kad god se kamera pomaknula.</translation>
     </message>
     <message>
@@ -9418,7 +10382,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Visina ravnine</translation>
     </message>
     <message>
-        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene&apos;s box</source>
+        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene's box</source>
         <translation>Kako se sprema koordinata; 8 do 16 bitova su cijeli brojevi nad kvadrom scene</translation>
     </message>
     <message>
@@ -9446,11 +10410,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kako svaki kadar nalazi svoje osi: brzi inverzni korijen uzima bitove za logaritam, i jedan Newtonov korak</translation>
     </message>
     <message>
-        <source>How far away the world&apos;s origin lies, along x: coordinates are measured from there</source>
+        <source>How far away the world's origin lies, along x: coordinates are measured from there</source>
         <translation>Koliko je daleko ishodište svijeta, duž x: koordinate se mjere odande</translation>
     </message>
     <message>
-        <source>How far from the eye the world&apos;s origin lies: coordinates are measured from there</source>
+        <source>How far from the eye the world's origin lies: coordinates are measured from there</source>
         <translation>Koliko je ishodište svijeta daleko od kamere: koordinate se mjere odande</translation>
     </message>
     <message>
@@ -9470,7 +10434,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Koliko se puta kamera okrene za 360°, svaki put u 360 kadrova</translation>
     </message>
     <message>
-        <source>How the texture&apos;s coordinates are spread over a face</source>
+        <source>How the texture's coordinates are spread over a face</source>
         <translation>Kako se koordinate teksture raspoređuju po strani</translation>
     </message>
     <message>
@@ -9494,7 +10458,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Ljudsko oko: 120° u širinu</translation>
     </message>
     <message>
-        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane&apos;s window are no longer opposite. Things in the window&apos;s own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
+        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane's window are no longer opposite. Things in the window's own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
         <translation>Ako hodate pokraj prozora, on ostaje u svojem zidu. Krnja piramida od kamere kroz njega nagne se, a lijevo i desno kod prozora na bliskoj ravnini više nisu suprotni. Stvari u ravnini samog prozora zadržavaju mjesto na slici. Dva ekrana jedan uz drugi dvije su takve krnje piramide s istom kamerom, i slike im se spajaju bez procjepa.</translation>
     </message>
     <message>
@@ -9550,8 +10514,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Svjetlo L</translation>
     </message>
     <message>
-        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h&apos; = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
-        <translation>Svjetlo ulazi u tamnu kutiju kroz malu rupicu. Zrake se ondje križaju, pa je slika na filmu iza rupice naopačke, a lijevo i desno su zamijenjeni: h&apos; = −d·h/z. Sintetička kamera ima centar na mjestu rupice, a film na istoj udaljenosti ispred njega. Slika je jednako velika, ali uspravna: mijenja se samo predznak.</translation>
+        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h' = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
+        <translation>Svjetlo ulazi u tamnu kutiju kroz malu rupicu. Zrake se ondje križaju, pa je slika na filmu iza rupice naopačke, a lijevo i desno su zamijenjeni: h' = −d·h/z. Sintetička kamera ima centar na mjestu rupice, a film na istoj udaljenosti ispred njega. Slika je jednako velika, ali uspravna: mijenja se samo predznak.</translation>
     </message>
     <message>
         <source>Logarithm</source>
@@ -9598,7 +10562,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pomaknite blisku i daleku ravninu: koje ih kartice sijeku?</translation>
     </message>
     <message>
-        <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
+        <source>Moves the eye; the field of view keeps the sizes at the target's distance</source>
         <translation>Pomiče kameru; vidno polje čuva veličine na udaljenosti cilja</translation>
     </message>
     <message>
@@ -9670,7 +10634,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>P ide duž</translation>
     </message>
     <message>
-        <source>P&apos;s image is at infinity</source>
+        <source>P's image is at infinity</source>
         <translation>Slika točke P je u beskonačnosti</translation>
     </message>
     <message>
@@ -9950,7 +10914,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Dva oka</translation>
     </message>
     <message>
-        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen&apos;s middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye&apos;s and the rest from the right eye&apos;s, for glasses with red on the left.</source>
+        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen's middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye's and the rest from the right eye's, for glasses with red on the left.</source>
         <translation>Dva oka vide svijet s dva mjesta, pa stereopar ima dvije slike. Kod asimetričnih krnjih piramida oba oka gledaju kroz isti prozor, ravninu ekrana: što leži u njoj, ne pomiče se između slika, što je iza nje, pomiče se udesno, a što je ispred nje, ulijevo. Kamere okrenute prema sredini ekrana naginju slike jednu prema drugoj, i točke sa strana više nisu na istoj visini. Crveno-cijan slika uzima crveno svjetlo iz slike lijevog oka, a ostalo iz slike desnoga, za naočale s crvenim lijevo.</translation>
     </message>
     <message>
@@ -10086,7 +11050,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Širina lijeve mreže</translation>
     </message>
     <message>
-        <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
+        <source>Width of the left mesh's box, whose steps grow with it</source>
         <translation>Širina kvadra lijeve mreže, s kojom rastu njezini koraci</translation>
     </message>
     <message>
@@ -10094,11 +11058,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Širina desne mreže</translation>
     </message>
     <message>
-        <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
+        <source>Width of the right mesh's box, whose steps grow with it</source>
         <translation>Širina kvadra desne mreže, s kojom rastu njezini koraci</translation>
     </message>
     <message>
-        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
+        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target's distance keep their size (a dolly zoom). One unit is 10 cm.</source>
         <translation>Sa širim vidnim poljem kamera mora biti bliže da prikaže motiv jednako velikim. Njegovi bliži dijelovi tada izgledaju veći u odnosu na udaljenije: perspektivno skraćenje ovisi samo o udaljenosti. Ako promijenite udaljenost, vidno polje to slijedi, tako da stvari na udaljenosti cilja zadržavaju veličinu (dolly zoom). Jedna jedinica je 10 cm.</translation>
     </message>
     <message>
@@ -10130,8 +11094,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>paralelni objektiv dijeli s 1 i nema ravninu kamere: odaberite perspektivni objektiv</translation>
     </message>
     <message>
-        <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
-        <translation>paralelni objektiv dijeli s 1: njegov z&apos; je afin i ništa se ne savija</translation>
+        <source>a parallel lens divides by 1: its own z' is affine, and nothing is bent</source>
+        <translation>paralelni objektiv dijeli s 1: njegov z' je afin i ništa se ne savija</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
@@ -10226,7 +11190,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>neoštrina cilja</translation>
     </message>
     <message>
-        <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
+        <source>both agree only if the lens's axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
         <translation>oba se slažu samo ako os objektiva pogađa sredinu slike; ovdje pogađa ({0}, {1}) px, a njihov je zbroj dvostruko veći</translation>
     </message>
     <message>
@@ -10290,7 +11254,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>zajednička rešetka</translation>
     </message>
     <message>
-        <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
+        <source>computed: gap and codes are finer than the graphics card's float32, so the picture shows its noise instead</source>
         <translation>izračunano: razmak i kodovi finiji su od tipa float32 grafičke kartice, pa slika umjesto toga pokazuje njezin šum</translation>
     </message>
     <message>
@@ -10330,8 +11294,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>dubinska oštrina</translation>
     </message>
     <message>
-        <source>depth z&apos; = A + B/z along the marked edge is, too</source>
-        <translation>dubina z&apos; = A + B/z duž označenog brida također</translation>
+        <source>depth z' = A + B/z along the marked edge is, too</source>
+        <translation>dubina z' = A + B/z duž označenog brida također</translation>
     </message>
     <message>
         <source>diameter, mm</source>
@@ -10542,7 +11506,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>od P do V</translation>
     </message>
     <message>
-        <source>from there to the ray&apos;s end</source>
+        <source>from there to the ray's end</source>
         <translation>odande do kraja zrake</translation>
     </message>
     <message>
@@ -10767,14 +11731,14 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>none</source>
-        <translation>nijedna</translation>
+        <translation>nema</translation>
     </message>
     <message>
         <source>none of the examined edges of the mesh lies in the view volume</source>
         <translation>nijedan ispitani brid mreže ne leži u volumenu pogleda</translation>
     </message>
     <message>
-        <source>none of the subject&apos;s compared points is in the picture</source>
+        <source>none of the subject's compared points is in the picture</source>
         <translation>nijedna uspoređena točka motiva nije na slici</translation>
     </message>
     <message>
@@ -10802,19 +11766,19 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>asimetrične</translation>
     </message>
     <message>
-        <source>on the film: h&apos; = −d·h / z</source>
-        <translation>na filmu: h&apos; = −d·h / z</translation>
+        <source>on the film: h' = −d·h / z</source>
+        <translation>na filmu: h' = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
         <translation>jedna za obje</translation>
     </message>
     <message>
-        <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
+        <source>only the {0} longest of the mesh's {1} edges are drawn and counted</source>
         <translation>crtaju se i broje samo najdulji bridovi ({0} od {1}) mreže</translation>
     </message>
     <message>
-        <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
+        <source>only {0} of the mesh's {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
         <translation>crta se i broji samo dio bridova mreže ({0} od {1}): najprije oni koji sijeku ravninu kamere, zatim najdulji</translation>
     </message>
     <message>
@@ -10974,7 +11938,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>rastegni</translation>
     </message>
     <message>
-        <source>subject&apos;s height, at the target&apos;s distance</source>
+        <source>subject's height, at the target's distance</source>
         <translation>visina motiva, na udaljenosti cilja</translation>
     </message>
     <message>
@@ -11026,7 +11990,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>strelica je iza rupice ili pokraj nje: od nje u kutiju ne dolazi svjetlo</translation>
     </message>
     <message>
-        <source>the arrow&apos;s height h</source>
+        <source>the arrow's height h</source>
         <translation>visina strelice h</translation>
     </message>
     <message>
@@ -11042,7 +12006,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kamera gleda ravno dolje ili gore: nema poda od bliske do daleke ravnine</translation>
     </message>
     <message>
-        <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
+        <source>the edge's pixels are too many or too few for float64 to measure</source>
         <translation>piksela brida je previše ili premalo da bi ih float64 izmjerio</translation>
     </message>
     <message>
@@ -11070,7 +12034,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>slika na ravnini</translation>
     </message>
     <message>
-        <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
+        <source>the light is inside the object's bounds: move it out to see the whole shadow</source>
         <translation>svjetlo je unutar granica objekta: pomaknite ga van da vidite cijelu sjenu</translation>
     </message>
     <message>
@@ -11102,7 +12066,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>slika je u visinu rastegnuta {0} puta više nego u širinu: strane ne zadržavaju oblik</translation>
     </message>
     <message>
-        <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
+        <source>the picture is stretched: the target's disc is an ellipse of this width and height</source>
         <translation>slika je rastegnuta: krug cilja je elipsa ove širine i visine</translation>
     </message>
     <message>
@@ -11146,7 +12110,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>sjena je dalje od 1e30</translation>
     </message>
     <message>
-        <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
+        <source>the subject's pixels are more than float64 can hold on one of the screens</source>
         <translation>piksela motiva na jednom je ekranu više nego što float64 može zapisati</translation>
     </message>
     <message>
@@ -11158,16 +12122,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>cilj je tako blizu objektivu da njegov krug nema konačnu veličinu</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
+        <source>the texture is laid over the mesh's two largest extents; only the {0} triangles with the longest sides are examined</source>
         <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
+        <source>the texture is laid over the mesh's two largest extents; texture coordinates in its file are not used</source>
         <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
     </message>
     <message>
-        <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
-        <translation>volumen pogleda odsijeca PQ: mjeri se dio unutar njega, od P&apos; do Q&apos;</translation>
+        <source>the view volume cuts PQ: the part inside it, from P' to Q', is measured</source>
+        <translation>volumen pogleda odsijeca PQ: mjeri se dio unutar njega, od P' do Q'</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
@@ -11310,8 +12274,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>gdje se pod crta</translation>
     </message>
     <message>
-        <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
-        <translation>gdje: w = √(w_P&apos;·w_Q&apos;)</translation>
+        <source>where: w = √(w_P'·w_Q')</source>
+        <translation>gdje: w = √(w_P'·w_Q')</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
@@ -11346,8 +12310,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kod paralelnog objektiva sama je udaljenost linearna na ekranu: nitko ne treba njezin logaritam</translation>
     </message>
     <message>
-        <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
-        <translation>s dalekom ravninom u beskonačnosti nijedan afini z&apos; = A z + B ne pokriva sve dubine: odaberite konačnu daleku ravninu</translation>
+        <source>with far at infinity, no affine z' = A z + B covers all depths: choose a finite far plane</source>
+        <translation>s dalekom ravninom u beskonačnosti nijedan afini z' = A z + B ne pokriva sve dubine: odaberite konačnu daleku ravninu</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
@@ -11366,8 +12330,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
-        <translation>x i y se dijele s udaljenošću w. Kad bi se z samo skalirao i pomaknuo, z&apos; = A z + B, ravna dužina PQ u kocki bi bila luk. Ništa između njezinih krajeva tada se ne bi moglo interpolirati ni odsjeći kao na pravcu. Sa z&apos; = {divided_z} ostaje ravna.</translation>
+        <source>x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z' = {divided_z} it stays straight.</source>
+        <translation>x i y se dijele s udaljenošću w. Kad bi se z samo skalirao i pomaknuo, z' = A z + B, ravna dužina PQ u kocki bi bila luk. Ništa između njezinih krajeva tada se ne bi moglo interpolirati ni odsjeći kao na pravcu. Sa z' = {divided_z} ostaje ravna.</translation>
     </message>
     <message>
         <source>y</source>

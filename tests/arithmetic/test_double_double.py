@@ -1,7 +1,5 @@
 """Double-double arithmetic and the exact scalars, against rationals and mpmath."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from fractions import Fraction

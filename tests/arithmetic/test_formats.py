@@ -1,7 +1,5 @@
 """Number formats and reciprocals against bit patterns, numpy's own types, and rationals."""
 
-from __future__ import annotations
-
 import struct
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Arrays of rationals against `Fraction`, one by one."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from typing import Any

@@ -1,7 +1,5 @@
 """Matrices of rationals: the inverse, also where cells are zero."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from hypothesis import given

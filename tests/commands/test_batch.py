@@ -1,7 +1,5 @@
 """Many figures by one command: ``export --batch``."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil
@@ -13,7 +11,7 @@ import pytest
 from app import languages
 from app.document.document import Document
 from app.document.files import write
-from app.strangers import LATIN_1
+from app.languages import said
 from tests.support.commands import refused, run_here
 
 SMALL = ("--size=64x32", "--panes=image")
@@ -88,7 +86,7 @@ def test_a_list_in_latin_1_is_read_with_a_note(tmp_path: Path) -> None:
     source.write_bytes("out\ncafé.tif\n".encode("latin-1"))
     done = run_here("export", out, "--batch", source)
     assert done.stderr.splitlines() == [
-        f"{source} {LATIN_1}.",
+        f"{source} {said('read-as-latin-1')}.",
         f"{source}, line 2: OUT = '{out / 'café.tif'}': must end in .png, .svg, .pdf or .tex.",
     ]
 

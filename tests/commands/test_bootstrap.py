@@ -4,8 +4,6 @@ Each test has a checkout of its own in a temporary folder: the real ``app/bootst
 ``app/__main__.py``, and a ``pyproject.toml`` that asks for "frustum-probe" instead of VTK and Qt.
 """
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import io
@@ -153,6 +151,7 @@ def fresh(tmp_path: Path) -> Checkout:
         "__init__.py",
         "__main__.py",
         "bootstrap.py",
+        "content/sentences.md",
         "content/set-up.md",
         "held_lock.py",
         "languages.py",

@@ -1,7 +1,5 @@
 """The folder to carry; the whole of it takes minutes, and is made by the workflow and by hand."""
 
-from __future__ import annotations
-
 import ast
 import importlib.util
 import runpy
@@ -35,10 +33,9 @@ def test_the_program_has_every_file_that_a_wheel_has(spec: dict[str, Any]) -> No
         if not name.endswith((".py", ".typed"))
     }
     assert len(beside) > 60
-    carried = {
-        f"{folder}/{Path(path).name}".replace("\\", "/"): folder for path, folder in spec["data"]()
-    }
-    assert carried.keys() - {"app/wheel/frustum_lab/py.typed"} == beside
+    entries = [(f"{folder}/{Path(path).name}", path, "DATA") for path, folder in spec["data"]()]
+    carried = {name.replace("\\", "/") for name, _, _ in spec["kept"](entries)}
+    assert carried - {"app/wheel/frustum_lab/py.typed"} == beside
 
 
 def test_the_program_has_every_module(spec: dict[str, Any]) -> None:
@@ -49,6 +46,8 @@ def test_the_program_has_every_module(spec: dict[str, Any]) -> None:
 def test_no_package_that_the_program_imports_is_left_out(spec: dict[str, Any]) -> None:
     needed = {each.import_name for each in requirements(ROOT)}
     assert not needed & set(spec["EXCLUDED"])
+    texts = [(ROOT / path).read_text(encoding="utf-8") for path in sources()]
+    assert not [name for name in spec["EMPTIED"] if any(name in text for text in texts)]
 
 
 def test_the_driver_of_the_machine_finds_its_own_libraries(spec: dict[str, Any]) -> None:

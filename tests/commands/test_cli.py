@@ -1,7 +1,5 @@
 """The command line as a user types it: `python3 -m app ...` in a process of its own."""
 
-from __future__ import annotations
-
 import contextlib
 import csv
 import errno
@@ -33,12 +31,11 @@ from app.document.view import View
 from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.model.chain import SPACES
-from app.model.limits import SMALLEST_WINDOW
+from app.model.limits import SMALLEST_WINDOW, DepthRange
 from app.model.projection import (
     LARGEST,
     PLANES,
     Camera,
-    DepthRange,
     Frustum,
     Lens,
     Oblique,
@@ -661,11 +658,7 @@ PERSPECTIVE_STAGES = [
     "clip_from_world",
     "image_from_ndc",
 ]
-PARALLEL_STAGES = [
-    *PERSPECTIVE_STAGES[:2],
-    "canonical_parallel_from_view",
-    *PERSPECTIVE_STAGES[3:],
-]
+PARALLEL_STAGES = [*PERSPECTIVE_STAGES[:2], "canonical_parallel_from_view", *PERSPECTIVE_STAGES[3:]]
 
 
 def test_matrices_as_json_hold_every_stage_to_the_last_bit(by_hand: Path) -> None:
@@ -1404,9 +1397,7 @@ def test_doctor_reports_how_a_driver_failed(
     assert (found["OpenGL"], found["Export"]) == (said, said)
 
 
-def test_a_scene_brings_its_camera_unless_a_document_has_one(
-    tmp_path: Path,
-) -> None:
+def test_a_scene_brings_its_camera_unless_a_document_has_one(tmp_path: Path) -> None:
     own = matrices("--set", "scene=posts")
     start = load("posts").start
     assert own["view_from_world"] == stage_of(start, "view_from_world").matrix.tolist()
@@ -1435,27 +1426,6 @@ def test_a_free_matrix_is_printed_with_what_it_does() -> None:
     latex = run_here("matrices", *FREE, "--format=latex").stdout
     assert "% singular (rank 3): the frustum cannot be drawn\n" in latex
     assert "rank" not in run_here("matrices").stdout
-
-
-def test_points_go_through_a_free_matrix() -> None:
-    view = "lens.view_from_world=1,0,0,0, 0,1,0,0, 0,0,1,-4, 0,0,0,2"
-    cells = "lens.clip_from_view=1,0.5,0,0, 0,2,0,0, 0,0,-1,-2, 0,0,-1,0"
-    settings = ("--set", "lens.kind=matrix", "--set", cells, "--set", view)
-    done = run_here("project", "-", "--format=json", *settings, text="1,2,1\n1,2,4\n0,0,9\n")
-    assert (done.returncode, done.stderr) == (0, "")
-    point, in_plane, behind = json.loads(done.stdout)["points"]
-    # V (1, 2, 1, 1) = (1, 2, -3, 2), a point (0.5, 1, -1.5); P of it: (2, 4, 3 - 4, 3).
-    assert point["view"] == [0.5, 1, -1.5]
-    assert point["clip"] == [2, 4, -1, 3]
-    assert point["ndc"] == [2 / 3, 4 / 3, -1 / 3]
-    assert point["image"] == [pytest.approx((2 / 3 + 1) * 640), pytest.approx((1 - 4 / 3) * 360)]
-    assert point["depth"] == pytest.approx(1 / 3)
-    assert point["outside_of"] == ["top"] and not point["inside"]
-    for hidden in (in_plane, behind):
-        assert hidden["ndc"] is hidden["image"] is hidden["depth"] is None
-    for precision in ("float32", "float64", "exact"):
-        done = run_here("project", "-", "--rung", precision, *settings, text="1,2,1\n")
-        assert done.returncode == 0
 
 
 def test_a_free_matrix_is_exported(tmp_path: Path) -> None:

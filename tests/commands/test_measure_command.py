@@ -1,7 +1,5 @@
 """The command `measure`: what it prints and writes, what it refuses, how it is stopped."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import os

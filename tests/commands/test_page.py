@@ -1,7 +1,5 @@
 """A page for phones: ``export figure.html``. No browser is needed to see what is in it."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import re

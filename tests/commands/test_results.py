@@ -1,7 +1,5 @@
 """``lesson results``: a class's answers, marked again; files of strangers."""
 
-from __future__ import annotations
-
 import argparse
 import csv
 import io

@@ -1,7 +1,5 @@
 """Moving pictures: ``export --sweep``, ``--orbit``, ``--stages`` and ``--transition``."""
 
-from __future__ import annotations
-
 import math
 import os
 import shutil

@@ -1,7 +1,5 @@
 """The command ``talk``: every step drawn, what is wrong said with its line, and A4 pages."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from pathlib import Path

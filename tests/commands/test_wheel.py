@@ -1,7 +1,5 @@
 """The wheel has one top-level name, so that an `app.py` beside a notebook meets nothing of it."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os
@@ -18,6 +16,7 @@ from app.bootstrap import ROOT
 from app.python_packages import requirements
 from app.scenes import reading
 from tests import PATIENCE_S
+from tests.support.lessons import PREDICTED
 from tests.support.meshes import obj_file
 
 
@@ -101,9 +100,12 @@ def test_a_large_mesh_is_read_by_a_process_of_its_own(place: Path) -> None:
     assert "The eye is at" in installed(place, "-c", script)
 
 
-def test_a_lesson_is_checked(place: Path) -> None:
-    lesson = ROOT / "app" / "lessons" / "content" / "l05-similar-triangles.md"
-    assert "56 checks, 0 wrong" in installed(place, "-m", "frustum_lab", "lesson", "check", lesson)
+def test_a_lesson_is_checked(place: Path, tmp_path: Path) -> None:
+    """Its file, its formulas and its pictures."""
+    lesson = tmp_path / "own.md"
+    lesson.write_text(PREDICTED.replace("At 2", "At $2$"), encoding="utf-8")
+    said = installed(place, "-m", "frustum_lab", "lesson", "check", lesson)
+    assert "1 lesson, 0 talks, 1 check, 0 wrong" in said and " of 1 step" in said
 
 
 def test_a_measurement_runs(place: Path) -> None:

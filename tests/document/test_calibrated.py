@@ -1,7 +1,5 @@
 """Calibrated cameras without the window: K, angles and focal lengths after ``--set``."""
 
-from __future__ import annotations
-
 import math
 from itertools import permutations
 from typing import Any

@@ -1,7 +1,5 @@
 """Camera files of other programs: their conventions, by their own examples, and hostile ones."""
 
-from __future__ import annotations
-
 import json
 import math
 from fractions import Fraction
@@ -170,7 +168,6 @@ DISTORTED = (
     "is a lens with distortion, and here straight lines stay straight: undistort the pictures, and"
     " use the camera of the new ones."
 )
-MISSING = "transforms.json: {} is missing."
 TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
 
 

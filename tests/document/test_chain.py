@@ -1,7 +1,5 @@
 """The object's chain in documents: as it is set, kept in files, and in the form of old files."""
 
-from __future__ import annotations
-
 import json
 
 import pytest

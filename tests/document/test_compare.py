@@ -1,8 +1,5 @@
 """Pictures to compare with: kept, refused, and those that the lectures set side by side."""
 
-from __future__ import annotations
-
-import math
 from dataclasses import replace
 from typing import Any
 
@@ -307,65 +304,3 @@ def test_l18_one_picture_interpolates_affinely_and_the_other_divides() -> None:
 def value(document: Document, label: str) -> Any:
     (reading,) = (each for each in shown(document).readings if each.label == label)
     return reading.value
-
-
-@pytest.mark.parametrize("size", [(1280, 720), (360, 240), (500, 900)])
-def test_l20_29_mm_at_30_cm_and_105_mm_at_360_cm_show_one_size(size: tuple[int, int]) -> None:
-    """One unit is 10 cm; a subject of height h is drawn h H / (2 d tan(fov/2)) high."""
-    start = set_values(of("field-of-view"), [f"image.width={size[0]}", f"image.height={size[1]}"])
-    start = start.with_settings({"preset": "eye"}).with_settings({"preset": "wide"})
-    document = compared(start, "photographs")
-    subject = load("field-of-view").subject
-    high = subject.upper[1] - subject.lower[1]
-    sizes = []
-    for picture, distance in zip(document.view.compare, (3.0, 36.0), strict=True):
-        of_it = pictured(document, picture)
-        projection = of_it.projection
-        assert projection.camera.distance == pytest.approx(distance)
-        half = math.radians(projection.lens.fov_y_deg) / 2.0
-        expected = high * size[1] / (2.0 * distance * math.tan(half))
-        found = value(of_it, "subject's height, at the target's distance")
-        assert found == pytest.approx(expected, rel=1e-9)
-        sizes.append(found)
-    assert sizes[0] == pytest.approx(sizes[1], rel=1e-12)
-    wide = pictured(document, document.view.compare[0])
-    assert value(wide, "focal length, 35-mm camera") == pytest.approx(29.0)
-    # Foreshortening is a matter of the distance alone.
-    depths = [value(pictured(document, each), "foreshortening, nearest : farthest")
-              for each in document.view.compare]  # fmt: skip
-    assert depths[0] > 1.5 and 1.0 < depths[1] < 1.1
-
-
-def test_l16_naive_cut_and_clipped_are_three_drawings_of_the_same_edges() -> None:
-    naive, cut, clipped = ready_made("eye-plane", "divides")
-    assert naive.projection == cut.projection == clipped.projection
-    projection = naive.projection
-    camera, (width, height) = projection.camera, projection.image_size
-    u, v, n = np.array(camera.frame)
-
-    def divided(point: Any) -> np.ndarray:
-        """By hand: x, y over the distance before the eye, whatever its sign."""
-        x, y, z = (np.array(point) - camera.eye) @ np.array([u, v, n]).T
-        scale = height / 2.0 / math.tan(math.radians(projection.lens.fov_y_deg) / 2.0)
-        return np.array([width / 2.0 - scale * x / z, height / 2.0 + scale * y / z])
-
-    a, b = (divided(naive.settings[end]) for end in ("start", "end"))
-    along = (b - a) / np.hypot(*(b - a))
-
-    def parts(document: Document) -> np.ndarray:
-        """Where AB's drawing is on the line from A' to B', in parts of the way."""
-        lines = shown(document).image.lines
-        widest = max(line.width for line in lines)
-        *_, line = (each for each in lines if each.width == widest)  # AB lies over the F's edges
-        away = line.points - a
-        assert np.abs(away[:, 0] * along[1] - away[:, 1] * along[0]).max() < 1e-6
-        return np.sort(away @ along) / np.hypot(*(b - a))
-
-    wrong = parts(naive)
-    assert 0.0 <= wrong[0] < wrong[1] <= 1.0 + 1e-12, "between its ends, one of them mirrored"
-    for document in (cut, clipped):
-        right = parts(document)
-        assert right[1] <= 1e-12 and right[0] < -0.1, "the other way, towards infinity"
-    counts = [len(shown(each).image.lines) for each in (naive, cut, clipped)]
-    assert counts[1] == counts[2], "the cut misses no edge that clipping draws here"
-    assert counts[0] != counts[2], "of the F edges are drawn that are not seen"

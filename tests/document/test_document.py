@@ -1,7 +1,5 @@
 """Documents: exact, tolerant of unknown keys, strict about wrong values, never half a file."""
 
-from __future__ import annotations
-
 import copy
 import errno
 import itertools
@@ -29,6 +27,7 @@ from hypothesis import strategies as st
 
 import app.model.projection
 import app.scenes.scene
+from app import languages
 from app.bootstrap import ROOT
 from app.document import codec, files
 from app.document.codec import SHORTEST, parse, to_json, to_tree
@@ -60,7 +59,6 @@ from app.model.projection import (
 from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 from app.scenes.phenomena import PHENOMENA
-from app.strangers import LATIN_1
 from tests import PATIENCE_S
 from tests.fuzz.catalogue import a_valid_tree, any_view
 from tests.fuzz.documents import outcome_of
@@ -664,7 +662,7 @@ def test_latin_1_is_read_with_a_warning(tmp_path: Path, caplog: pytest.LogCaptur
     document = Document(str(tmp_path / "café.obj"))
     path.write_bytes(to_json(document, str(tmp_path)).encode("latin-1"))
     assert read(path) == document
-    assert caplog.messages == [f"{path} {LATIN_1}."]
+    assert caplog.messages == [f"{path} {languages.said('read-as-latin-1')}."]
 
 
 @pytest.mark.parametrize("size", [10, 2**21])

@@ -1,7 +1,5 @@
 """What a picture names, and what a scene can name."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

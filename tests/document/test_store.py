@@ -1,7 +1,5 @@
 """The store: one signal per change, silence for none, a drag is one undo step."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """The blurred picture of a lens with an opening: what is sharp in it, and how it becomes finer."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Dots and lines of a file, in pixels and in figures without pixels."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from pathlib import Path

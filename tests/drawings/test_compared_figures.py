@@ -1,7 +1,5 @@
 """Figures of compared pictures, divided or side by side."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 

@@ -1,7 +1,5 @@
 """The measures of pictures: overlapping or too many labels, an empty picture, small letters."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Documents in words: each sentence is known by hand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

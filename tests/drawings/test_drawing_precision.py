@@ -1,7 +1,5 @@
 """Pictures at the extremes, where float32 cannot draw them, against 80 digits pixel by pixel."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

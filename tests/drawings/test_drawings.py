@@ -1,7 +1,5 @@
 """The pixels that the image and the NDC drawings paint."""
 
-from __future__ import annotations
-
 import gc
 import math
 import weakref
@@ -575,8 +573,7 @@ def moved(scene: Scene, scale: float, origin: tuple[float, float, float]) -> Sce
 
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize(
-    ("scale", "origin"),
-    [(1.0, (1e8, -1e8, 1e8)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))],
+    ("scale", "origin"), [(1.0, (1e8, -1e8, 1e8)), (1e-6, (0.0, 0.0, 0.0)), (1e9, (0.0, 0.0, 0.0))]
 )
 def test_scenes_far_away_tiny_or_huge_look_the_same(
     off_screen: MakeScreen, kind: Any, scale: float, origin: tuple[float, float, float]

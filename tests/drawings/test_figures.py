@@ -1,7 +1,5 @@
 """Figures: the same pixels everywhere, and files that carry their document."""
 
-from __future__ import annotations
-
 import gc
 import hashlib
 import inspect
@@ -335,7 +333,7 @@ def test_all_letters_of_a_figure_have_one_size(
 
     monkeypatch.setattr(one_pane, "pixels_of", noted)
     shown = load(scene)
-    figure_of(shown, shown.start, PANES, (1500, 500), scale=scale, text_pt=8.0).pixels()
+    figure_of(shown, shown.start, PANES, (750, 250), scale=scale, text_pt=8.0).pixels()
     assert len(sizes) > 4
     (found,) = set().union(*sizes.values())
     # Several pixels are drawn for one of the figure's, along each side.

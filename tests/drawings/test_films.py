@@ -1,7 +1,5 @@
 """Films: labels that keep their places, values that are shown, and how values change."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """The fit of the world pane against VTK's own camera; what it cuts against pixels by hand."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

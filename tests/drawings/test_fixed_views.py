@@ -1,7 +1,5 @@
 """The world in its fixed views, with dimensions, and with hidden layers."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace
@@ -342,11 +340,7 @@ def test_what_a_hand_moves_out_of_the_pane_has_no_letters_there(off_screen: Make
 
 @pytest.mark.parametrize(
     ("name", "written"),
-    [
-        ("similar-triangles", ("d", "−z")),
-        ("focus", ("s", "d")),
-        ("planar-shadow", ("d",)),
-    ],
+    [("similar-triangles", ("d", "−z")), ("focus", ("s", "d")), ("planar-shadow", ("d",))],
 )
 def test_a_scenes_distances_stand_in_rows_of_their_own(
     off_screen: MakeScreen, name: str, written: tuple[str, ...]
@@ -367,6 +361,21 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
     assert tuple(text for text, _ in labels[-len(written) :]) == written
     for (_, (_, _, low, _)), (_, (_, _, _, top)) in itertools.pairwise(labels[-len(written) - 1 :]):
         assert low >= top
+
+
+def test_rows_of_lengths_take_room_only_below_what_they_measure(off_screen: MakeScreen) -> None:
+    """The F reaches farther down than the rows, behind them."""
+    screen, scene = off_screen(1366, 594), load("similar-triangles")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT.enlarged(1.7), live=True)
+    drawing.show_names(frozenset({"y", "y_p", "d", "-z", "eye", "P", "P'"}))
+    drawing.show_projection(scene.start, illustrated(scene))
+    drawing.show_fixed("side")
+    screen.pixels()
+    spots = dict(drawing.board.points)
+    assert spots["P"][0] - spots["eye"][0] > 0.55 * 1366
+    foot = np.array(drawing.state.seen(drawing.state.objects))[:, 1].min()
+    row = drawing.board.label(("length", "-z")).box_px
+    assert 0.0 < foot < row[2] and not drawing.cut()
 
 
 @pytest.mark.parametrize("view", ["side", "top"])
@@ -597,10 +606,7 @@ def test_a_layer_is_switched_off_and_on_again(off_screen: MakeScreen, layer: str
 
 @pytest.mark.parametrize(
     ("layer", "names"),
-    [
-        ("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}),
-        ("frustum", {"near n = 4", "far f = 18"}),
-    ],
+    [("camera", {"eye", "target", "u⃗", "v⃗", "n⃗"}), ("frustum", {"near n = 4", "far f = 18"})],
 )
 @pytest.mark.parametrize("view", ["", "side"])
 def test_names_and_handles_go_with_what_they_are_of(

@@ -1,7 +1,5 @@
 """Labels that stay set between runs: the same pixels, and any other file is as good as none."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

@@ -1,7 +1,5 @@
 """Marks of phenomena: the pixels that reach the screen."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import replace
@@ -234,11 +232,7 @@ def test_a_text_is_written_in_the_window_s_language(pane: str, shown: Callable[.
     pictures = []
     translated = DrawingWords()
     translated["half-way"] = "na pola puta"
-    for text, words in (
-        ("half-way", translated),
-        ("na pola puta", WORDS),
-        ("half-way", WORDS),
-    ):
+    for text, words in (("half-way", translated), ("na pola puta", WORDS), ("half-way", WORDS)):
         one = shown(pane, words=words)
         marks = one.marks([place], lambda p, text=text: Marks(texts=(Text(text, p[0], RED),)))
         pictures.append(one.show(marks))

@@ -1,7 +1,5 @@
 """Vertices that a phenomenon moves: each pane draws its own, and the texture goes with them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

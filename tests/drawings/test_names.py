@@ -1,7 +1,5 @@
 """What a drawing names is drawn and framed; the rest is quiet, or not drawn at all."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

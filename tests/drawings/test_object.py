@@ -1,7 +1,5 @@
 """L2 in the panes: moving the object looks like moving the camera the other way."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

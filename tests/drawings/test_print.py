@@ -1,10 +1,9 @@
 """Figures as an editor measures them: the size of each letter, and the width that a page scales."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,7 @@ from app.document.document import Document
 from app.document.lengths import DPI, Size
 from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
-from app.drawings.vectors import LineShape, PixelShape, box_of
+from app.drawings.vectors import LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -67,8 +66,10 @@ def test_every_letter_has_the_size_that_is_asked_for(
         assert len(sizes[~low]) and np.abs(sizes[~low] - ASKED_PT).max() < 0.1, ending
 
 
-@pytest.mark.parametrize("width_mm", [84.0, 120.0])
-@pytest.mark.parametrize(("scene", "panes", "values"), [*CHAPTER[:2], CHAPTER[4], CHAPTER[7]])
+@pytest.mark.parametrize(
+    ("scene", "panes", "values", "width_mm"),
+    [(*CHAPTER[0], 84.0), (*CHAPTER[1], 120.0), (*CHAPTER[4], 84.0), (*CHAPTER[7], 120.0)],
+)
 def test_a_figure_is_as_wide_as_asked_after_it_was_cropped(
     scene: str, panes: str, values: tuple[str, ...], width_mm: float
 ) -> None:
@@ -109,6 +110,18 @@ def test_an_equation_is_a_figure_that_a_column_can_hold(
     assert "textbackslash" not in tex and "dfrac" not in tex
     sizes = np.array([*letters_pt(tmp_path / "e.pdf")])
     assert np.abs(sizes[:, None] - [ASKED_PT, 0.7 * ASKED_PT]).min(axis=1).max() < 0.1
+
+
+def test_cells_of_an_equation_are_apart_also_in_letters_of_tex() -> None:
+    """Computer Modern sets ``z_max + z_min`` a tenth wider than STIX."""
+    shown = figure("letter-f", "equation", ("view.equation=frustum", "view.letters=004"), size=None)
+    boxes = [box_of([shape], "") for shape in shown.shapes()[1] if isinstance(shape, TextShape)]
+    cells = [(left, high, right) for left, high, right, _ in filter(None, boxes)]
+    em, gaps = ASKED_PT / 72.0 * DPI, list[float]()
+    for (_, one_high, right), (left, high, _) in pairwise(cells):
+        if abs(one_high - high) < 0.5 * em and left > right:
+            gaps.append((left - right) / em)
+    assert len(gaps) >= 8 and min(gaps) > 1.2
 
 
 def test_an_equation_that_its_column_cannot_hold_is_refused() -> None:

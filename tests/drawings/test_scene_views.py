@@ -1,7 +1,5 @@
 """What a scene leaves out of the world, and from where the world is seen."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

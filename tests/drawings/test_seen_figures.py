@@ -1,7 +1,5 @@
 """A value of the view changes the panes that show it in a figure, and no others."""
 
-from __future__ import annotations
-
 import io
 from dataclasses import replace
 from functools import partial

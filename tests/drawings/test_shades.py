@@ -1,7 +1,5 @@
 """Colours of printed figures: nothing is told apart by hue alone."""
 
-from __future__ import annotations
-
 import colorsys
 from itertools import combinations
 from typing import Any

@@ -33,9 +33,11 @@ def body(*shapes: Shape, title: str = "t") -> list[str]:
     """The lines of the shapes, after those that name colours and styles."""
     lines = tikz(shapes, SIZE, title)[0].decode().splitlines()
     assert lines[-1] == r"\end{tikzpicture}%"
-    (clip,) = [place for place, line in enumerate(lines) if line.startswith(r"\clip")]
-    assert lines[clip] == r"\clip (0,0) rectangle (240,120);"
-    return lines[clip + 1 : -1]
+    (box,) = [place for place, line in enumerate(lines) if line.startswith(r"\useasboundingbox")]
+    assert lines[box] == r"\useasboundingbox (0,0) rectangle (240,120);"
+    begin, end = r"\begin{scope}\clip (0,0) rectangle (240,120);", r"\end{scope}"
+    assert lines.count(begin) == lines.count(end)
+    return [line for line in lines[box + 1 : -1] if line not in (begin, end)]
 
 
 def said(text: str, *, plain: bool = False) -> str:
@@ -90,7 +92,7 @@ def test_a_label_stays_at_its_anchor_and_has_the_size_that_was_asked_for() -> No
     width = piece_of("eye", False).width * 6.0
     assert (middle - left, right - left) == pytest.approx((width / 2.0, width), abs=0.01)
     text = tikz([label("eye")], SIZE, "t")[0].decode()
-    assert r"font=\fontsize{10}{10}\selectfont,scale=0.6022" in text
+    assert r"font=\fontsize{10}{10}\selectfont\nulldelimiterspace0pt,scale=0.6022" in text
 
 
 def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None:
@@ -99,6 +101,13 @@ def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None
     lines = body(*[Area([TRIANGLE], BLUE, 1.0)] * 1000)
     assert sum(line.count("cycle") for line in lines) == 1000
     assert max(line.count("--") for line in lines) <= 500
+
+
+def test_the_edge_cuts_shapes_and_no_letters_which_are_higher_in_tex() -> None:
+    line = LineShape(TRIANGLE, BLUE, 1.0, 5.0)
+    lines = tikz([line, label("P"), line], SIZE, "t")[0].decode().splitlines()
+    (text,) = [place for place, each in enumerate(lines) if each.startswith(r"\node")]
+    assert lines[text - 1] == r"\end{scope}" and lines[text + 1].startswith(r"\begin{scope}\clip")
 
 
 def test_a_line_through_several_cells_has_no_ends_inside() -> None:
@@ -119,6 +128,9 @@ def test_a_line_through_several_cells_has_no_ends_inside() -> None:
         ("z = ∞", r"$z=\infty$"),
         ("глаз_п", r"глаз\textsubscript{п}"),
         ("$\\frac{a}{b}$", r"${\frac{a}{b}}$"),
+        ("½ on", r"${}^1\!/_2$ on"),  # or it would come from a font of bitmaps
+        (r"$f \, (f - n)$", "${f(f - n)}$"),
+        (r"$f \, \tan(x)$", r"${f\tan(x)}$"),
     ],
 )
 def test_formulas_are_formulas_of_tex(text: str, tex: str) -> None:
@@ -158,6 +170,7 @@ def test_the_head_says_how_the_figure_is_used() -> None:
     assert head[:2] == ["% Letter F", "% The eye is here."]
     assert r"\input" in head[2] and r"\usepackage{tikz}" in head[2] and "T2A" not in head[3]
     assert "T2A" in tikz([label("глаз")], SIZE, "t")[0].decode()
+    assert "[T1]" in tikz([label("između")], SIZE, "t")[0].decode()
 
 
 def test_pixels_lie_beside_the_figure(tmp_path: Path) -> None:

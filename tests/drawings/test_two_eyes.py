@@ -1,7 +1,5 @@
 """The picture of two eyes: what each glass shows, and where each half comes from."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Figures of shapes: they agree with the pixels of the same state, and their text is text."""
 
-from __future__ import annotations
-
 import random
 import re
 import zlib

@@ -1,11 +1,8 @@
 """The world pane: its matrices, and the pixels that reach the screen."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
-from itertools import cycle
 from typing import Any
 
 import numpy as np
@@ -24,8 +21,8 @@ from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.drawings.world_state import view_matrices
 from app.lecture.typed_matrix import with_cell
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
-    OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
@@ -37,7 +34,6 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
-from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import Scene, load
 from tests.support.cameras import random_projections
 from tests.support.drawings import (
@@ -47,7 +43,6 @@ from tests.support.drawings import (
     colours_of,
     drawn,
     heard,
-    illustrated,
     off_screen,
     overlapping,
     rendered,
@@ -631,36 +626,14 @@ def test_labels_stay_on_their_sides_while_something_moves(make_view: MakeView) -
             view.drawing.show_projection(projection)
             if afresh:
                 view.drawing.layers.place_labels(afresh=True)
-            now = {text.split()[0]: np.array(box) for text, box in boxes_of(view.plotter).items()}
+            boxes = boxes_of(view.plotter)
+            now = {text.split()[0]: np.array(box) for text, box in boxes.items()}
             changes[afresh] += sum(
                 bool(np.abs(now[name] - before[name]).max() > far) for name in now.keys() & before
             )
             before = now
-            assert overlapping(boxes_of(view.plotter)) == [], projection
+            assert overlapping(boxes) == [], projection
     assert 0 < changes[False] <= 0.7 * changes[True]
-
-
-@pytest.mark.parametrize(
-    ("size_px", "name"),
-    [
-        *zip(
-            cycle([(300, 400), (370, 420), (600, 700)]),
-            ["letter-f", "posts", *PHENOMENA],
-            strict=False,
-        )
-    ],
-)
-def test_no_label_lies_on_another_in_any_scene_of_a_lecture(
-    make_view: MakeView, name: str, size_px: tuple[int, int]
-) -> None:
-    """In large letters; only a scene's own texts may overlap, in the smallest pane."""
-    view = make_view(name, *size_px, replace(LIGHT, font_size=22.0))
-    view.drawing.show_projection(view.scene.start, illustrated(view.scene))
-    view.drawing.reset_view()
-    boxes = boxes_of(view.plotter)
-    own = {"eye", "target", "u⃗", "v⃗", "n⃗", *(b for b in boxes if b.startswith(("near", "far")))}
-    for pair in overlapping(boxes):
-        assert size_px == (300, 400) and not own & {*pair}, pair
 
 
 def test_at_rest_nothing_depends_on_what_was_before(make_view: MakeView) -> None:

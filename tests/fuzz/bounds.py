@@ -4,8 +4,6 @@
 first bound that is too low, and names its seed. The table says how much larger the bounds are.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import random

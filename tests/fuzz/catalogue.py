@@ -1,7 +1,5 @@
 """One catalogue of random documents, states and points for all tests that draw at random."""
 
-from __future__ import annotations
-
 import dataclasses
 import json
 import math

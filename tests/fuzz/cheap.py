@@ -5,8 +5,6 @@ formats, reciprocals and snapping, stops at the first bound that is too low, and
 table says how much larger than the errors the bounds are. The suite takes fewer documents.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import itertools

@@ -5,8 +5,6 @@ some at the limits, and damaged ones. It uses those that are valid, stops at the
 silent NaN or a warning, and names its seed. The suite takes a twentieth of them.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import json

@@ -1,7 +1,5 @@
 """Files of all kinds that the program opens: sound ones, damaged at random."""
 
-from __future__ import annotations
-
 import base64
 import copy
 import json

@@ -15,8 +15,6 @@ This is no part of the suite. The command line runs in this process, because 300
 processes would take an hour.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import contextlib

@@ -13,8 +13,6 @@ that comes back is only counted. The summary has memory, widgets, open files and
 The program runs as a copy, because a user may add steps and strokes to the lessons beside it.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import ctypes

@@ -21,8 +21,6 @@ processor time (which other jobs do not lengthen) are its own. Every finding, an
 command opens all files.
 """
 
-from __future__ import annotations
-
 import argparse
 import collections
 import contextlib

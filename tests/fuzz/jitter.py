@@ -5,8 +5,6 @@
 at the first bound that is too low. The table has the median of bound over error.
 """
 
-from __future__ import annotations
-
 import argparse
 import random
 from collections.abc import Sequence

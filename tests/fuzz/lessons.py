@@ -7,8 +7,6 @@ every picture, answers every question, opens the hints and the solution, sums up
 the strokes.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import random

@@ -6,8 +6,6 @@ twice the text is a finding, and so is one that takes more than `LONGEST_S` for 
 Where the caller bounds its text (`BOUNDED`), it is measured on texts of that length.
 """
 
-from __future__ import annotations
-
 import argparse
 import ast
 import collections

@@ -1,7 +1,5 @@
 """Random floors and seams for `tests.fuzz bounds`: errors and bounds of 1000 places each."""
 
-from __future__ import annotations
-
 import random
 
 import numpy as np

@@ -5,8 +5,6 @@ these seeds, and types each of their values as students do: to three digits and 
 cut off, with zeros and without. It lists what is marked otherwise. The suite takes fewer seeds.
 """
 
-from __future__ import annotations
-
 import argparse
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields

@@ -1,7 +1,5 @@
 """A fixed script of user actions in the window, and what is seen after each step."""
 
-from __future__ import annotations
-
 import json
 import os
 import time

@@ -1,7 +1,6 @@
 """Trees of sources are kept while the tests of the house run, and no longer: they take 150 MB."""
 
-from __future__ import annotations
-
+import gc
 from collections.abc import Iterator
 
 import pytest
@@ -11,5 +10,7 @@ from tests.support.sources import nodes_of
 
 @pytest.fixture(scope="package", autouse=True)
 def trees() -> Iterator[None]:
+    gc.disable()  # it would go through more than a million nodes, again and again, for nothing
     yield
     nodes_of.cache_clear()
+    gc.enable()

@@ -1,7 +1,5 @@
 """The claims of docs/measurements.md: a run that contradicts one names it."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,13 +1,11 @@
 """Files from strangers become text in one place, `app.strangers.decode`."""
 
-from __future__ import annotations
-
 import ast
 
 import pytest
 
-from app import strangers
 from app.bootstrap import ROOT
+from app.languages import said
 from app.strangers import decode
 from tests.house.test_imports import read, sources
 from tests.support.sources import nodes_of
@@ -95,8 +93,8 @@ def test_unicode_is_read_with_or_without_a_mark(text: str, encoding: str) -> Non
 
 
 def test_other_bytes_are_latin_1_with_a_note() -> None:
-    assert decode("café".encode("latin-1")) == ("café", strangers.LATIN_1)
-    assert decode(b"\xef\xbb\xbfcaf\xe9") == ("café", strangers.LATIN_1)
-    assert decode("cut".encode("utf-16")[:-1]) == ("cu\ufffd", strangers.DAMAGED)
+    assert decode("café".encode("latin-1")) == ("café", said("read-as-latin-1"))
+    assert decode(b"\xef\xbb\xbfcaf\xe9") == ("café", said("read-as-latin-1"))
+    assert decode("cut".encode("utf-16")[:-1]) == ("cu\ufffd", said("damaged-text"))
     assert decode(bytes(8)) == ("\0" * 8, "")  # is no UTF-32
-    assert decode(b"\0\0\1\0\xff")[1] == strangers.LATIN_1
+    assert decode(b"\0\0\1\0\xff")[1] == said("read-as-latin-1")

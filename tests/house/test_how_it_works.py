@@ -1,7 +1,5 @@
 """`docs/how-it-works.md` names files, classes and methods that exist."""
 
-from __future__ import annotations
-
 import ast
 import re
 

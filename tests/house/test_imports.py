@@ -4,8 +4,6 @@
 type checkers is late: importing the file does not bring it.
 """
 
-from __future__ import annotations
-
 import ast
 import functools
 import subprocess
@@ -69,8 +67,8 @@ LATE: dict[str, tuple[str, ...]] = {
 #: What everyone may know: standard library only. Each knows only those before it.
 GROUND = (
     "app.modules",
-    "app.strangers",
     "app.languages",
+    "app.strangers",
     "app.python_packages",
     "app.held_lock",
     "app.system_packages",

@@ -1,7 +1,5 @@
 """Every topic of the lectures is in the table, with a test that bears its name and pictures."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """README and docs show what the program draws, all of it and nothing else."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """No text is taken for HTML: labels, tooltips and documents are those of `widgets.parts.plain`."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 

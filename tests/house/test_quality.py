@@ -1,7 +1,5 @@
 """What tools say of the sources, as tests like all others: one command, one verdict."""
 
-from __future__ import annotations
-
 import ast
 import collections
 import dataclasses

@@ -1,7 +1,5 @@
 """Matrices of other programs, rounded or not, are recognised by what they do."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable
@@ -128,7 +126,6 @@ class Does(NamedTuple):
 
 
 SYMMETRIC = Perspective(FOV, NEAR, FAR)
-WIDE = NEAR / COT * ASPECT
 LIBRARIES: dict[Callable[[], Any], Does] = {
     glm_perspective: Does("opengl", 1, 1, False, SYMMETRIC),
     glm_perspective_lh: Does("opengl", 1, -1, False, SYMMETRIC),

@@ -1,7 +1,5 @@
 """Equations of slides: the matrices that a text names, their product, and what a lens lacks."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

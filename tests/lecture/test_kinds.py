@@ -1,31 +1,14 @@
 """The tree of planar projections of lecture 002: conditions and scale factors."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
 import pytest
 
-from app.lecture.kinds import (
-    AXES,
-    KINDS,
-    TOLERANCE,
-    kind_of,
-    path,
-    scale_factors,
-    with_kind,
-)
+from app.lecture.kinds import AXES, KINDS, TOLERANCE, kind_of, path, scale_factors, with_kind
 from app.model.infinity import trace_at_infinity
-from app.model.projection import (
-    Camera,
-    Frustum,
-    Oblique,
-    Orbit,
-    Orthographic,
-    Projection,
-    oblique_angles,
-)
+from app.model.lenses.oblique import oblique_angles
+from app.model.projection import Camera, Frustum, Oblique, Orbit, Orthographic, Projection
 from app.scenes.phenomena.vanishing_points import PHENOMENON
 from app.scenes.scene import load
 

@@ -1,7 +1,5 @@
 """Formulas agree with their numbers, numbers with the command's; and copying works."""
 
-from __future__ import annotations
-
 import json
 import math
 import re
@@ -18,6 +16,7 @@ from app.lecture.letters import LETTERS, Letters, written
 from app.lecture.notation import WrittenMatrix, matrices
 from app.model.chain import FiveTiles
 from app.model.formula import ARROW, parse
+from app.model.lenses.perspective import focal_length_e, fov_x_from_fov_y
 from app.model.projection import (
     DEPTH_RANGES,
     Camera,
@@ -28,8 +27,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_e,
-    fov_x_from_fov_y,
 )
 from app.model.refusal import format_value
 from tests.support.commands import told_matrices

@@ -1,7 +1,5 @@
 """A file of one's own letters: what it changes, where it is used, and what is refused of it."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from itertools import pairwise

@@ -1,7 +1,5 @@
 """Equations are true as they are printed: what stands beside the sign of equality multiplies."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 from functools import reduce

@@ -1,7 +1,5 @@
 """The strip's matrices are exact at the stops, keep lines straight, and are always finite."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """Typed matrices: recognised as a lens or a camera, or described by their properties."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

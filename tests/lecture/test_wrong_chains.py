@@ -1,7 +1,5 @@
 """Wrong chains: each mistake is recognised by what it does, and none in a chain that is right."""
 
-from __future__ import annotations
-
 import random
 from dataclasses import replace
 from itertools import permutations
@@ -100,7 +98,7 @@ def test_no_right_chain_is_taken_for_a_wrong_one() -> None:
     """Orders of random chains with a second move: those are right whose product is the same."""
     rights = 0
     for name in KINDS:
-        for seed in range(4):
+        for seed in range(2):
             more = factors_of("translate 1,2,3", Projection(), "own")
             whole = (*instance(name, seed), *more)
             wanted = product(whole)
@@ -109,7 +107,7 @@ def test_no_right_chain_is_taken_for_a_wrong_one() -> None:
                 is_right = mistake(whole, order) is None
                 assert is_right == (away < 1e-9) or 1e-9 < away < 0.05
                 rights += is_right
-    assert rights > 60, rights
+    assert rights > 30, rights
 
 
 def product(chain: Factors) -> list[mp.mpf]:

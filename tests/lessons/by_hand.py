@@ -1,7 +1,5 @@
 """Products of vectors for the keys, in the digits of mpmath."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from mpmath import mpf, sqrt

@@ -5,8 +5,6 @@ in mpmath. A key is a file's stem, its step and block, and ``right``, the name o
 the list of wrong ideas in TEACHING, section 2), or a choice's number.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from mpmath import atan, cos, cot, degrees, mpf, radians, sin, tan

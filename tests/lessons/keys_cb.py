@@ -4,8 +4,6 @@ Each number is the lecture's formula with the numbers of its step written out; n
 the program.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from mpmath import atan, cot, degrees, mpf, radians, sqrt, tan

@@ -4,8 +4,6 @@ Each number is the lecture's formula with the numbers of its step written out, i
 is asked of the program. A wrong one is the rule of its idea (TEACHING, section 2).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from mpmath import atan, cot, degrees, mp, mpf, radians, sqrt, tan

@@ -4,8 +4,6 @@ Nothing of the program is used, and no formula of a lesson is copied: axes come 
 turns from matrix exponentials, cells from the conditions that they must fulfil, images from rays.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -4,8 +4,6 @@ Each is found by another way than the lesson's formula: by building and multiply
 the two points that fix a line, by going very far along it, by intersecting lines and rays.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 from mpmath import cos, hypot, lu_solve, matrix, mpf, nstr, radians, sin, tan
@@ -101,10 +99,7 @@ def _h_row(
         return x - (-sign * n - z) * slant(alpha)
 
     origin = sheared(0, 0, 0)
-    return (
-        *(sheared(*axis) - origin for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))),
-        origin,
-    )
+    return (*(sheared(*axis) - origin for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))), origin)
 
 
 def _tan(angle: mpf) -> mpf:

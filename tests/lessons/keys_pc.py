@@ -5,8 +5,6 @@ cutting a ray with a plane, by bisecting for a limit, in 40 digits. The numbers 
 exercise's ``vary`` lines. A wrong answer is the rule of its idea (TEACHING, section 2).
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

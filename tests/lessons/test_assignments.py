@@ -1,7 +1,5 @@
 """A state in words gives itself back; a step put into a file leaves all else as it was."""
 
-from __future__ import annotations
-
 import json
 import os
 import random

@@ -1,7 +1,5 @@
 """Answers that are a place in a picture: their format, and what counts as near."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The lessons and talks that come with the program: all of them right, every key reckoned anew."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator
@@ -245,8 +243,8 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
 def test_a_planted_mistake_is_found_with_file_and_line(
     tmp_path: Path, before: str, after: str, said: str
 ) -> None:
-    """Each in whichever of the lessons has the place for it."""
-    texts = (path.read_text(encoding="utf-8") for path in contained())
+    """Each in the shortest lesson that has the place for it."""
+    texts = sorted((path.read_text(encoding="utf-8") for path in contained()), key=len)
     text = next(text for text in texts if before in text and "```test" in text)
     complaints = checked(tmp_path / "wrong.md", text.replace(before, after, 1))
     assert any(said in each for each in complaints), complaints

@@ -1,7 +1,5 @@
 """A lesson over the model: the documents of its steps, and what is said to answers."""
 
-from __future__ import annotations
-
 import math
 import random
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Exercises: numbers drawn by a seed, and the question that they make."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from pathlib import Path
@@ -299,11 +297,7 @@ def test_a_number_has_any_letter_of_a_lecture() -> None:
         ("vary a:", "vary fov:", "varies fov twice"),
         ("{=720*a}", "{=720*b}", "unknown name, b; the nearest is fov, a"),
         ("lens.fov_y_deg={=fov}", "lens.fov_y_deg={=9*fov+1000}", "finds no numbers that suit"),
-        (
-            "20..100 step 5",
-            "20..30 step 10",
-            "has too few variants, about 10; it needs at",
-        ),
+        ("20..100 step 5", "20..30 step 10", "has too few variants, about 10; it needs at"),
         ("where: fov_x < 150", "where: fov_x", "must be a condition"),
         ("value: 2*atan(a*tan(fov/2))", "value: 2*atan(a*tan(fow/2))", "unknown name, fow"),
     ],

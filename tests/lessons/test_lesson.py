@@ -1,19 +1,17 @@
 """The file of a lesson: what is read, and what is refused, with its line."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+from app import languages
 from app.bootstrap import ROOT
 from app.lessons.checking import CheckReport
 from app.lessons.lesson import MOST_STEPS, Lesson, head_of, is_lesson, parse_lesson, read
 from app.lessons.text import formulas_in, markdown, spoken_tex, spoken_text
 from app.model.refusal import Refusal
-from app.strangers import LATIN_1
 
 TOP = "---\ntitle: T\n---\n"
 STEP = TOP + "# One {#one}\n"
@@ -312,7 +310,7 @@ def test_a_lesson_is_read_in_every_encoding(
     assert not caplog.messages
     path.write_bytes(text.replace("Žaba", "café").encode("latin-1"))
     assert read(path).title == head_of(path).title == "café"
-    assert caplog.messages == [f"{path} {LATIN_1}."]
+    assert caplog.messages == [f"{path} {languages.said('read-as-latin-1')}."]
     complaints: list[Refusal] = []
     assert read(path, complaints.append).title == "café"
     said = "is not UTF-8 text, some letters may be wrong: save the file in that encoding."

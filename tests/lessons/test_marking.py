@@ -1,7 +1,5 @@
 """A typed number: what is read, what counts as right."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from fractions import Fraction

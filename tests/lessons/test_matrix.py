@@ -1,7 +1,5 @@
 """Answers that are a matrix or a vector: their format, their marks cell by cell, their solution."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

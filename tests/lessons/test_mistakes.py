@@ -1,7 +1,5 @@
 """The mistakes that teachers make in a lesson's file: each is found, with its line."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The page of all names, which a command prints."""
 
-from __future__ import annotations
-
 from app.bootstrap import ROOT
 from tests.support.commands import run_here
 

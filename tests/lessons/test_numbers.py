@@ -3,8 +3,6 @@
 And texts that are too long for anybody to have written them, before they cost time.
 """
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

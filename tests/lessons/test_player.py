@@ -1,7 +1,5 @@
 """Lessons, tests, reviews and talks as they are played, without a window."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """The names of formulas: each against the model, mpmath or a number by hand."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """The record of a student's answers: its file, and what follows from it."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import os
@@ -11,15 +9,7 @@ from pathlib import Path
 import pytest
 
 from app.lessons import record
-from app.lessons.record import (
-    Attempt,
-    Record,
-    corrected,
-    due,
-    ideas_met,
-    minutes_each,
-    standings,
-)
+from app.lessons.record import Attempt, Record, corrected, due, ideas_met, minutes_each, standings
 from app.model.refusal import Refusal
 
 DAY_S = 86_400

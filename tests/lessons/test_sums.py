@@ -3,8 +3,6 @@
 ``640 \\cdot 1.1949 = 764.7`` is one. What has letters is reckoned in the keys.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Charts of measurements as data and as pictures, and names that do not overlap."""
 
-from __future__ import annotations
-
 import io
 import math
 import re

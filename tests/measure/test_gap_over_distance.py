@@ -1,7 +1,5 @@
 """The gap over the distance, against brute force over neighbouring depth codes."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """The measurements: their numbers against 80 digits, their predictions and their file."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math

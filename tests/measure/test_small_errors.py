@@ -1,7 +1,5 @@
 """The trades of drift and jitter: their errors, their bounds, and the scenes that they open."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Back from the picture, the trade: its numbers, its bounds, and what it uses."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

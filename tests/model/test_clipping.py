@@ -1,7 +1,5 @@
 """Clipping: what is left, by which plane, in exact rationals; and lecture 004's own way."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import product
@@ -20,14 +18,7 @@ from app.model.clipping import (
     cut_at_eye,
     naive_ndc,
 )
-from app.model.projection import (
-    DEPTH_RANGES,
-    PLANES,
-    Array,
-    Camera,
-    Perspective,
-    Projection,
-)
+from app.model.projection import DEPTH_RANGES, PLANES, Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from tests.support.lenses import LENSES
 from tests.support.samples import pairwise

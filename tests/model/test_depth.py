@@ -1,7 +1,5 @@
 """Depth buffers against an 80-digit oracle, their own definitions, and Reed's figures."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import FrozenInstanceError, replace
@@ -29,7 +27,6 @@ from tests.support.samples import pairwise
 IDENTITY: Cells = ((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
 EPS = float(np.finfo(np.float64).eps)
 FIXED = [name for name, kind in FORMATS.items() if kind.float_type is None]
-FLOATS = [name for name in FORMATS if name not in FIXED]
 
 # near, far: usual, absurdly near, infinite, far/near 1e12 and 1 + 1e-6, and the model's own limits
 RANGES = [
@@ -360,11 +357,7 @@ REED = np.linspace(0.1, 1e4, 10_001)
 
 
 @pytest.mark.parametrize(
-    ("name", "mapping", "percent"),
-    [
-        ("fixed24", "reversed", 75.8),
-        ("float32", "reversed", 0.0),
-    ],
+    ("name", "mapping", "percent"), [("fixed24", "reversed", 75.8), ("float32", "reversed", 0.0)]
 )
 def test_reeds_figures(name: str, mapping: str, percent: float) -> None:
     buffer = buffer_of(name, mapping, 0.1, 1e4)

@@ -1,7 +1,5 @@
 """The language of formulas: what it reads, what it refuses and where, what it says and is worth."""
 
-from __future__ import annotations
-
 import math
 import re
 from contextlib import suppress

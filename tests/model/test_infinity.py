@@ -1,7 +1,5 @@
 """Points at infinity: directions through every stage, held against 80 digits and the limit."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -5,8 +5,6 @@ matrix and its y proportion; 002's off-axis column has the wrong sign for its w'
 planes are turned into ours.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 
@@ -15,6 +13,12 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from app.model.lenses.perspective import (
+    focal_length_e,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+)
 from app.model.projection import (
     Array,
     Camera,
@@ -24,10 +28,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_e,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
 )
 from app.model.tables import NO_M_PP
 from tests.support.frustum import corners_world
@@ -246,12 +246,7 @@ def test_l9_001_m_pp_and_its_check_of_the_corner(lens: Lens) -> None:
     n, f = lens.near, lens.far
     c = -n / f
     m_pp = stages(Projection(SLANTED, lens))["canonical_parallel_from_canonical_perspective"]
-    lecture = [
-        [1, 0, 0, 0],
-        [0, 1, 0, 0],
-        [0, 0, 1 / (1 + c), -c / (1 + c)],
-        [0, 0, -1, 0],
-    ]
+    lecture = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1 / (1 + c), -c / (1 + c)], [0, 0, -1, 0]]
     np.testing.assert_allclose(m_pp, lecture, rtol=1e-13)
     times_extent = [[f - n, 0, 0, 0], [0, f - n, 0, 0], [0, 0, f, n], [0, 0, -(f - n), 0]]
     np.testing.assert_allclose((f - n) * m_pp, times_extent, rtol=1e-13)

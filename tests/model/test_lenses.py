@@ -4,8 +4,6 @@ The product is compared in letters, which is a proof for every lens there can be
 through `Projection`, which is how the tables are used.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from functools import reduce

@@ -1,7 +1,5 @@
 """The text of a matrix, as programs, debuggers and people write it."""
 
-from __future__ import annotations
-
 import json
 import time
 from typing import Any

@@ -1,7 +1,5 @@
 """Numbers as people type them and as the program prints them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

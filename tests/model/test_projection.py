@@ -1,7 +1,5 @@
 """The projection core: its meaning, its laws, independent oracles, and what it refuses."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable, Iterator
@@ -18,12 +16,19 @@ from hypothesis import strategies as st
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
+from app.model.lenses.perspective import (
+    focal_length_35mm,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+)
 from app.model.limits import OTHER_SIDE, SMALLEST
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
     LARGEST_IMAGE_PX,
-    OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
@@ -36,14 +41,7 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_35mm,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_35mm,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
     kinds,
-    oblique_angles,
-    receding_of,
 )
 from app.model.refusal import REFUSALS, Refusal, shown_limits, six_digits
 from tests.oracles import exact
@@ -458,11 +456,7 @@ def test_with_lens_always_gives_a_lens_that_works() -> None:
     assert same.with_lens("perspective") is same
 
 
-@given(
-    projections(wild=False),
-    st.sampled_from(sorted(ONE_OF_EACH)),
-    st.lists(PARTS, max_size=4),
-)
+@given(projections(wild=False), st.sampled_from(sorted(ONE_OF_EACH)), st.lists(PARTS, max_size=4))
 @QUICK
 def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
     projection: Projection, kind: str, parts: list

@@ -4,8 +4,6 @@ The inputs are the float64 numbers of a `Projection`, taken as exact. Nothing is
 accuracy: with 80 digits there is no need to.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import Any, NamedTuple
@@ -79,11 +77,7 @@ def dot(a: Numbers, b: Numbers) -> Any:
 
 
 def cross(a: Numbers, b: Numbers) -> Numbers:
-    return [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def unit(a: Numbers) -> Numbers:

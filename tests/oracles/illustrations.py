@@ -1,8 +1,6 @@
 """What every illustration must be, whatever the projection, and projections at the model's
 limits."""
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """From a pixel and its depth to the world at 80 digits: the ray through it, at its distance."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any
 

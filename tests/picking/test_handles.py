@@ -1,7 +1,5 @@
 """Dragging a handle changes the model so that the handle follows the pointer."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

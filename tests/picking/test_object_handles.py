@@ -1,7 +1,5 @@
 """L2: dragging the object in the world pane changes its transform."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 
@@ -10,15 +8,7 @@ import pytest
 
 from app.model.chain import Chain, FiveTiles, Tile
 from app.model.projection import Camera, Projection
-from app.picking.handles import (
-    OBJECT_POINTS,
-    Handle,
-    changed,
-    object_points,
-    place,
-    present,
-    shown,
-)
+from app.picking.handles import OBJECT_POINTS, Handle, changed, object_points, place, present, shown
 from app.picking.sight import Sight
 from tests.picking.test_handles import SIZE, looks, planes
 from tests.support.handles import dragged

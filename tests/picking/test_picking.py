@@ -1,7 +1,5 @@
 """Picking agrees with a ray tracer in world space, without homogeneous coordinates."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from dataclasses import replace
@@ -234,7 +232,7 @@ def test_the_place_of_a_line_nearest_to_a_click_agrees_with_the_model(lens: Lens
     """Click beside lines through the whole scene, many of which also run behind the eye."""
     random = np.random.default_rng(5)
     size, ends, between = 20.0, 0, 0
-    for number in range(160):
+    for number in range(80):
         camera = Camera(tuple(random.normal(0.0, 6.0, 3)), tuple(random.normal(0.0, 1.0, 3)))
         projection = Projection(camera, lens, (1280, 720))
         line = random.normal(0.0, size / 4.0, (2, 3))
@@ -261,7 +259,7 @@ def test_the_place_of_a_line_nearest_to_a_click_agrees_with_the_model(lens: Lens
         image = projection.trace(hit.point).image
         assert math.dist(image, projection.trace(expected).image) <= 1e-3
         assert math.dist(hit.point, expected) <= 1e-5 * size
-    assert between >= 40 and ends >= 1, (between, ends)
+    assert between >= 20 and ends >= 1, (between, ends)
 
 
 @pytest.mark.parametrize("lens", ALL_LENSES.values(), ids=ALL_LENSES)
@@ -270,7 +268,7 @@ def test_the_grid_is_picked_where_no_face_is_in_front(lens: Lens) -> None:
     triangles, lines = triangles_of(scene), lines_of(scene)
     grid = lines[(lines[:, :, 1] == 0.0).all(axis=1)]
     random = np.random.default_rng(6)
-    around = [(0.0, 0.0)] + [(7 * math.cos(a), 7 * math.sin(a)) for a in np.arange(0.0, 6.2, 0.5)]
+    around = [(0.0, 0.0)] + [(7 * math.cos(a), 7 * math.sin(a)) for a in np.arange(0.0, 6.2, 1.0)]
     clear = hidden = 0
     for _ in range(200):
         if clear >= 12 and hidden >= 2:

@@ -1,7 +1,5 @@
 """Cheap arithmetic against 700 digits, the program's own float32, and points done by hand."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from fractions import Fraction

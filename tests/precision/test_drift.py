@@ -1,7 +1,5 @@
 """The drift of a turned camera, against products in rationals and sines in 80 digits."""
 
-from __future__ import annotations
-
 import random
 from concurrent.futures import ThreadPoolExecutor
 from fractions import Fraction
@@ -12,15 +10,7 @@ import numpy as np
 import pytest
 
 from app.model.projection import Array, Orthographic, Projection
-from app.precision.drift import (
-    AXIS,
-    BLOCK,
-    drifted,
-    errors_px,
-    exact_turn,
-    orthonormal,
-    rounds_of,
-)
+from app.precision.drift import AXIS, BLOCK, drifted, errors_px, exact_turn, orthonormal, rounds_of
 from app.scenes.scene import load
 from tests.fuzz.drift import unit_axis
 from tests.oracles.exact import Exact, mp

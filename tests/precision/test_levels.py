@@ -1,7 +1,5 @@
 """The arithmetic precisions against an oracle of hundreds of digits, and their predicted errors."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from collections.abc import Callable, Iterator
@@ -18,7 +16,7 @@ from app.arithmetic import double_double as dd
 from app.model.chain import FiveTiles
 from app.model.eye_first import EyeFirst
 from app.model.infinity import trace_at_infinity
-from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
+from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW, DepthRange
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
@@ -26,7 +24,6 @@ from app.model.projection import (
     PLANES,
     Array,
     Camera,
-    DepthRange,
     FreeMatrix,
     Frustum,
     Lens,
@@ -768,7 +765,7 @@ def test_predictions_of_scattered_points_are_as_tight_as_the_readme_says(
     count: int, most: float
 ) -> None:
     rng, ratios = np.random.default_rng(32), []
-    starts = [load(name).start for name in BUILT_IN] * 2
+    starts = [load(name).start for name in BUILT_IN]
     for start in (start.with_depth(depth) for start in starts for depth in DEPTH_RANGES):
         lens = start.lens.replaced(near=1.01 * start.lens.near)
         projection = replace(start, lens=lens)
@@ -917,10 +914,7 @@ def test_no_point_of_an_edge_is_drawn_worse_than_the_bound_of_its_boxes(name: st
     random = np.random.default_rng(17)
     triangles = scene.surface.triangulate()
     sides = triangles.regular_faces[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
-    edges = (
-        triangles.points[sides],
-        scene.lines.points.reshape(-1, 2, 3),
-    )
+    edges = (triangles.points[sides], scene.lines.points.reshape(-1, 2, 3))
     kinds, crossing, boxed = 0, 0, 0
     for _ in range(40):
         lower, upper = np.array(scene.lower), np.array(scene.upper)

@@ -1,7 +1,5 @@
 """Chosen quality in the document and in the panes, and quality that gives way while one drags."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -621,9 +619,7 @@ def test_a_view_that_is_turned_is_drawn_in_time_and_restored_after_it(
     assert window.panes["world"].requested["smoothing"] != "none"
 
 
-def test_antialiasing_is_dropped_first(
-    make_window: MakeWindow,
-) -> None:
+def test_antialiasing_is_dropped_first(make_window: MakeWindow) -> None:
     window = make_window(software_rendering=False)
     settle()
     window.store.begin_gesture()

@@ -1,7 +1,5 @@
 """The health line: silent in everyday cameras, and naming each risk with its figure."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import product

@@ -1,7 +1,5 @@
 """Back from the picture: every way against 80 digits, its bound, and numpy's own float32."""
 
-from __future__ import annotations
-
 import itertools
 import random
 from dataclasses import replace

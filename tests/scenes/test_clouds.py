@@ -1,7 +1,5 @@
 """Points and lines of a file are a scene, with faces or without."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -54,8 +52,7 @@ def test_a_binary_cloud_keeps_its_colours_and_nothing_else_of_a_row(
     order: str, tmp_path: Path
 ) -> None:
     rows = np.zeros(
-        4,
-        [("place", f"{order}f8", 3), ("normal", f"{order}f4", 3), ("rgb", "u1", 3), ("a", "u1")],
+        4, [("place", f"{order}f8", 3), ("normal", f"{order}f4", 3), ("rgb", "u1", 3), ("a", "u1")]
     )
     rows["place"] = 1e7 + np.arange(12.0).reshape(4, 3) / 8.0
     rows["rgb"] = np.arange(12).reshape(4, 3) * 20

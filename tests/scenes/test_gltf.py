@@ -1,7 +1,5 @@
 """Files by the glTF 2.0 specification, written here byte by byte, have the right shape."""
 
-from __future__ import annotations
-
 import json
 import math
 import time

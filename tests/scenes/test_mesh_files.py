@@ -1,7 +1,5 @@
 """Mesh files: what is read from each format, and what is refused before it does harm."""
 
-from __future__ import annotations
-
 import json
 import math
 import os

@@ -1,7 +1,5 @@
 """Bent by an affine z: the closed form against a search along the bow, in 30 digits."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

@@ -1,7 +1,5 @@
 """Camera obscura: h' against h, d and z by hand, both films' signs, and what has no picture."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mpmath as mp

@@ -1,7 +1,5 @@
 """Cheap arithmetic: what is drawn and read, against vertices done by hand in 40 digits."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

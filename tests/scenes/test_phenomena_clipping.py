@@ -1,7 +1,5 @@
 """Clipping: corners by hand, six steps against the clipper, parts that make up the whole."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

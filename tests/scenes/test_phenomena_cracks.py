@@ -1,7 +1,5 @@
 """Cracks: gaps and their bound against rationals, and a common grid that closes them."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The depth buffer's readings, against rays that are cut with the ramp in world space."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Callable
@@ -245,10 +243,7 @@ def test_the_explanations_figures_are_the_readings() -> None:
     """Near decides, far hardly; only the control that decides is offered."""
     start = PHENOMENON.start
     ((near, far),) = re.findall(r"near (\S+), \d+ % with far (\d+)", PHENOMENON.words.explanation)
-    nearer, farther = (
-        start.lens.replaced(near=float(near)),
-        start.lens.replaced(far=float(far)),
-    )
+    nearer, farther = (start.lens.replaced(near=float(near)), start.lens.replaced(far=float(far)))
     seen = start, replace(start, lens=nearer), replace(start, lens=farther)
     # The same pixels all three times: neither plane takes any of the ramp away.
     counts = {len(distances(projection, 0.25, SUBJECT)[0]) for projection in seen}

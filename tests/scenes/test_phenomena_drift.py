@@ -1,7 +1,5 @@
 """Drift: what is drawn and read, against turns in rationals and pixels done by hand."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

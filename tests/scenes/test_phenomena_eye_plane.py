@@ -1,7 +1,5 @@
 """Crossing the eye plane: each readout against lecture 004's formula in 80 digits."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from functools import cache

@@ -1,7 +1,5 @@
 """Field of view: the readout against tangents taken with 80 digits, and what the ride holds."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Interpolation's readings, against maxima that are searched for."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise

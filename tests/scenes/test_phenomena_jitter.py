@@ -1,7 +1,5 @@
 """Jitter: paths of vertices far from the origin, against rationals and pixels done by hand."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace
@@ -13,13 +11,7 @@ import pytest
 
 from app.model.projection import Camera, Perspective
 from app.model.refusal import Refusal
-from app.scenes.phenomena.jitter import (
-    FRAMES,
-    PHENOMENON,
-    STEP,
-    differences,
-    paths_of,
-)
+from app.scenes.phenomena.jitter import FRAMES, PHENOMENON, STEP, differences, paths_of
 from tests.fuzz.jitter import ratios_of
 from tests.oracles.illustrations import reading, showing, subject_of, value
 from tests.precision.test_drift import nearest

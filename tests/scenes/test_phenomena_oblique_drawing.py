@@ -1,7 +1,5 @@
 """Oblique drawing: scale and angle as drawn, against the projectors' slant (lecture 002)."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Off-axis window: the two halves join, and the window stays in the world."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

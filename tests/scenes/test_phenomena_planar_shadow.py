@@ -1,7 +1,5 @@
 """Planar shadow: the matrix against rays in 40 digits, and what the rasteriser makes of its w."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

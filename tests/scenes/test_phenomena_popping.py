@@ -1,7 +1,5 @@
 """Popping's readings, against a drive that counts."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

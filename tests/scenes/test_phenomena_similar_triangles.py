@@ -1,7 +1,5 @@
 """Similar triangles: x_p, y_p, scale and sign against the formula, and what cannot be cut."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

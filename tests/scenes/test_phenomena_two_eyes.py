@@ -1,7 +1,5 @@
 """Two eyes: parallax against 80 digits and VTK's stereo camera, and the screen plane."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace
@@ -16,14 +14,7 @@ from app.model.refusal import Refusal
 from app.scenes.phenomena.picture import section
 from app.scenes.phenomena.two_eyes import PHENOMENON, eyes_of
 from tests.oracles.exact import Exact, mp
-from tests.oracles.illustrations import (
-    random_projection,
-    reading,
-    showing,
-    subject_of,
-    value,
-    why,
-)
+from tests.oracles.illustrations import random_projection, reading, showing, subject_of, value, why
 
 START = PHENOMENON.start
 SUBJECT = subject_of(PHENOMENON)

@@ -1,7 +1,5 @@
 """Back from the picture: what is drawn and read, against 80 digits, and what has no point."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Vanishing points: against the limit of far points with 80 digits, and what is at infinity."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

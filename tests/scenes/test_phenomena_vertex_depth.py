@@ -3,8 +3,6 @@
 The rule: NDC z is interpolated linearly on the screen, whatever it means.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import mpmath
@@ -14,12 +12,7 @@ import pytest
 from app.measure.vertex_depth import PIECES, measure
 from app.model.projection import Array, Camera, Projection
 from app.model.refusal import Refusal
-from app.scenes.fewer_triangles import (
-    LEAST_TRIANGLES,
-    can_be_reduced,
-    reduced,
-    shares_for_dragging,
-)
+from app.scenes.fewer_triangles import LEAST_TRIANGLES, can_be_reduced, reduced, shares_for_dragging
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.vertex_depth import MOST_PIECES, PHENOMENON, borders, largest_factor
 from app.scenes.scene import load

@@ -1,7 +1,5 @@
 """View volumes: against sections summed with 80 digits, and test points against half-spaces."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

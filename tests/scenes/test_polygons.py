@@ -1,7 +1,5 @@
 """Polygons in triangles: their area and place are those of the shoelace formula, in any plane."""
 
-from __future__ import annotations
-
 import subprocess
 import time
 from pathlib import Path
@@ -107,6 +105,7 @@ OUTLINES: dict[str, tuple[list[list[float]], float]] = {
     "spike": ([*SQUARE[:2], [7, 1], [4, 0], *SQUARE[2:], [0, 2]], 16.0),
     "edges there and back only": ([[0, 0], [4, 0], [0, 0], [0, 3], [0, 0], [2, 2]], 0.0),
     "crossing": ([[0, 0], [4, 4], [4, 0], [0, 4], [-1, 2]], 10.0),
+    "bow tie": ([[0, 0], [4, 4], [4, 0], [0, 4]], 16.0),
     "line": ([[0, 0], [1, 1], [3, 3], [2, 2], [0.5, 0.5]], 0.0),
     "L that is a fan of its second corner": (
         [[4, 2], [2, 2], [2, 4], [0, 4], [0, 0], [4, 0]], 12.0,

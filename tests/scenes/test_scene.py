@@ -1,7 +1,5 @@
 """Scenes: the built-in ones, the user's mesh in a phenomenon, names, and first cameras."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import product
@@ -19,12 +17,7 @@ from app.scenes import finishing
 from app.scenes.first_camera import frame_camera
 from app.scenes.own_mesh import SUBJECT_TRIANGLES
 from app.scenes.phenomena import PHENOMENA
-from app.scenes.scene import (
-    BUILT_IN,
-    ENDINGS,
-    SUBJECT_SAMPLE,
-    load,
-)
+from app.scenes.scene import BUILT_IN, ENDINGS, SUBJECT_SAMPLE, load
 from app.scenes.shapes import distinct_rows
 from tests.support.meshes import (
     FAR,

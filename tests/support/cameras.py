@@ -1,7 +1,5 @@
 """Random cameras and lenses."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 

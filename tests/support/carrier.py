@@ -1,7 +1,5 @@
 """A PNG picture that carries a document, made without the program."""
 
-from __future__ import annotations
-
 import io
 
 from PIL import Image, PngImagePlugin

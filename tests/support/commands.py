@@ -1,7 +1,5 @@
 """The command line as a user types it: in a process of its own, or quicker in this one."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import os

@@ -1,7 +1,5 @@
 """Helpers for tests of the dock: actions of a user, and a record of its signals."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

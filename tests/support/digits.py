@@ -1,7 +1,5 @@
 """Numbers as they are read, and the switch that shows all of their digits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 

@@ -1,7 +1,5 @@
 """Drawings without a window, and what is on their pictures."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager

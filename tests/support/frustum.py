@@ -1,7 +1,5 @@
 """The frustum's corners, which is what the NDC cube's are in the world."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

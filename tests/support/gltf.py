@@ -1,7 +1,5 @@
 """glTF files written by hand, number by number."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

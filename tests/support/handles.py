@@ -1,7 +1,5 @@
 """Drags of handles by their grips."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from app.model.projection import Projection

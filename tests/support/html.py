@@ -1,7 +1,5 @@
 """HTML files as a browser takes them apart."""
 
-from __future__ import annotations
-
 from html.parser import HTMLParser
 
 VOID = {"meta", "input"}

@@ -1,18 +1,9 @@
 """The keys with Alt that a window has, and which of them mean two things at once."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from PySide6.QtGui import QAction, QKeySequence
-from PySide6.QtWidgets import (
-    QAbstractButton,
-    QDialogButtonBox,
-    QLabel,
-    QMenuBar,
-    QTabBar,
-    QWidget,
-)
+from PySide6.QtWidgets import QAbstractButton, QDialogButtonBox, QLabel, QMenuBar, QTabBar, QWidget
 
 GNOME = {"Cancel": "&Cancel", "Close": "&Close", "OK": "&OK", "Save": "&Save"}
 """What Qt writes on its own buttons on a desktop of GNOME; elsewhere they have no letter."""

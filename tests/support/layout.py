@@ -1,7 +1,5 @@
 """What the layout of a window says of its texts: which are cut, and which lie on each other."""
 
-from __future__ import annotations
-
 import itertools
 
 from PySide6.QtCore import QRect, QSize, Qt

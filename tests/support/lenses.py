@@ -1,7 +1,5 @@
 """Sample lenses and cameras, the same for every room: no test has a list of lenses of its own."""
 
-from __future__ import annotations
-
 import dataclasses
 import math
 from collections.abc import Iterable

@@ -1,7 +1,5 @@
 """The letter F from a camera of the tests' own, whatever the scene opens with."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from app.model.projection import Camera, Perspective, Projection

@@ -1,7 +1,5 @@
 """What lupdate will find in a source: the texts marked for translation where they stand."""
 
-from __future__ import annotations
-
 import ast
 from pathlib import Path
 from types import ModuleType

@@ -1,7 +1,5 @@
 """Mesh files written by hand, and the faces and lines of a scene in world coordinates."""
 
-from __future__ import annotations
-
 import base64
 import json
 import struct

@@ -1,7 +1,5 @@
 """A lesson with a block of every kind, and the mistakes that teachers make in one."""
 
-from __future__ import annotations
-
 LESSON = """---
 title: Mistakes
 topic: L3

@@ -4,8 +4,6 @@ Spoken in X's own protocol, of which five requests are enough: no system has a p
 everywhere, and Qt knows monitors only.
 """
 
-from __future__ import annotations
-
 import socket
 import struct
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A notebook that runs here, cell by cell, as Jupyter does it."""
 
-from __future__ import annotations
-
 import ast
 import json
 from typing import Any

@@ -1,7 +1,5 @@
 """Windows for tests: opened with all panes drawn, and closed without a trace."""
 
-from __future__ import annotations
-
 import gc
 import weakref
 from typing import Any

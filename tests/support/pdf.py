@@ -1,7 +1,5 @@
 """What is on the pages of a PDF file that Qt has written."""
 
-from __future__ import annotations
-
 import re
 import zlib
 

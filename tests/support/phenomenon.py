@@ -1,7 +1,5 @@
 """A phenomenon with a setting of every kind, for tests of what shows any of them."""
 
-from __future__ import annotations
-
 import sys
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """What printed equations say: their TeX is read and computed by nothing of the program."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from typing import Any

@@ -1,16 +1,8 @@
 """What a measurement may bring."""
 
-from __future__ import annotations
-
 import math
 
-from app.measure.results import (
-    ChartPoint,
-    ErrorCurve,
-    Measurements,
-    Sweep,
-    Trade,
-)
+from app.measure.results import ChartPoint, ErrorCurve, Measurements, Sweep, Trade
 
 
 def choice(name: str, cost: float | None, error: float | None, note: str = "") -> ChartPoint:

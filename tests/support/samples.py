@@ -1,7 +1,5 @@
 """Samples that find what a full product would."""
 
-from __future__ import annotations
-
 import itertools
 from collections.abc import Iterable, Mapping
 from typing import Any, TypeVar

@@ -1,7 +1,5 @@
 """Telling a widget of a change, as the window does."""
 
-from __future__ import annotations
-
 from functools import cache
 
 from app.document.document import Document

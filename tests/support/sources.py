@@ -1,7 +1,5 @@
 """What tests of the house read: Python sources as trees, each parsed once for all of them."""
 
-from __future__ import annotations
-
 import ast
 import functools
 

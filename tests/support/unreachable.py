@@ -1,7 +1,5 @@
 """Files that the system refuses to look for, also for root."""
 
-from __future__ import annotations
-
 import errno
 import os
 from pathlib import Path

@@ -1,7 +1,5 @@
 """A window under test: what is done to it, and what reaches its screen."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """The window for a screen reader, and the keyboard's way through it."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import replace

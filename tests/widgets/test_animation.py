@@ -1,7 +1,5 @@
 """The walk round the scene: as a function of time, and as it is played."""
 
-from __future__ import annotations
-
 import math
 import threading
 from collections.abc import Iterator
@@ -364,18 +362,6 @@ def test_looking_level_remembers_what_to_look_at(bar: AnimationBar, record: Reco
     bar.play()
     bar.advance(1.0)
     assert record.cameras[-1].target == (0.0, 2.0, 0.0)
-
-
-def test_undo_of_a_level_walk_brings_the_aim_back(bar: AnimationBar, record: Record) -> None:
-    choose(bar.look, "level")
-    bar.play()
-    bar.advance(1.0)
-    bar.pause()
-    bar.show_camera(START)
-    choose(bar.look, "target")
-    bar.play()
-    bar.advance(1.0)
-    assert record.cameras[-1].target == START.target
 
 
 def test_an_impossible_walk_stops_and_says_why(bar: AnimationBar, record: Record) -> None:

@@ -1,7 +1,5 @@
 """What a lecturer prepares comes back as it was; what is seen is what a figure shows."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from pathlib import Path
@@ -30,15 +28,7 @@ from app.model.projection import Camera
 from app.picking.picking import Probe
 from app.scenes.scene import load
 from tests.support.drawings import figure_of
-from tests.support.window import (
-    MakeWindow,
-    click,
-    counted_repaints,
-    edit,
-    pixels,
-    settle,
-    turn,
-)
+from tests.support.window import MakeWindow, click, counted_repaints, edit, pixels, settle, turn
 from widgets.parts.icons import Combo
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
@@ -149,9 +139,7 @@ def test_a_window_opens_as_its_document_says(make_window: MakeWindow, prepared: 
     assert not window.store.modified and not window.store.can_undo
 
 
-def test_a_view_is_changed_by_what_shows_it_and_nothing_else_is_painted(
-    window: MainWindow,
-) -> None:
+def test_a_view_is_changed_by_what_shows_it_and_nothing_else_is_painted(window: MainWindow) -> None:
     turn(window, "world")
     click(window.strip.stops[1])
     told = []
@@ -398,9 +386,7 @@ def test_everything_is_named_and_again_only_what_the_scene_is_about(
 
 
 @pytest.mark.undrawn
-def test_a_switch_back_from_everything_finds_the_names_that_were_chosen(
-    window: MainWindow,
-) -> None:
+def test_a_switch_back_from_everything_finds_the_names_that_were_chosen(window: MainWindow) -> None:
     window.arrangement.show(replace(View(), names=("near", "u")))
     window.menus.name_everything.trigger()
     window.menus.name_everything.trigger()

@@ -1,7 +1,5 @@
 """What the world pane cuts when the window comes to rest is what the checks of pictures say."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Both kinds of canvas show the same pictures with the same input and as many repaints."""
 
-from __future__ import annotations
-
 import math
 import os
 import subprocess
@@ -119,23 +117,6 @@ def test_both_draw_finer_and_coarser_pictures_of_the_same_things(
     )
     assert first.shape == second.shape
     assert (np.abs(first - second).max(axis=2) > 16).mean() < 0.01
-
-
-def test_a_change_is_one_repaint_of_each_pane_and_none_of_a_hidden_one(opened: Opened) -> None:
-    window = opened()
-    window.settings.reduce_motion = True  # a label that fades draws frames of its own
-    with counted_repaints(window) as counts:
-        window.store.set_projection(seen(window, lens=Perspective(50.0, 1.0, 30.0)))
-        settle()
-        assert counts == {"world": 1, "ndc": 1, "image": 1}
-        settle()
-        assert counts == {"world": 1, "ndc": 1, "image": 1}
-        window.panes["ndc"].hide()
-        settle()
-        before = dict(counts)
-        window.store.set_projection(seen(window, lens=Perspective(51.0, 1.0, 30.0)))
-        settle()
-    assert counts["ndc"] == before["ndc"]
 
 
 def test_all_pictures_of_a_step_are_begun_before_one_is_read(

@@ -1,7 +1,5 @@
 """Comparing a held picture with the live one, and the lectures' own comparisons."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -102,9 +100,7 @@ def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     assert "lens perspective → orthographic" in words(window)
 
 
-def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(
-    window: MainWindow,
-) -> None:
+def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(window: MainWindow) -> None:
     compare = hold(window)
     change(window, near=5.0)
     drawn: list[str] = []
@@ -264,9 +260,7 @@ def test_a_window_opens_with_what_is_compared(make_window: MakeWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_an_impossible_picture_is_replaced_by_its_reason(
-    window: MainWindow,
-) -> None:
+def test_an_impossible_picture_is_replaced_by_its_reason(window: MainWindow) -> None:
     compare = hold(window)
     compare.show((ComparedPicture("near 6", ("lens.near=6",)), ComparedPicture(live=True)), ())
     compare.refresh()
@@ -442,16 +436,3 @@ def test_a_ready_comparison_ends_with_the_picture_from_before(window: MainWindow
         compared = window.store.document
         window.comparing.end()
         assert window.store.document == (before if goes_back else compared)
-
-
-@pytest.mark.undrawn
-def test_l18_what_is_compared_follows_the_camera(window: MainWindow) -> None:
-    show_scene(window, "interpolation")
-    click(window.controls.card.comparisons[0])
-    window.store.set_projection(
-        seen(window, camera=replace(window.store.document.projection.camera, eye=(4.0, 3.0, 9.0)))
-    )
-    settle()
-    (other,) = window.comparing.pictures.others
-    assert other.shown.projection == window.store.document.projection
-    assert other.shown.document.settings["interpolation"] == "correct"

@@ -1,7 +1,5 @@
 """The dock with real widgets: edits of the user go out, values of the model come in."""
 
-from __future__ import annotations
-
 import itertools
 import math
 import re
@@ -36,10 +34,11 @@ from PySide6.QtWidgets import (
 from app.document.document import IMAGE, Document, lens_fields
 from app.document.settings import set_values
 from app.model.chain import FiveTiles
+from app.model.lenses.oblique import OBLIQUE_PRESETS
+from app.model.lenses.perspective import fov_x_from_fov_y
 from app.model.projection import (
     LARGEST,
     LENSES,
-    OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
     Lens,
@@ -48,7 +47,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    fov_x_from_fov_y,
 )
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes import scene
@@ -72,12 +70,11 @@ from tests.support.controls import (
     press,
     release,
 )
-from tests.support.drawings import figure_of
 from tests.support.layout import cut
 from tests.support.shown import show
 from widgets.controls.controls import Controls
 from widgets.parts import messages
-from widgets.parts.messages import all_digits, sentence
+from widgets.parts.messages import all_digits
 from widgets.parts.number_rows import QUIET_MS, NumberRow
 from widgets.parts.number_text import parse_number, short_text
 from widgets.parts.scales import Doubling, Linear, Log
@@ -132,10 +129,6 @@ def box(**fields: Any) -> Projection:
 
 def slanted(**fields: Any) -> Projection:
     return replace(SLANTED, lens=replace(SLANTED.lens, **fields))
-
-
-def placed(**fields: Any) -> Projection:
-    return replace(START, placement=FiveTiles(**fields).chain)
 
 
 def seen_from(*camera: tuple[float, float, float]) -> Projection:
@@ -381,16 +374,6 @@ def test_every_slider_goes_to_its_ends(controls: Column, reader: Reader) -> None
             assert row.slider.value() == row.scale.position_of(row.value()), key
 
 
-def test_a_drag_is_one_gesture(controls: Column, record: Record) -> None:
-    row = number(controls, "fov_y_deg")
-    press(row.slider)
-    for value in (51.0, 56.0, 61.0):
-        drag(row.slider, row.scale.position_of(value))
-    release(row.slider)
-    assert record.events == ["start", "edit", "edit", "edit", "finish"]
-    assert [edit.lens.fov_y_deg for edit in record.edits] == [51.0, 56.0, 61.0]
-
-
 def within(row: NumberRow, low: float, high: float) -> list[float]:
     """The values of a slider between two others, both excluded."""
     scale = row.scale
@@ -418,6 +401,8 @@ def test_a_drag_goes_to_the_limit_however_fast_it_is(controls: Column) -> None:
         assert row.value() == getattr(record.edits[-1].lens, key) == last
         ends = messages.number_text(row.scale.value_at(row.slider.sliderPosition()))
         assert row.error.startswith(f"Not possible. {row.name} = {ends}: must be")
+        show(controls, replace(controls.projection, depth="reversed"))
+        assert row.error, "another part of the projection has changed"
         count = len(record.edits)
         drag(row.slider, end + (1 if end == 0 else -1))
         assert len(record.edits) == count and row.value() == last and row.error
@@ -426,15 +411,6 @@ def test_a_drag_goes_to_the_limit_however_fast_it_is(controls: Column) -> None:
         assert row.slider.value() == row.scale.position_of(last)
         assert record.events[0] == "start" and record.events[-1] == "finish"
         assert record.events.count("start") == 1
-
-
-def test_a_burst_of_keys_is_one_gesture(controls: Column, record: Record, qtbot: Any) -> None:
-    row = number(controls, "azimuth_deg")
-    row.slider.setFocus()
-    with qtbot.waitSignal(controls.gesture_finished):
-        for _ in range(3):
-            QTest.keyClick(row.slider, KEY.Key_Right)
-    assert record.events == ["start", "edit", "edit", "edit", "finish"]
 
 
 def test_a_drag_that_follows_a_burst_is_one_gesture_with_it(
@@ -599,32 +575,6 @@ def test_a_box_has_even_sliders_and_no_infinity(controls: Column) -> None:
     row.slider.setFocus()
     QTest.keyClick(row.slider, KEY.Key_End)
     assert record.edits[-1].lens.far == 45.0
-
-
-def test_an_impossible_place_of_the_slider_is_explained_and_left_on_release(
-    controls: Column,
-) -> None:
-    show(controls, CLOSE)
-    record = Record(controls)
-    row = number(controls, "near")
-    start, last = row.slider.value(), within(row, 3.5, 5.0)[-1]
-    press(row.slider)
-    drag(row.slider, row.scale.position_of(4.0))
-    drag(row.slider, row.scale.position_of(12.0))
-    held = row.slider.value()
-    assert "Near = 12: must be less than far, which is 5." in row.error
-    assert held == row.scale.position_of(12.0) and row.field.text() == "12"
-    show(controls, replace(controls.projection, camera=Camera((1.0, 2.0, 3.0))))
-    assert row.error, "another part of the projection has moved"
-    drag(row.slider, row.scale.position_of(2.0))
-    assert not row.error
-    drag(row.slider, row.slider.maximum())
-    kept = record.edits[-1].lens.near
-    assert controls.projection.lens.near == row.value() == kept == last
-    release(row.slider)
-    assert start < row.slider.value() == row.scale.position_of(kept) < held
-    assert row.field.text() == short_text(last, None, 4) and not row.error
-    assert record.events[0] == "start" and record.events[-1] == "finish"
 
 
 def test_a_refused_key_is_explained_until_the_next_change_of_any_kind(controls: Column) -> None:
@@ -954,17 +904,6 @@ def test_leaving_the_field_takes_what_was_typed(controls: Column, record: Record
     assert record.edits[0].lens.near == 2.0
 
 
-def test_a_text_being_typed_survives_the_animation(controls: Column) -> None:
-    row = number(controls, "azimuth_deg")
-    row.field.setFocus()
-    row.field.selectAll()
-    QTest.keyClicks(row.field, "12")
-    show(controls, replace(START, camera=Camera((1.0, 2.0, 3.0))))
-    assert row.field.text() == "12"
-    QTest.keyClick(row.field, KEY.Key_Escape)
-    assert row.field.text() == short_text(row.value(), row.field.below, 4)
-
-
 LONG = 14.51302281719
 
 
@@ -1027,6 +966,8 @@ def test_entering_a_field_by_the_keyboard_shows_the_start_of_the_number(controls
     assert row.field.selectedText() == row.field.text() == "18.43"  # atan(1/3)
     QTest.keyClicks(row.field, "7")
     assert row.field.text() == "7"
+    QTest.keyClick(row.field, KEY.Key_Escape)
+    assert row.field.text() == short_text(row.value(), row.field.below, 4)
 
 
 def test_undo_in_a_field_without_own_history_is_the_windows(controls: Column) -> None:
@@ -1449,57 +1390,6 @@ def test_the_scroll_bar_shifts_nothing(controls: Column) -> None:
     controls.resize(340, 1600)
     QApplication.processEvents()
     assert not bar.isVisible() and row.slider.geometry() == before[0]
-
-
-# -- sentences
-
-
-def test_sentences_are_translated_before_they_are_filled_in(qapp: QApplication) -> None:
-    from PySide6.QtCore import QTranslator
-
-    class Croatian(QTranslator):
-        words = {  # noqa: RUF012
-            "Near": "Bliža ravnina",
-            "must be less than far, which is {0}": "mora biti manja od dalje, koja je {0}",
-            REFUSALS["mesh-empty"]: "{0}: datoteka je prazna.",
-            REFUSALS["nearly-a-scene"]: "Nema scene „{0}”, možda „{3}”? Ima {1} i {2}.",
-            REFUSALS["scaled-width"]: "širina = {0} puta {3}: mora biti od {1} do {2} piksela.",
-        }
-
-        def translate(self, context: str, text: str, *_rest: object) -> str:
-            return self.words.get(text, "")
-
-        def isEmpty(self) -> bool:
-            return False
-
-    translator = Croatian()
-    qapp.installTranslator(translator)
-    try:
-        with pytest.raises(Refusal) as caught:
-            Perspective(45.0, 3.0, 2.5)
-        assert sentence(caught.value) == "Bliža ravnina = 3: mora biti manja od dalje, koja je 2.5."
-        with pytest.raises(Refusal) as unknown:
-            scene.load("kube")
-        *others, last = scene.BUILT_IN
-        said = f"Nema scene „kube”, možda „cube”? Ima {', '.join(others)} i {last}."
-        assert sentence(unknown.value) == said
-        assert (
-            sentence(Refusal.saying(REFUSALS["mesh-empty"], "{1}.obj"))
-            == "{1}.obj: datoteka je prazna."
-        )
-        cube = scene.load("cube")
-        with pytest.raises(Refusal) as large:
-            figure_of(cube, cube.start, size=(9000, 600), scale=2.0).pixels()
-        said = "širina = 9000 puta 2: mora biti od 96 do 16384 piksela."
-        assert sentence(large.value) == said
-    finally:
-        qapp.removeTranslator(translator)
-    assert sentence(caught.value) == "Near = 3: must be less than far, which is 2.5."
-    said = f"There is no scene “kube”, only {', '.join(others)} or {last}; did you mean “cube”?"
-    assert sentence(unknown.value) == str(unknown.value) == said
-    said = "width = 9000 times scale 2: must be from 96 to 16384 pixels."
-    assert sentence(large.value) == str(large.value) == said
-    assert sentence(OSError("no space")) == "no space"
 
 
 # -- the controls that matter for a scene

@@ -1,7 +1,5 @@
 """Counting the pixels of a phenomenon's picture after a gesture, in the real window."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Any
 

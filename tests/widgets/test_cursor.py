@@ -1,7 +1,5 @@
 """The keyboard cursor in the panes: it moves, picks, drags and is read aloud."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -16,7 +14,7 @@ from PySide6.QtWidgets import QApplication, QLabel, QWidget
 
 from app.model.projection import Camera, FreeMatrix, Orthographic, Perspective, Projection, Vector
 from app.scenes.scene import load
-from tests.support.window import MakeWindow, activate, counted_repaints, rgb_of, settle, show_scene
+from tests.support.window import MakeWindow, activate, rgb_of, settle
 from widgets.panes.canvas import CANVASES, ZOOM_PER_WHEEL_STEP
 from widgets.window.main_window import MainWindow
 
@@ -460,14 +458,6 @@ def test_the_cursor_says_that_no_vertex_is_visible(window: MainWindow) -> None:
         assert window.probe_panel.probes == ()
 
 
-def test_an_empty_pane_ignores_keys(make_window: MakeWindow) -> None:
-    window = make_window(shown=False)
-    for name, pane in window.panes.items():
-        for key in (KEY.Key_PageDown, KEY.Key_Space, KEY.Key_Return, KEY.Key_Left):
-            QTest.keyClick(pane.canvas, key)
-        assert window.cursors[name].text == ""
-
-
 def test_the_cursor_works_in_a_floating_pane(window: MainWindow) -> None:
     window.slots.toggle_float("world")
     pane = window.panes["world"]
@@ -481,22 +471,6 @@ def test_the_cursor_works_in_a_floating_pane(window: MainWindow) -> None:
     assert model(window) != start
     press(KEY.Key_Escape)
     assert model(window) == start and said(window) == f"Near = {start.lens.near:g}"
-
-
-def test_a_setting_that_is_a_point_is_dragged_by_its_name(window: MainWindow) -> None:
-    show_scene(window, "planar-shadow")
-    before = window.store.document
-    go_to(window, "world")
-    press(KEY.Key_PageDown, SHIFT)
-    assert said(window).startswith("Light L = (")
-    press(KEY.Key_Return)
-    press(KEY.Key_Left, SHIFT, times=2)
-    moved = window.store.document.settings["light"]
-    assert moved != before.settings["light"]
-    assert vertex(said(window)) == pytest.approx(moved, rel=1e-5)
-    press(KEY.Key_Return)
-    press(KEY.Key_Z, CTRL)
-    assert window.store.document.settings == before.settings
 
 
 # -- the image pane
@@ -614,18 +588,6 @@ def test_label_and_ring_lie_in_the_pane_and_do_not_overlap(window: MainWindow) -
             press(KEY.Key_PageDown)
             assert pane.canvas.rect().contains(label.geometry())
             assert not label.geometry().intersects(circle.geometry())
-
-
-def test_a_step_draws_each_pane_once_with_and_without_the_cursor(window: MainWindow) -> None:
-    camera = model(window).camera
-    go_to(window, "world")
-    for height in (5.5, 5.7):
-        with counted_repaints(window) as counts:
-            moved = replace(camera, eye=(6.0, height, 9.0))
-            window.store.set_projection(replace(model(window), camera=moved))
-            settle()
-        assert set(counts.values()) == {1}, height
-        press(KEY.Key_PageDown)  # the second time with the cursor
 
 
 def test_the_pointer_follows_the_cursor(window: MainWindow) -> None:

@@ -1,7 +1,5 @@
 """Diagrams show every point of the data at its place, and nothing else."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

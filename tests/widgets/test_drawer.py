@@ -1,7 +1,5 @@
 """The panels under the panes: folded, one open at a time."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

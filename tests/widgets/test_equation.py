@@ -1,7 +1,5 @@
 """An equation as a slide: its size, the picture beside it, and the cells that controls change."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

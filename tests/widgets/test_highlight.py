@@ -1,7 +1,5 @@
 """Linked highlight: a thing under the mouse is highlighted everywhere."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import asdict, replace
 from itertools import product
@@ -326,22 +324,6 @@ def test_a_cell_marks_the_rows_that_it_depends_on(
     assert marked(window) == set() and changed(before, pictures(window)) == set()
 
 
-@pytest.mark.undrawn
-def test_a_row_marks_the_cells_that_depend_on_it(window: MainWindow) -> None:
-    window.panels.open(window.matrices)
-    settle()
-    hover(window, window.controls.rows["near"])
-    marks = {
-        name: {(i, j) for i in range(4) for j in range(4) if view.is_marked(i, j)}
-        for name, view in window.matrices.views.items()
-    }
-    assert (2, 3) in marks["clip_from_world"] and marks["view_from_world"] == set()
-    assert marks["image_from_ndc"] == set()
-    window.highlighter.mark("test", frozenset(("up",)))
-    view = window.matrices.views["view_from_world"]
-    assert view.is_marked(0, 0) and view.is_marked(1, 2) and not view.is_marked(2, 0)
-
-
 def test_a_row_is_repainted_when_marked_and_unmarked(window: MainWindow) -> None:
     row, painted = window.controls.rows["near"], []
 
@@ -521,22 +503,6 @@ def test_l5_the_matrix_lights_up_with_d_and_the_plane_with_the_matrix(
     assert highlighted.now == {"y_p"} and not card.rows["distance"].is_marked
     leave(window)
     assert not changed(before, pictures(window)) and not matrix.is_marked
-
-
-def test_l6_each_number_of_the_window_lights_its_edge(
-    window: MainWindow, highlighted: Highlighted
-) -> None:
-    window.guide.choose("off-axis-window")
-    settle()
-    before = pictures(window)
-    lines = window.controls.card.readout.lines
-    for name in ("left", "right", "bottom", "top", "near", "far"):
-        hover(window, window.controls.rows[name].name_label)
-        assert highlighted.now == {name}
-        assert "world" in changed(before, pictures(window)), name
-        assert lines[2][1].is_marked == (name in ("left", "right"))
-    leave(window)
-    assert not changed(before, pictures(window))
 
 
 @pytest.mark.undrawn

@@ -1,7 +1,5 @@
 """The tree of planar projections: mouse, keyboard, highlight and words."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

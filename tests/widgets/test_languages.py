@@ -1,7 +1,5 @@
 """The window in each language: what it says, what fits, and how it changes the language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -13,11 +11,15 @@ from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lessons.course import contained
+from app.model.projection import Perspective
+from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, settle
+from tests.support.window import MakeWindow, settle, show_scene
+from widgets.parts.messages import TranslatedWords, sentence, stage_title
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
+from widgets.window.settings import data_folder
 
 OTHERS = [each for each in languages.LANGUAGES if each != languages.ENGLISH]
 LESSON = """---
@@ -90,12 +92,60 @@ def test_another_language_keeps_the_work(speak: Any, make_window: MakeWindow) ->
     assert work.store is not None and work.saved == Document()
     speak("hr")
     second = make_window(work.document)
-    second.store.take_steps(work.store)
+    second.go_on(work)
     assert second.menus.undo.text().replace("&", "") == "Poništi"
     assert second.controls.rows["far"].field.text() == "12,5"
     second.store.undo()
     assert second.store.document.projection.lens.near == 5.0
     assert second.controls.rows["near"].field.text() == "5"
+
+
+def in_another_language(window: MainWindow, make_window: MakeWindow) -> MainWindow:
+    window.choose_language("hr")
+    work = window.work_left
+    assert work is not None
+    second = make_window(work.document, shown=False)
+    second.go_on(work)
+    second.show()
+    settle()
+    return second
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("in_a_lesson", [False, True])
+def test_another_language_keeps_what_is_compared(
+    speak: Any, make_window: MakeWindow, in_a_lesson: bool
+) -> None:
+    window = make_window()
+    if in_a_lesson:
+        window.lesson_card.open(contained()[3])
+    window.comparing.toggle()
+    near = window.store.document.projection.lens.near
+    window.store.set_document(set_values(window.store.seen, [f"lens.near={near / 2}"]))
+    settle()
+    second = in_another_language(window, make_window)
+    pictures = second.comparing.pictures.pictures
+    assert [each.live for each in pictures] == [False, True] and pictures[0].held is not None
+    assert pictures[0].held.projection.lens.near == near
+    assert second.store.document.projection.lens.near == near / 2
+    assert second.menus.compare.isChecked()
+
+
+@pytest.mark.undrawn
+def test_another_language_offers_no_work_that_is_still_there(
+    speak: Any, make_window: MakeWindow
+) -> None:
+    window = make_window()
+    window.store.set_document(set_values(window.store.document, ["lens.near=4"]))
+    window.lesson_card.open(contained()[3])
+    assert len(list(data_folder().glob("autosave-*.json"))) == 1
+    second = in_another_language(window, make_window)
+    assert not second.messages.text
+    assert len(list(data_folder().glob("autosave-*.json"))) == 1  # if this one dies
+    second.lesson_card.leave()
+    while second.store.document.projection.lens.near != 4.0:
+        second.store.undo()
+    assert second.store.modified
 
 
 @pytest.mark.undrawn
@@ -122,3 +172,30 @@ def test_the_language_of_a_lesson_rules_its_card(
         assert window.menus.undo.text() == menu
     card.leave()
     assert languages.of_lessons() == "en"
+
+
+@pytest.mark.undrawn
+def test_sentences_titles_and_a_scenes_card_are_in_the_language(
+    speak: Any, make_window: MakeWindow
+) -> None:
+    speak("hr")
+    with pytest.raises(Refusal) as caught:
+        Perspective(45.0, 3.0, 2.5)
+    assert sentence(caught.value) == (
+        "Bliska ravnina = 3: mora biti manje od udaljenosti daleke ravnine, koja je 2,5."
+    )
+    empty = Refusal.saying(REFUSALS["mesh-empty"], "{1}.obj")
+    assert sentence(empty).startswith("{1}.obj: datoteka je prazna")
+    assert sentence(OSError("no space")) == "no space"
+    titles = [stage_title(name) for name in ("clip_from_view", "rotation", "M_pp")]
+    assert titles == ["odsijecanje ← kamera", "rotacija", "M_pp"]
+    card = show_scene(make_window(), "planar-shadow").controls.card
+    assert card.tries.text().startswith("Povucite svjetiljku") and card.rows["light"].name == (
+        "Svjetlo L"
+    )
+    assert [line[0].text() for line in card.readout.lines[1:3]] == [
+        "vrh P",
+        "njezina sjena S·P / w",
+    ]
+    words = TranslatedWords({"near": "blizu"})
+    assert (words["near"], words["light"], words.get("light", "")) == ("blizu", *["svjetlo"] * 2)

@@ -3,8 +3,6 @@
 The corners of the range of sizes; screenshots have been looked at besides.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """The rows of the lens for every lens: every number that can define it, in both directions."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any
@@ -12,13 +10,11 @@ from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
-    LENSES,
-    OBLIQUE_PRESETS,
     Frustum,
     Intrinsics,
     Oblique,
-    Orbit,
     Orthographic,
     Perspective,
 )
@@ -29,7 +25,6 @@ from tests.support.controls import (
     SLANTED,
     START,
     Column,
-    Reader,
     Record,
     choice,
     choose,
@@ -42,7 +37,6 @@ from tests.support.controls import (
 )
 from tests.support.lenses import ONE_OF_EACH
 from tests.support.shown import show
-from widgets.parts.number_rows import NumberRow
 from widgets.parts.scales import Linear, Log
 
 SHOWN = {kind: replace(START, lens=lens) for kind, lens in ONE_OF_EACH.items()}
@@ -55,124 +49,13 @@ def column(display: Any, qtbot: Any) -> Column:
     return column_with_the_keyboard(qtbot, "more_lens")
 
 
-def lens_rows(controls: Column) -> dict[str, NumberRow]:
-    """The visible numbers of this kind of lens."""
-    others = {*Orbit._fields, "width", "height"}
-    return {
-        key: row
-        for key, row in controls.rows.items()
-        if isinstance(row, NumberRow) and key not in others and row.isVisible()
-    }
-
-
-@pytest.fixture
-def reader(display: Any, qtbot: Any) -> Reader:
-    return Reader(qtbot)
-
-
 def combo(controls: Column, key: str) -> QComboBox:
     widget = choice(controls, key).widgets[0]
     assert isinstance(widget, QComboBox)
     return widget
 
 
-# -- all kinds
-
-
-def test_every_slider_of_every_lens_goes_to_an_end(column: Column, reader: Reader) -> None:
-    """The model stays valid and is what the row shows, or the row says why not."""
-    for kind in LENSES:
-        show(column, SHOWN[kind])
-        rows = lens_rows(column)
-        assert len(rows) >= 6
-        for place, (key, row) in enumerate(rows.items()):
-            show(column, SHOWN[kind])
-            record = Record(column)
-            row.slider.setFocus()
-            ends = ((KEY.Key_Home, KEY.Key_Up), (KEY.Key_End, KEY.Key_Down))
-            for pressed in ends[(place + len(kind)) % 2]:
-                QTest.keyClick(row.slider, pressed)
-            row.finish_gesture()
-            assert record.edits or row.error, key
-            assert record.events[0] == "start" and record.events[-1] == "finish"
-            if not row.isHidden():  # the last of K's four numbers can make the lens symmetric
-                assert row.value() == pytest.approx(reader.read(key, column.projection)), key
-                assert row.slider.value() == row.scale.position_of(row.value()), key
-
-
-def test_the_numbers_of_other_lenses_are_left_alone(column: Column) -> None:
-    for kind in LENSES:
-        show(column, START)
-        column.sections["more_lens"].set_open(True)
-        others = {k for k in LENSES if k != kind}
-        for other in others:
-            show(column, SHOWN[other])
-        show(column, SHOWN[kind])
-        column.sections["more_lens"].set_open(False)
-        hidden = {key: row.value() for key, row in column.rows.items() if not row.isVisible()}
-        assert len(hidden) >= 6 and {*Intrinsics._fields} < hidden.keys()
-        near = number(column, "near")
-        enter(near, "2.5")
-        assert column.projection.lens.near == 2.5
-        assert {key: column.rows[key].value() for key in hidden} == hidden
-        column.sections["more_lens"].set_open(True)
-        if not column.projection.lens.parallel:
-            k_after = [number(column, key).value() for key in Intrinsics._fields]
-            assert k_after == pytest.approx(column.projection.intrinsics, rel=1e-12)
-
-
-def test_lenses_follow_each_other_in_any_order_and_come_back(column: Column) -> None:
-    record = Record(column)
-    for kind in (*LENSES, *reversed(LENSES), "frustum", "oblique", "perspective"):
-        choose(choice(column, "kind"), kind)
-        assert column.projection.lens.kind == kind and not column.rows["kind"].error
-    assert column.projection.lens.fov_y_deg == pytest.approx(45.0)  # type: ignore[union-attr]
-    assert record.events.count("edit") == record.events.count("start") > 8
-
-
-def test_beyond_the_slider_is_taken(column: Column, reader: Reader) -> None:
-    for shown, key, text in (
-        (OFF_AXIS, "right", "500"),
-        (OFF_AXIS, "far", "inf"),
-        (SLANTED, "near", "-1000"),
-        (SLANTED, "receding", "7"),
-        (SLANTED, "alpha_deg", "0.25"),
-        (START, "window_top", "1e6"),
-        (START, "e", "0.001"),
-        (OFF_AXIS, "fx", "1e7"),
-        (OFF_AXIS, "cx", "-100000"),
-    ):
-        show(column, shown)
-        row = number(column, key)
-        enter(row, text)
-        assert not row.error, (key, row.error)
-        assert reader.read(key, column.projection) == pytest.approx(float(text))
-        assert row.value() == pytest.approx(float(text))
-
-
 # -- perspective: one value, many measures
-
-
-def test_all_measures_of_a_field_of_view_move_together(column: Column) -> None:
-    for key in ["fov_y_deg", "fov_x_deg", "focal_length_mm", "e", "window_right", "window_top"]:
-        show(column, START)
-        enter(number(column, key), "1.5")
-        lens = column.projection.lens
-        assert isinstance(lens, Perspective) and (lens.near, lens.far) == (1.0, 30.0)
-        half_y = math.tan(math.radians(lens.fov_y_deg) / 2.0)
-        half_x = half_y * 16.0 / 9.0
-        expected = {
-            "fov_y_deg": lens.fov_y_deg,
-            "fov_x_deg": math.degrees(2.0 * math.atan(half_x)),
-            "focal_length_mm": math.hypot(36.0, 24.0) / 2.0 / math.hypot(half_x, half_y),
-            "e": 1.0 / half_x,
-            "window_right": half_x,
-            "window_top": half_y,
-        }
-        assert expected[key] == pytest.approx(1.5)
-        for name, value in expected.items():
-            assert number(column, name).value() == pytest.approx(value, rel=1e-12), name
-        assert number(column, key).field.text() == "1.5"
 
 
 def test_the_half_window_sliders_follow_near(column: Column) -> None:
@@ -232,20 +115,6 @@ def test_a_box_keeps_the_scenes_sliders(column: Column) -> None:
 
 
 # -- oblique: angles, and how things recede
-
-
-def test_receding_and_angles_are_two_views(column: Column) -> None:
-    show(column, SLANTED)
-    assert number(column, "receding").field.text() == "0.5"
-    assert number(column, "receding_deg").field.text() == "45"
-    enter(number(column, "alpha_deg"), "90")
-    enter(number(column, "beta_deg"), "45")
-    # Straight into the picture (0, 0, -1) is drawn at (-cot 90, -cot 45) = (0, -1).
-    assert number(column, "receding").value() == 1.0
-    assert number(column, "receding_deg").value() == -90.0
-    enter(number(column, "receding_deg"), "180")
-    assert number(column, "alpha_deg").value() == pytest.approx(45.0)
-    assert number(column, "beta_deg").value() == pytest.approx(90.0)
 
 
 def test_through_no_receding_at_all_the_direction_is_kept(column: Column) -> None:
@@ -330,42 +199,6 @@ def test_a_calibrated_camera_is_typed_in_one_number_after_the_other(
     lens = column.projection.lens
     assert isinstance(lens, Frustum) and (lens.near, lens.far) == (1.0, 30.0)
     assert column.projection.intrinsics == pytest.approx(tuple(typed.values()), rel=1e-13)
-    # K of a point by hand: x right, y down, z forward, from the centre of the first pixel.
-    point = np.array([1.0, 3.0, -1.0])
-    u, v, n = column.projection.camera.frame
-    offset = point - column.projection.camera.eye
-    x, y, z = offset @ u, -offset @ v, -offset @ n
-    pixel = (typed["fx"] * x / z + typed["cx"], typed["fy"] * y / z + typed["cy"])
-    assert column.projection.trace(point).image - 0.5 == pytest.approx(pixel, abs=1e-9)
-
-
-def test_square_pixels_and_a_centred_axis_make_a_symmetric_lens(column: Column) -> None:
-    for key, text, kind in (
-        ("fx", "1000", "frustum"),
-        ("cx", "600", "frustum"),
-        ("fy", "1000", "frustum"),
-        ("cx", "639.5", "perspective"),  # the middle of 1280 pixels
-        ("cy", "300", "frustum"),
-        ("cy", "359.5", "perspective"),
-    ):
-        enter(number(column, key), text)
-        assert column.projection.lens.kind == kind, (key, text)
-        assert number(column, key).field.hasFocus()
-        assert number(column, "fx").field.text() == "1000"
-    fov_y_deg = math.degrees(2.0 * math.atan(360.0 / 1000.0))
-    assert number(column, "fov_y_deg").value() == pytest.approx(fov_y_deg)
-
-
-def test_a_symmetric_lens_stays_so_when_k_is_written_back(column: Column) -> None:
-    """fx and fy are one number: no last digit makes them two."""
-    for fov_y_deg in (30.0, 45.0, 61.3, 77.7):
-        show(column, replace(START, lens=Perspective(fov_y_deg, 1.0, 30.0)))
-        enter(number(column, "cx"), "600")
-        assert column.projection.lens.kind == "frustum"
-        enter(number(column, "cx"), "639.5")
-        lens = column.projection.lens
-        assert isinstance(lens, Perspective)
-        assert lens.fov_y_deg == pytest.approx(fov_y_deg, rel=1e-12)
 
 
 def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
@@ -388,7 +221,7 @@ def test_the_row_in_hand_keeps_its_place_when_the_lens_becomes_another(
         qtbot.waitUntil(
             lambda was=in_column: (
                 row.mapTo(column.widget(), QPoint()).y() != was and place() == before
-            ),
+            )
         )
         assert row.field.hasFocus()
 

@@ -1,7 +1,5 @@
 """A lesson's text: formulas stand on the line of the words, and nothing in it leads anywhere."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 
@@ -22,15 +20,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.lecture.typesetting import outline
-from app.lessons.text import (
-    DISPLAYED,
-    FORMULA,
-    escaped,
-    html_of,
-    in_line,
-    plain_of,
-    readable,
-)
+from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, in_line, plain_of, readable
 from tests.support.window import rgb_of
 from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 

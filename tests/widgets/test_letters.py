@@ -1,7 +1,5 @@
 """The choice of letters holds in panes, panels and figures."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np
@@ -87,39 +85,6 @@ def test_letters_of_a_file_are_chosen_kept_and_refused(
     window.matrices.choose_letters('[vectors]\nn = "m"\n')
     settle()
     assert window.look.words["n"] == "m" and window.matrices.letters.currentText() == "of a file"
-
-
-@pytest.mark.undrawn
-def test_l1_the_numbers_of_the_frame_have_lecture_004s_names(window: MainWindow) -> None:
-    panel = window.frame_panel
-    window.panels.open(panel)
-    panel.go_to(3)
-    choose(window, "004")  # of a panel that is open already
-    lines = panel.numbers.exact.splitlines()
-    assert [line.partition(" = ")[0] for line in lines] == ["N", "|N|", "n"]
-    assert "V" in panel.figures.text() and "up" not in panel.figures.text()
-    panel.go_to(4)
-    assert panel.numbers.exact.startswith("U = ")
-    panel.go_to(6)
-    assert "R P" in panel.formula.formula and "P moves the eye" in panel.sentence.text()
-    choose(window, "003")
-    assert "M_W\u2192E = R T" in panel.formula.formula
-
-
-def test_a_figure_is_written_in_the_views_letters() -> None:
-    scene = load("letter-f")
-    figures = {
-        letters: figure_of(
-            scene,
-            scene.start,
-            panes=("world",),
-            size=(320, 240),
-            view=View(letters=letters, names=("n",)),
-        ).pixels()
-        for letters in ("own", "001", "002")
-    }
-    assert (figures["own"] != figures["001"]).any()
-    assert np.array_equal(figures["own"], figures["002"])
 
 
 def test_a_scenes_own_marks_are_written_in_the_views_letters() -> None:

@@ -1,7 +1,5 @@
 """Dragging the camera by its handles in the world, and by the picture."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from dataclasses import replace
@@ -17,7 +15,7 @@ from PySide6.QtWidgets import QApplication, QLabel
 
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
-from app.drawings.style import DARK, LIGHT, rgb
+from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.model.projection import (
     Camera,
@@ -445,22 +443,6 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
     assert counts[1] == counts[0] + 1
 
 
-def test_grips_are_seen_in_every_style(window: MainWindow) -> None:
-    """Ten pixels of the concept's colour in a ring, larger while presenting."""
-    window.menus.name_everything.trigger()
-    for theme, style, presents in (("light", LIGHT, True), ("dark", DARK, False)):
-        window.look.set_theme(theme)
-        window.look.set_presenting(presents)
-        settle()
-        picture = pixels(window, "world").astype(float)
-        for name, fill in (("far", style.far), ("target", style.target)):
-            x, y = (round(part) for part in mark(window, name)[1])
-            around = picture[y - 12 : y + 13, x - 12 : x + 13]
-            off = np.abs(around - 255.0 * np.array(rgb(fill))).max(axis=2)
-            assert (off <= 6.0).sum() >= (120 if presents else 60), name
-            assert presents or 9 <= (off[12, 7:18] <= 6.0).sum() <= 11, "ten pixels wide"
-
-
 def at_rest(window: MainWindow) -> set[str]:
     """The handles whose grips are drawn."""
     handles: Any = world(window).handles
@@ -545,18 +527,6 @@ def test_a_drag_beside_the_picture_and_one_on_a_probe_leave_the_camera(
     drag(window, "image", point_of((left + x * width / 1280, top + y * height / 720)), (20, 12))
     assert model(window) == start
     assert window.probe_panel.probes[0].point != (1.5, 5.0, 0.5)
-
-
-def test_escape_puts_the_picture_back(window: MainWindow) -> None:
-    start = model(window)
-    left, top, *_ = picture(window).picture_rectangle_px
-    place = QPoint(left + 20, top + 20)
-    press(window, "image", place)
-    move(window, "image", place + QPoint(40, 20))
-    assert model(window) != start
-    QTest.keyClick(QApplication.focusWidget() or window, Qt.Key.Key_Escape)
-    release(window, "image", place + QPoint(40, 20))
-    assert model(window) == start
 
 
 def test_the_wheel_dollies_and_a_burst_is_one_step(window: MainWindow, qtbot: Any) -> None:
@@ -713,14 +683,6 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     move(window, "world", at + QPoint(0, 10))
     assert bar.isVisible() and "must" not in bar.text()
     release(window, "world", at + QPoint(0, 10))
-
-
-def test_a_scene_without_points_has_no_grips(make_scene: Callable[[str], MainWindow]) -> None:
-    window = make_scene("planar-shadow")
-    assert any(handle.name == "grip" for handle in marks(window))
-    window.guide.choose("letter-f")
-    settle()
-    assert not any(handle.name == "grip" for handle in marks(window))
 
 
 @pytest.mark.parametrize("name", ["world", "image"])

@@ -1,7 +1,5 @@
 """The matrices panel with real widgets: what it shows, marks, says and copies."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math
@@ -11,13 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QPoint, Qt, QTranslator
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QFontMetricsF,
-    QGuiApplication,
-)
+from PySide6.QtCore import QEvent, QPoint, Qt
+from PySide6.QtGui import QColor, QContextMenuEvent, QFontMetricsF, QGuiApplication
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel, QMenu, QScrollArea, QToolButton
 from pytestqt.qtbot import QtBot
@@ -27,6 +20,7 @@ from app.lecture import notation
 from app.lecture.conventions import in_convention
 from app.lecture.copying import as_latex
 from app.lecture.letters import LETTERS
+from app.lecture.titles import stage_title
 from app.lecture.typed_matrix import with_cell
 from app.lecture.typesetting import pieces_of
 from app.model.formula import ARROW
@@ -41,7 +35,7 @@ from tests.support.shown import show
 from tests.support.window import activate, click, move_mouse, named, rgb_of, settle
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
-from widgets.parts.messages import read_text, stage_title
+from widgets.parts.messages import read_text
 from widgets.parts.plain import subscripts
 from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow
@@ -270,15 +264,6 @@ def test_formulas_in_the_letters_of_a_lecture(panel: MatrixPanel) -> None:
     assert "lecture 002" in notes(panel, "clip_from_view")
     choose(panel.letters, "001")
     assert panel.views["view_from_world"].texts[2] == ["w_x", "w_y", "w_z", f"−w{ARROW}·P{ARROW}"]
-
-
-def test_running_products_and_the_inverse(panel: MatrixPanel) -> None:
-    panel.running.setChecked(True)
-    names = [matrix.name for matrix in panel.shown]
-    assert names[1:3] == ["view_from_world", "world_from_view"]
-    assert "canonical_parallel_from_world" in names
-    columns = np.array(panel.shown[2].values)[:3, :3].T
-    assert np.array_equal(columns, OFF_AXIS.camera.frame)
 
 
 def test_a_cell_says_what_it_does(panel: MatrixPanel) -> None:
@@ -665,56 +650,6 @@ def notes(panel: MatrixPanel, name: str) -> str:
     return str(note.text()).replace("\n", " ") if note.isVisible() else ""
 
 
-def test_a_note_says_what_a_free_matrix_does(
-    panel: MatrixPanel, qtbot: QtBot, edits: list[Projection]
-) -> None:
-    type_cell(panel, qtbot, "clip_from_view", 0, 0, "0")
-    assert "singular (rank 3): the frustum cannot be drawn" in notes(panel, "clip_from_view")
-    names = [matrix.name for matrix in panel.shown]
-    assert names == [
-        "world_from_object", "view_from_world", "clip_from_view", "clip_from_world",
-        "image_from_ndc",
-    ]  # fmt: skip
-    assert title(panel, "clip_from_view") == "clip ← view, a free matrix"
-    assert title(panel, "view_from_world") == "view ← world"
-    type_cell(panel, qtbot, "clip_from_view", 3, 3, "1")
-    (clip,) = (matrix for matrix in panel.shown if matrix.name == "clip_from_view")
-    assert "It adds 1 times the incoming w to w" in panel.sentence(clip, 3, 3)
-    assert "It adds −1 times z to w" in panel.sentence(clip, 3, 2)
-    type_cell(panel, qtbot, "view_from_world", 0, 0, "-3")
-    assert "mirrored: it turns right-handed space into left-handed" in notes(
-        panel, "view_from_world"
-    )
-    assert "no camera has it" in notes(panel, "view_from_world")
-    sentence = panel.sentence(panel.shown[1], 0, 2)  # x and y of the world make no row of it 0
-    assert "camera's axis" not in sentence and "a shear" in sentence
-    choose(panel.cells, "formulas")
-    for letters in LETTERS:
-        choose(panel.letters, letters)
-        assert panel.views["clip_from_view"].texts[0][0] == "p_11"
-        assert panel.views["view_from_world"].texts[1][2] == "m_23"
-
-
-def test_titles_are_given_to_translators(panel: MatrixPanel) -> None:
-    class Estonian(QTranslator):
-        def translate(
-            self, context: str, text: str, disambiguation: Any = None, n: int = -1
-        ) -> str:
-            words = {("Space", "view"): "vaade", ("Factor", "rotation"): "pööre"}
-            return words.get((context, text), text)
-
-        def isEmpty(self) -> bool:
-            return False
-
-    translator = Estonian()
-    QCoreApplication.installTranslator(translator)
-    try:
-        assert stage_title("clip_from_view") == "clip ← vaade"
-        assert stage_title("rotation") == "pööre" and stage_title("M_pp") == "M_pp"
-    finally:
-        QCoreApplication.removeTranslator(translator)
-
-
 @pytest.mark.undrawn
 def test_typing_reaches_the_whole_window_and_can_be_undone(
     window: MainWindow, qtbot: QtBot
@@ -847,6 +782,7 @@ def test_a_matrix_has_one_name(panel: MatrixPanel) -> None:
 def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None:
     """A fraction in a function's argument is not stacked, as in print."""
     panel.running.setChecked(True)
+    assert {"world_from_view", "canonical_parallel_from_world"} <= {m.name for m in panel.shown}
     choose(panel.cells, "formulas")
     lenses = itertools.cycle((OFF_AXIS.lens, OFF_AXIS.with_lens("oblique").lens, Perspective()))
     for letters, lens in zip(LETTERS * 2, lenses, strict=False):
@@ -1086,20 +1022,6 @@ def test_rows_or_columns_are_asked_only_where_both_are_possible(
     assert shown.startswith("rows and columns are exchanged") and "eye (0, 0, 5)" in shown
 
 
-def test_a_direct3d_projection_brings_its_lens_and_depth_range(
-    panel: MatrixPanel, qtbot: QtBot
-) -> None:
-    cells = [[1.3856406, 0, 0, 0], [0, 1.7320508, 0, 0], [0, 0, 1.0001, 1], [0, 0, -0.10001, 0]]
-    with qtbot.waitSignal(panel.edited) as edited:
-        paste(panel, "clip_from_view", text_of(cells))
-    found = edited.args[0]
-    assert (found.lens.near, found.lens.far, found.depth) == (0.1, 1000.0, "direct3d")
-    assert found.camera == OFF_AXIS.camera
-    said = panel.explanation.text()
-    assert "left-handed: looks along +z" in said and "fov 60°, near 0.1, far 1000" in said
-    assert said.endswith("looking along −z; change the sign of its view matrix in row 3")
-
-
 def test_a_near_plane_that_two_depth_ranges_give_is_asked(panel: MatrixPanel, qtbot: QtBot) -> None:
     cells = [[1.5, 0, 0, 0], [0, 2, 0, 0], [0, 0, -1, -0.2], [0, 0, -1, 0]]
     paste(panel, "clip_from_view", text_of(cells))
@@ -1129,20 +1051,21 @@ def test_twelve_numbers_nine_numbers_and_a_calibrated_camera(
 
 @pytest.mark.parametrize("form", ["text", "numpy", "latex"])
 @pytest.mark.parametrize("vectors", ["columns", "rows"])
-@pytest.mark.parametrize("letters", LETTERS)
 def test_what_is_copied_can_be_pasted(
-    panel: MatrixPanel, qtbot: QtBot, form: str, vectors: str, letters: str
+    panel: MatrixPanel, qtbot: QtBot, form: str, vectors: str
 ) -> None:
-    choose(panel.letters, letters)
     choose(panel.vectors, vectors)
-    shown_at_last(panel, qtbot, OFF_AXIS)
-    texts = {}
-    for name in ("view_from_world", "clip_from_view"):
-        matrix = next(each for each in panel.shown if each.name == name)
-        panel.views[name].copied.emit(form, matrix)
-        texts[name] = QGuiApplication.clipboard().text()
+    texts = []
+    for letters in LETTERS:
+        choose(panel.letters, letters)
+        shown_at_last(panel, qtbot, OFF_AXIS)
+        for name in ("view_from_world", "clip_from_view"):
+            matrix = next(each for each in panel.shown if each.name == name)
+            panel.views[name].copied.emit(form, matrix)
+            texts.append((letters, name, QGuiApplication.clipboard().text()))
     other = Projection(Camera((3.0, 1.0, 2.0), (0.0, 0.0, 0.0)), Frustum(-1, 1, -1, 1, 2, 20))
-    for name, text in texts.items():
+    for letters, name, text in texts:
+        choose(panel.letters, letters)
         shown_after(panel, qtbot, other)
         with qtbot.waitSignal(panel.edited) as edited:
             paste(panel, name, text)

@@ -1,16 +1,13 @@
 """The Measure panel, with real measurements by the real process."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Iterator
 from dataclasses import replace
-from itertools import pairwise, product
+from itertools import product
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import psutil
 import pytest
 from PySide6.QtCore import QPoint, QPointF, QProcess, Qt
@@ -37,7 +34,6 @@ from tests.support.window import rgb_of, settle
 from widgets.panels import measuring
 from widgets.panels.measure_panel import MeasurePanel
 from widgets.panes.canvas import SMOOTHINGS
-from widgets.parts import palette
 from widgets.parts.diagram import HIT_PX
 from widgets.window.main_window import MainWindow
 
@@ -471,42 +467,7 @@ def test_a_file_of_unknown_measurements_is_refused_and_all_stays(
     assert cells(panel) == before and set(panel.loaded) == {"arithmetic", "near"}
 
 
-def test_a_file_that_cannot_be_read_is_a_sentence(panel: MeasurePanel, tmp_path: Path) -> None:
-    refused = QSignalSpy(panel.refused)
-    assert not panel.load(tmp_path / "gone.json")
-    assert not panel.load(tmp_path)
-    (tmp_path / "bytes.json").write_bytes(b"\xff\xfe\x00")
-    assert not panel.load(tmp_path / "bytes.json")
-    said = [refused.at(i)[0] for i in range(refused.count())]
-    assert said[0].startswith("gone.json: cannot be read")
-    assert said[1].startswith(f"{tmp_path.name}: cannot be read")
-    assert said[2] == "bytes.json: is not a file of measurements."
-
-
 # -- look
-
-
-def test_the_depth_chart_s_names_cross_nothing(
-    panel: MeasurePanel, document: Document, tmp_path: Path
-) -> None:
-    """In the lowest panel no name covers another name, a dot or the frontier."""
-    found = replace(RESULTS, trades=(depth.measure(document.projection),), sweeps=())
-    panel.resize(1340, 225)
-    panel.load(write(tmp_path / "a.json", found))
-    panel.set_style(palette.drawing_style(dark=False, screen_px=768.0, device_pixel_ratio=1.0))
-    view = panel.diagrams[0]
-    view.grab()
-    boxes = list(view.spot_names.values())
-    assert len(boxes) >= 4 and any("(now)" in name for name in view.spot_names)
-    diagram = chart.diagrams(found.trades[0], IN_USE)[0]
-    frontier = [view.to_px(x, y) for x, y in np.asarray(diagram.curves[-1].points).tolist()]
-    places = [one + (other - one) * t for one, other in pairwise(frontier)
-              for t in np.linspace(0.0, 1.0, 200).tolist()]  # fmt: skip
-    places += [view.to_px(spot.x, spot.y) for spot in diagram.spots]
-    for i, box in enumerate(boxes):
-        inner = box.adjusted(0.1, 0.1, -0.1, -0.1)
-        assert not any(inner.intersects(other) for other in boxes[:i])
-        assert not any(inner.contains(place) for place in places)
 
 
 def test_every_name_of_a_choice_is_put_together_from_translated_parts(

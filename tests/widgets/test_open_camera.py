@@ -1,7 +1,5 @@
 """A camera file of another program, opened in the window: its views to choose from, and undo."""
 
-from __future__ import annotations
-
 import json
 from dataclasses import replace
 from functools import partial
@@ -16,10 +14,7 @@ from app.document.document import Document
 from app.document.files import read
 from tests.support.window import MakeWindow, settle
 
-OK, CANCEL = (
-    QDialogButtonBox.StandardButton.Ok,
-    QDialogButtonBox.StandardButton.Cancel,
-)
+OK, CANCEL = (QDialogButtonBox.StandardButton.Ok, QDialogButtonBox.StandardButton.Cancel)
 BACK = [[1, 0, 0, 0.0], [0, 1, 0, 2.0], [0, 0, 1, 12.0], [0, 0, 0, 1]]
 
 

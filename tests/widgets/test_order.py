@@ -1,7 +1,5 @@
 """A chain of tiles that a student arranges in the lesson's card."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

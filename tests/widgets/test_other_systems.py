@@ -1,7 +1,5 @@
 """What differs on Windows and macOS, simulated here: nothing of it has run there."""
 
-from __future__ import annotations
-
 import ctypes
 import re
 import subprocess
@@ -85,10 +83,7 @@ sys.exit(cli.main(sys.argv[1:]))
 
 @pytest.mark.parametrize(
     "words",
-    [
-        "export OUT --set scene=focus",
-        "--screenshot OUT --canvas raster --set scene=depth-buffer",
-    ],
+    ["export OUT --set scene=focus", "--screenshot OUT --canvas raster --set scene=depth-buffer"],
 )
 def test_what_is_drawn_through_qt_is_the_same(words: str, tmp_path: Path) -> None:
     """Also what a scene draws off the screen by itself: its blur, its count of wrong pixels."""

@@ -1,7 +1,5 @@
 """The style of widgets: frames visible in both themes, arrows and signs as large as letters."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from typing import Any
 

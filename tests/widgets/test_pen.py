@@ -1,7 +1,5 @@
 """The pen: strokes belong to their step, can be taken back, and are kept for the handout."""
 
-from __future__ import annotations
-
 import itertools
 from pathlib import Path
 from typing import Any
@@ -245,11 +243,7 @@ def test_the_speaker_sees_the_slide_with_its_strokes(window: MainWindow, qtbot: 
 VISION = {
     "all": np.eye(3),
     "protanopia": ((0.1523, 1.0526, -0.2049), (0.1145, 0.7863, 0.0992), (-0.0039, -0.0481, 1.0520)),
-    "deuteranopia": (
-        (0.3673, 0.8606, -0.2280),
-        (0.2801, 0.6725, 0.0474),
-        (-0.0118, 0.0429, 0.969),
-    ),
+    "deuteranopia": ((0.3673, 0.8606, -0.2280), (0.2801, 0.6725, 0.0474), (-0.0118, 0.0429, 0.969)),
     "tritanopia": ((1.2556, -0.0767, -0.1788), (-0.0784, 0.9308, 0.1476), (0.0047, 0.6914, 0.3039)),
 }
 """What linear colours become for the colour-blind (Machado, Oliveira and Fernandes 2009)."""

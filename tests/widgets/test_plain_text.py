@@ -1,7 +1,5 @@
 """Texts of strangers in the real window: they are shown as they stand, and nothing is loaded."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

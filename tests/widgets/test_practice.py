@@ -1,7 +1,5 @@
 """Tests of several topics, and exercises that come back: by keyboard alone."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator
 from datetime import date, timedelta

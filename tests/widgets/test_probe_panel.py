@@ -1,7 +1,5 @@
 """Probes: clicked in any pane, marked in all of them, and their numbers those of `project`."""
 
-from __future__ import annotations
-
 import itertools
 import json
 import math
@@ -26,29 +24,16 @@ from app.drawings import probes
 from app.drawings.style import LIGHT, rgb
 from app.lecture.letters import stacked
 from app.lecture.notation import matrices
+from app.model.chain import Chain
 from app.model.formula_text import OVER
-from app.model.projection import (
-    Camera,
-    FreeMatrix,
-    Oblique,
-    Perspective,
-    Projection,
-)
+from app.model.projection import Camera, FreeMatrix, Oblique, Perspective, Projection
 from app.model.refusal import format_value
 from app.picking.picking import PickSurface, Probe
 from app.scenes.scene import load
 from tests import PATIENCE_MS
 from tests.support.digits import all_digits_shown, plain
 from tests.support.shown import show
-from tests.support.window import (
-    MakeWindow,
-    activate,
-    click,
-    counted_repaints,
-    move_mouse,
-    pixels,
-    settle,
-)
+from tests.support.window import MakeWindow, activate, click, move_mouse, pixels, settle
 from widgets.panels.probe_panel import ProbePanel
 from widgets.panels.probe_table import FORMULA
 from widgets.parts.panel import Readable
@@ -258,9 +243,7 @@ def test_escape_puts_a_dragged_probe_back_and_ends_the_drag(
     assert panel.probes == ()
 
 
-def test_a_dragged_probe_does_not_return_after_another_scene(
-    window: MainWindow,
-) -> None:
+def test_a_dragged_probe_does_not_return_after_another_scene(window: MainWindow) -> None:
     panel, canvas = window.probe_panel, window.panes["image"].canvas
     hand = window.panes["image"].hand
     panel.follow(point=CORNER)
@@ -387,18 +370,6 @@ def test_no_mark_is_drawn_for_a_point_at_or_behind_the_eye(window: MainWindow) -
             assert any_mark(window, name), name
 
 
-def test_a_probe_costs_one_repaint_and_a_hidden_pane_none(window: MainWindow) -> None:
-    window.panes["ndc"].hide()
-    QApplication.processEvents()
-    with counted_repaints(window) as counts:
-        window.probe_panel.follow(point=CORNER)
-        QApplication.processEvents()
-    assert counts == {"world": 1, "ndc": 0, "image": 1}
-    window.panes["ndc"].show()
-    QApplication.processEvents()
-    assert marked(window, "ndc", place_in(window, "ndc", CORNER))
-
-
 def test_probes_survive_edits_and_themes_and_end_with_the_scene(window: MainWindow) -> None:
     window.probe_panel.follow(point=CORNER)
     window.store.set_projection(replace(start(), lens=Perspective(50.0, 1.0, 30.0)))
@@ -460,6 +431,33 @@ def test_every_number_is_the_command_s_to_the_last_digit(
             beyond = expected["outside_of"]
             said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
             assert cells(panel, block, 8) == [said]
+
+
+def test_a_point_is_followed_through_the_tiles_that_change_something(panel: ProbePanel) -> None:
+    def rows(text: str) -> dict[str, list[str]]:
+        show(panel, replace(start(), placement=Chain.read(text)))
+        model = panel.table.model()
+        heads = [model.headerData(row, Qt.Orientation.Vertical) for row in range(model.rowCount())]
+        formulas = [model.data(model.index(row, 0)) for row in range(model.rowCount())]
+        return {
+            head: [formula, *cells(panel, 0, row)]
+            for row, (head, formula) in enumerate(zip(heads, formulas, strict=True))
+        }
+
+    panel.follow(point=(1.0, 2.0, 0.0))
+    seen = rows("translate 3,0,0; rotate z 90; off mirror x; shear xy 0; scale 2,1,1")
+    assert [*seen][:5] == ["object", "scale", "rotation about z", "world", "view"]
+    assert [*seen.values()][:4] == [
+        ["p", "1", "2", "0", "1"], ["S p", "2", "2", "0", "1"],
+        ["R_z S p", "\u22122", "2", "0", "1"], [seen["world"][0], "1", "2", "0", "1"],
+    ]  # fmt: skip
+    assert seen["divide"][1].startswith("÷")
+    assert [*rows("translate 3,0,0; scale 0,1,1")][:3] == ["object", "scale", "world"]
+    assert cells(panel, 0, 0)[0].startswith("none") and cells(panel, 0, 1)[0] == "\u22122"
+    for usual in ("", "rotate z 30", "translate 1,0,0; rotate z 0"):
+        assert [*rows(usual)][:3] == ["object", "world", "view"]
+    panel.follow(pixel=(3.0, 4.0))
+    assert len(rows("translate 3,0,0; rotate z 90")) == 10
 
 
 def test_a_row_says_why_there_is_no_picture(panel: ProbePanel) -> None:
@@ -645,21 +643,6 @@ def test_l13_a_point_at_infinity_is_marked_in_all_panes(window: MainWindow) -> N
     window.probe_panel.follow(direction=(0.2, 0.1, 1.0))
     QApplication.processEvents()
     assert not any(any_mark(window, name) for name in window.panes)  # behind the eye
-
-
-@pytest.mark.undrawn
-def test_escape_in_the_window_removes_the_chosen_probe(window: MainWindow, qtbot: QtBot) -> None:
-    window.activateWindow()
-    window.probe_panel.follow(point=CORNER)
-    window.probe_panel.pin.click()
-    window.probe_panel.follow(point=(0.0, 0.0, 0.5))
-    qtbot.waitUntil(window.isActiveWindow)
-    QTest.keyClick(window, Qt.Key.Key_Escape)
-    assert window.probe_panel.probes == (Probe(1, CORNER),)
-    QTest.keyClick(window, Qt.Key.Key_Escape)
-    assert window.probe_panel.probes == ()
-    QApplication.processEvents()
-    assert not any_mark(window, "image")
 
 
 def test_a_pinned_probe_s_button_looks_pressed(window: MainWindow) -> None:

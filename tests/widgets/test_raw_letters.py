@@ -1,7 +1,5 @@
 """No text that a person reads has raw markup of letters: an underscore, a tag or TeX."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Running numbers are shown as often as they can be read; the tests have their own clock."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,31 +1,23 @@
 """The scene's card in the dock: any setting can be changed and refused, any reading read."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any, TypeAlias
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, Qt, QTranslator
+from PySide6.QtCore import QEvent, Qt
 from PySide6.QtGui import QGuiApplication, QHelpEvent
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import (
-    QApplication,
-    QComboBox,
-    QLineEdit,
-    QSlider,
-    QToolTip,
-    QWidget,
-)
+from PySide6.QtWidgets import QApplication, QComboBox, QLineEdit, QSlider, QToolTip, QWidget
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.document.store import Store
 from app.lessons.course import CONTENT
+from app.model.lenses.oblique import receding_of
 from app.model.parameter import Parameter, Settings
-from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
+from app.model.projection import Camera, FreeMatrix, Frustum, Oblique
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject
@@ -39,7 +31,7 @@ from widgets.controls.readout import NONE
 from widgets.controls.scene_card import SceneCard
 from widgets.parts import palette
 from widgets.parts.fields import CheckRow, ChoiceRow
-from widgets.parts.messages import TranslatedWords, all_digits, number_text
+from widgets.parts.messages import all_digits, number_text
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.panel import EVERYTHING as EVERY_CHANGE
 from widgets.parts.panel import Readable, ShownData
@@ -623,47 +615,6 @@ def test_it_needs_no_more_than_the_narrowest_dock(owner: Owner, qapp: QApplicati
 
 
 # -- languages
-
-
-class Reversed(QTranslator):
-    """A language in which the phenomena's texts are in capitals."""
-
-    def translate(
-        self, context: str, text: str, _disambiguation: str | None = None, _n: int = -1
-    ) -> str:
-        return text.upper() if context == "phenomena" else ""
-
-    def isEmpty(self) -> bool:
-        return False
-
-
-def test_the_phenomena_s_texts_are_in_the_window_s_language(
-    qtbot: QtBot, qapp: QApplication
-) -> None:
-    translator = Reversed()
-    QCoreApplication.installTranslator(translator)
-    try:
-        card = SceneCard()
-        qtbot.addWidget(card)
-        card.show_scene("Title", TRIES, EVERYTHING)
-        card.show()
-        qtbot.waitExposed(card)
-        owner = Owner(card)
-        owner.projection = replace(
-            EVERYTHING.start, camera=Camera((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), (0.0, 1.0, 0.0))
-        )
-        owner.edited({"gap": 200.0})
-        assert card.tries.text() == "\n".join(TRIES).upper()
-        assert card.rows["gap"].name == "GAP"
-        assert readings(card)[1] == ("KIND", "A", "")
-        assert card.readout.note.text() == "THE LIGHT IS BEHIND THE EYE AT z = 3."
-        assert card.warning.text() == "NOTHING OF it IS SEEN."
-        words = TranslatedWords({"near": "blizu"})
-        assert (words["near"], words["light"], words.get("light", "")) == (
-            "blizu", "LIGHT", "LIGHT"
-        )  # fmt: skip
-    finally:
-        QCoreApplication.removeTranslator(translator)
 
 
 @pytest.mark.undrawn

@@ -1,7 +1,5 @@
 """The explanation panel and its diagrams."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Two screens: the class has the external one, the notes stay with the speaker."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Where the panes stand: the large slot, the whole window, columns, windows of their own."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from typing import Any
 

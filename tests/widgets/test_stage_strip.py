@@ -1,7 +1,5 @@
 """The stage strip: slider, keys and play in the real window, and what is drawn at every stop."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
@@ -25,14 +23,7 @@ from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import OffScreen, labels_of, rendered
 from tests.support.lenses import LENSES
-from tests.support.window import (
-    activate,
-    counted_repaints,
-    move_mouse,
-    picture,
-    present,
-    settle,
-)  # fmt: skip
+from tests.support.window import activate, move_mouse, picture, present, settle  # fmt: skip
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -412,35 +403,6 @@ def test_the_text_about_a_stage_is_fully_visible_and_moves_nothing(window: MainW
             assert QLabel.text(words) == words.text()
             heights.add((words.height(), window.panes["ndc"].canvas.height()))
     assert len(heights) == 1
-
-
-def test_the_strip_moves_its_own_pane_only_and_not_the_document(window: MainWindow) -> None:
-    document = window.store.document
-    before = picture(window.panes["ndc"].canvas)
-    with counted_repaints(window) as counts:
-        window.strip.go_to(1.0)
-        settle()
-        assert counts == {"world": 0, "ndc": 1, "image": 0}
-    assert picture(window.panes["ndc"].canvas) != before
-    assert window.store.document == document
-    assert not window.store.modified
-    assert not window.store.can_undo
-
-
-def test_a_hidden_pane_takes_the_stage_when_it_appears(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    shown: list[float] = []
-    drawing = window.panes["ndc"].drawing
-    assert isinstance(drawing, StageDrawing)
-    monkeypatch.setattr(drawing, "show_stage", shown.append)
-    window.slots.arrange("pictures", "image", "image")
-    assert not window.strip.isVisible()
-    window.strip.go_to(2.0)
-    assert shown == []
-    window.slots.go_back()
-    settle()
-    assert shown == [2.0]
 
 
 def test_a_new_drawing_stands_where_the_strip_is(window: MainWindow) -> None:

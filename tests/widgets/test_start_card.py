@@ -1,7 +1,5 @@
 """The first minute: the card over the window, with scenes, lessons and files."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """The status line: predictions when the hand rests, silence when all is well."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from typing import Any

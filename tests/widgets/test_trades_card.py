@@ -1,7 +1,5 @@
 """Speed and accuracy as one of the first things: the trades as pictures, each with its price."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys
@@ -23,7 +21,7 @@ from app.measure.single import SHIPPED, shipped
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_MS
 from tests.support.layout import cut, overlapping
-from tests.support.window import MakeWindow, activate, click, rgb_of, settle
+from tests.support.window import activate, click, rgb_of, settle, show_scene
 from widgets.window import trades_card
 from widgets.window.main_window import MainWindow
 from widgets.window.start_card import StartCard
@@ -129,29 +127,29 @@ def test_a_trade_without_results_says_so(
 
 
 @pytest.mark.undrawn
-@pytest.mark.parametrize("name", TRADES)
-def test_a_click_opens_its_scene_and_the_panel_on_it(window: MainWindow, name: str) -> None:
+def test_a_click_opens_its_scene_and_the_panel_on_it(window: MainWindow) -> None:
     window.slots.arrange("columns", window.slots.large, "")
-    card = opened(window)
-    click(card.tiles[name])
-    settle()
-    assert window.cover is None
+    panel, begun = window.measure_panel, Document("letter-f", load("letter-f").start)
     scenes = {
         "arithmetic": "cheap-arithmetic", "depth": "depth-buffer", "smoothing": "letter-f",
         "detail": "far-plane-popping",
     }  # fmt: skip
-    assert window.store.document.scene == scenes.get(name, name)
-    panel = window.measure_panel
-    assert window.panels.open_panel is panel and panel.name == name
-    assert window.slots.layout_name == "columns", "what was prepared for a class stays"
-    results = shipped().get(name)
-    bold = None if results is None else boldest(results.trades[0])
-    if results is not None and bold is not None:
-        cost, choice = bold
-        assert panel.cost.currentData() == cost
-        assert bargain(results.trades[0].by_cost(cost), choice) in panel.sentence.text()
-    window.store.undo()
-    assert window.store.document == Document("letter-f", load("letter-f").start), "one undo step"
+    for name in TRADES:
+        click(opened(window).tiles[name])
+        settle()
+        assert window.cover is None
+        assert window.store.document.scene == scenes.get(name, name)
+        assert window.panels.open_panel is panel and panel.name == name
+        assert window.slots.layout_name == "columns", "what was prepared for a class stays"
+        results = shipped().get(name)
+        bold = None if results is None else boldest(results.trades[0])
+        if results is not None and bold is not None:
+            cost, choice = bold
+            assert panel.cost.currentData() == cost
+            assert bargain(results.trades[0].by_cost(cost), choice) in panel.sentence.text()
+        window.store.undo()
+        assert window.store.document == begun, "one undo step"
+        window.panels.open(None)
 
 
 @pytest.mark.undrawn
@@ -189,23 +187,26 @@ def test_the_keyboard_is_enough(window: MainWindow) -> None:
     assert window.cover is None and window.store.document.scene == "interpolation"
 
 
-@pytest.mark.parametrize("scene", BUILT_IN)
-def test_precision_opens_with_a_chart_in_every_scene(make_window: MakeWindow, scene: str) -> None:
+@pytest.mark.undrawn
+def test_precision_opens_with_a_chart_in_every_scene(window: MainWindow) -> None:
     """It is that of the trade which the scene shows, or else that of arithmetic."""
-    window = make_window(Document(scene, load(scene).start), drawn=False)
-    window.panels.open(window.measure_panel)
-    settle()
     panel = window.measure_panel
     trades = {
         "interpolation": "interpolation", "depth-buffer": "depth", "far-plane-popping": "detail",
     } | {name: name for name in TRADES if name in BUILT_IN}  # fmt: skip
-    assert panel.name == trades.get(scene, "arithmetic")
-    if panel.name in shipped():
-        (view,) = (view for view in panel.diagrams if view.isVisible())
-        assert not view.frame.isEmpty() and panel.table.rowCount()
-        assert "with the letter F on another machine" in panel.sentence.text()
-    else:
-        assert "There are no results yet" in panel.sentence.text()
+    for scene in BUILT_IN:
+        show_scene(window, scene)
+        window.panels.open(panel)
+        settle()
+        assert panel.name == trades.get(scene, "arithmetic"), scene
+        if panel.name in shipped():
+            (view,) = (view for view in panel.diagrams if view.isVisible())
+            assert not view.frame.isEmpty() and panel.table.rowCount(), scene
+            assert "with the letter F on another machine" in panel.sentence.text(), scene
+        else:
+            assert "There are no results yet" in panel.sentence.text(), scene
+        window.panels.open(None)
+        panel.choose("arithmetic")
 
 
 def test_no_start_waits_for_it() -> None:

@@ -1,7 +1,5 @@
 """The way between two steps: cameras move with the model, pictures fade, nothing is left over."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -100,9 +98,7 @@ def light_of(window: MainWindow) -> float:
     return float(lights.pop())
 
 
-def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(
-    window: MainWindow,
-) -> None:
+def test_the_pane_camera_moves_and_arrives_where_it_would_stand_at_once(window: MainWindow) -> None:
     begun = camera_of(window)
     window.settings.reduce_motion = True
     assert window.lessons.go(1) and not window.lessons.is_moving
@@ -177,6 +173,9 @@ def test_another_scene_fades(window: MainWindow) -> None:
     assert drawn[-1] == canvas.height() < before.shape[0], "drawn in its place, above the strip"
     old = old_of(window)
     assert old.isVisible() and old.size() == window.slide.size()
+    window.control_strip.setMinimumHeight(2 * window.control_strip.height())
+    settle()
+    assert old.isVisible() and old.size() == window.slide.size(), "the strip has grown since"
     arrive(window.lessons)
     settle()
     assert not old.isVisible()

@@ -1,7 +1,5 @@
 """Typeset formulas: the places of their parts, their pixels, and their plain text."""
 
-from __future__ import annotations
-
 from itertools import combinations
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The whole window: one model drives three panes, and nothing is lost."""
 
-from __future__ import annotations
-
 import contextlib
 import gc
 import itertools
@@ -257,21 +255,6 @@ def test_idle_draws_nothing_even_with_an_open_panel(window: MainWindow) -> None:
     with counted_repaints(window) as counts:
         QTest.qWait(700)
     assert counts == dict.fromkeys(window.panes, 0)
-
-
-def test_a_slider_moves_all_three_and_undo_brings_them_back(window: MainWindow) -> None:
-    start = window.store.document.projection
-    before = pixels(window, "image")
-    row, menus = window.controls.rows["fov_y_deg"], window.menus
-    window.controls.edited.emit(replace(start, lens=Perspective(80.0, 1.0, 30.0)))
-    settle()
-    assert (pixels(window, "image") != before).any() and row.value() == 80.0
-    assert (menus.undo.isEnabled(), menus.redo.isEnabled()) == (True, False)
-    window.store.undo()
-    settle()
-    assert window.store.document.projection == start and row.value() == 38.0
-    assert (menus.undo.isEnabled(), menus.redo.isEnabled()) == (False, True)
-    assert (pixels(window, "image") == before).all()
 
 
 # -- the panes' own views
@@ -1142,9 +1125,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
 # -- scenes
 
 
-def test_a_window_of_a_missing_screen_opens_on_an_existing_one(
-    make_window: MakeWindow,
-) -> None:
+def test_a_window_of_a_missing_screen_opens_on_an_existing_one(make_window: MakeWindow) -> None:
     window, settings = make_window(), Settings(None)
     screen = window.screen().geometry()
     window.setGeometry(3 * screen.width(), 2 * screen.height(), 900, 650)
@@ -1274,6 +1255,10 @@ def test_a_phenomenon_shows_its_card_and_opens_no_panel(window: MainWindow) -> N
     assert (box.currentData(), window.panels.open_panel) == ("similar-triangles", None)
     assert card.title.text() == "Similar triangles"
     assert list(card.rows) == ["distance", "point"]
+    row: Any = card.rows["distance"]
+    enter(row.field, "0")
+    assert row.error.startswith("Not possible. Plane distance d = 0: must not be 0: the plane")
+    QTest.keyClick(row.field, Qt.Key.Key_Escape)
     assert card.isAncestorOf(window.controls.rows["distance"])  # the camera's
     click(card.explanation)
     assert window.panels.open_panel is window.scene_panel
@@ -1389,31 +1374,6 @@ def test_no_illustration_of_one_scene_is_shown_in_another(window: MainWindow) ->
 
 
 @pytest.mark.undrawn
-def test_a_setting_is_changed_or_refused_at_its_row_and_undone_into_it(window: MainWindow) -> None:
-    show_scene(window, "similar-triangles")
-    steps = len(list(window.store.documents))
-    row: Any = window.controls.card.rows["distance"]
-    enter(row.field, "0")
-    assert row.error.startswith("Not possible. Plane distance d = 0: must not be 0: the plane")
-    assert window.store.document == on_triangles()
-    row.slider.setSliderDown(True)
-    for value in (-7.0, -6.0, -5.0):
-        row.slider.setValue(row.scale.position_of(value))
-    row.slider.setSliderDown(False)
-    distance = row.value()
-    assert window.store.document.settings["distance"] == distance < 0.0
-    assert window.isWindowModified()
-    assert window.controls.card.readout.lines[6][1].text() == "upside down and left for right"
-    window.store.undo()
-    assert row.value() == 4.0 and window.store.document == on_triangles()
-    assert window.controls.card.readout.lines[6][1].text() == "upright"
-    assert not window.isWindowModified()
-    window.store.redo()
-    assert len(list(window.store.documents)) == steps + 1, "a drag is one step"
-    assert row.value() == distance
-
-
-@pytest.mark.undrawn
 def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainWindow) -> None:
     walk, row = window.controls.animation, window.controls.rows["fov_y_deg"]
     start = window.store.document.projection
@@ -1426,7 +1386,8 @@ def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainW
     assert window.store.document.projection == walked != start
     assert not walk.playing and window.store.can_redo  # playing on would leave nothing to redo
     window.menus.undo.trigger()
-    assert window.store.document.projection == start and not window.store.can_undo
+    assert window.store.document.projection == start
+    assert not window.menus.undo.isEnabled() and window.menus.redo.isEnabled()
     window.menus.redo.trigger()
     window.menus.redo.trigger()
     assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
@@ -1684,9 +1645,7 @@ def test_lines_are_drawn_with_another_form_of_their_shader_declaration(
     assert np.array_equal(*pictures)
 
 
-def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(
-    window: MainWindow,
-) -> None:
+def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(window: MainWindow) -> None:
     note = window.panes["ndc"].note
     text = "u, v, n in world units, as the camera has them"
     note.setText(text)

@@ -31,7 +31,6 @@ from typing import TYPE_CHECKING, Any
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import (
     QAbstractEventDispatcher,
-    QCoreApplication,
     QEvent,
     QEventLoop,
     QLocale,
@@ -243,14 +242,9 @@ def _window_with(
     saved = work.document if options.screenshot else work.saved  # and closes without a question
     try:
         window = MainWindow(
-            work.document,
-            settings=settings,
-            software_rendering=graphics.software,
-            canvas=canvas,
-            saved=saved,
-            path=work.path,
-            scene=scene,
-        )
+            work.document, settings=settings, software_rendering=graphics.software, canvas=canvas,
+            saved=saved, path=work.path, scene=scene,
+        )  # fmt: skip
     except Refusal as error:
         if work.path is None or error.file is not None:
             raise
@@ -259,15 +253,10 @@ def _window_with(
         window.resize(*options.size)
     elif settings.geometry is None and not options.screenshot:
         window.setWindowState(Qt.WindowState.WindowMaximized)  # the first start
-    if work.store is not None:
-        window.store.take_steps(work.store)
     window.lessons.letters = options.letters
-    if work.lesson is not None:
-        window.lesson_card.open(work.lesson, work.step)
+    window.go_on(work)
     if graphics is opengl.NO_OPENGL:
-        said = QCoreApplication.translate(
-            "Program", "Qt has no OpenGL here: VTK draws the panes off the screen."
-        )
+        said = languages.said("Qt has no OpenGL here: VTK draws the panes off the screen.")
         window.filled.connect(partial(window.status.showMessage, said, MESSAGE_MS))
     if options.start_card and settings.start_card and not options.screenshot:
         window.filled.connect(window.show_start_card)

@@ -12,12 +12,9 @@ from functools import partial
 from PySide6.QtCore import QLibraryInfo
 
 from app import bootstrap, system_packages
+from app.languages import said
 from widgets.program.opengl import WITHOUT_OPENGL, DisplayError
 
-WITHOUT_DISPLAY = (
-    "“export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and "
-    "“doctor” need no screen."
-)
 X_RETRIES_S = (0.1, 0.4, 0.0)  # pauses after attempts to reach an X server, which may be restarting
 
 
@@ -46,23 +43,20 @@ def _reach_display() -> Callable[[], object] | None:
         if names[0] in WITHOUT_OPENGL:
             return None  # this platform needs no screen or has its own
         known = ", ".join(("xcb", "wayland", *WITHOUT_OPENGL))
-        raise DisplayError(f"QT_QPA_PLATFORM = {wanted}: must be one of {known}; unset it.")
+        raise DisplayError("QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.", wanted, known)
     if wayland and _wayland_answers():
         return None
     display = os.environ.get("DISPLAY", "")
     if not x11 or not display:
         name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
-        raise _unreachable(f"There is no screen to open a window on ({name} names none)")
+        raise _unreachable(said("opens-none", name))
     return _reach_x11(display)
 
 
 def _unreachable(problem: str) -> DisplayError:
     missing = [] if shutil.which("xvfb-run") else [system_packages.System("xvfb-run", "xvfb xauth")]
     how = f" ({system_packages.advice(missing)})" if missing else ""
-    return DisplayError(
-        f"{problem}: start the program in a desktop session, over ssh with -X, or with "
-        f"xvfb-run -s '+extension GLX'{how} in front; {WITHOUT_DISPLAY}"
-    )
+    return DisplayError("no-screen", problem, how)
 
 
 def _wayland_answers() -> bool:
@@ -89,10 +83,7 @@ def _reach_x11(display: str) -> Callable[[], object]:
         ctypes.CDLL(os.path.join(plugins, "platforms", "libqxcb.so"))
         xcb = ctypes.CDLL("libxcb.so.1")
     except OSError as error:
-        raise DisplayError(
-            f"Qt cannot reach the X server, because a system library is missing ({error}); "
-            f"{bootstrap.PROGRAM} doctor says which package provides it."
-        ) from error
+        raise DisplayError("missing-library", error, bootstrap.PROGRAM) from error
     xcb.xcb_connect.restype = ctypes.c_void_p
     xcb.xcb_connect.argtypes = [ctypes.c_char_p, ctypes.c_void_p]
     xcb.xcb_connection_has_error.argtypes = [ctypes.c_void_p]
@@ -103,6 +94,4 @@ def _reach_x11(display: str) -> Callable[[], object]:
             return partial(xcb.xcb_disconnect, connection)
         xcb.xcb_disconnect(connection)
         time.sleep(pause_s)
-    raise _unreachable(
-        f"The X server DISPLAY = {display} does not answer or does not let this user in"
-    )
+    raise _unreachable(said("does-not-answer", display))

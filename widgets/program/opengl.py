@@ -15,6 +15,8 @@ from dataclasses import asdict, dataclass
 from PySide6.QtCore import QCoreApplication, Qt, qInstallMessageHandler
 from PySide6.QtGui import QGuiApplication, QOffscreenSurface, QOpenGLContext, QSurfaceFormat
 
+from app.languages import said
+
 NEEDED = (3, 2)
 _GL_RENDERER, _GL_VERSION = 0x1F01, 0x1F02
 _SOFTWARE = (
@@ -22,14 +24,12 @@ _SOFTWARE = (
     "gdi generic", "microsoft basic", "apple software",
 )  # fmt: skip
 
-ADVICE = (
-    "Update the graphics driver; on Linux install Mesa (libgl1-mesa-dri) or start with "
-    "LIBGL_ALWAYS_SOFTWARE=1, and over a remote desktop use one that offers OpenGL."
-)
-
 
 class DisplayError(RuntimeError):
     """No window can be drawn without a screen or OpenGL; the text says why and what to do."""
+
+    def __init__(self, sentence: str, *values: object) -> None:
+        super().__init__(said(sentence, *values))
 
 
 @dataclass(frozen=True)
@@ -70,9 +70,9 @@ def prepare() -> None:
 
 def probe() -> OpenGL:
     """Query an OpenGL context without a window; raise DisplayError if there is no OpenGL 3.2."""
-    platform = QGuiApplication.platformName()
+    platform, advice = QGuiApplication.platformName(), said("update-driver")
     if platform in WITHOUT_OPENGL:  # some provide a context but show garbage
-        raise DisplayError(f"Qt's platform {platform} shows no OpenGL windows. {ADVICE}")
+        raise DisplayError("Qt's platform {0} shows no OpenGL windows. {1}", platform, advice)
     surface, context = QOffscreenSurface(), QOpenGLContext()
     before = qInstallMessageHandler(lambda *_message: None)  # the DisplayError reports it instead
     try:
@@ -81,7 +81,7 @@ def probe() -> OpenGL:
     finally:
         qInstallMessageHandler(before)
     if not is_usable:
-        raise DisplayError(f"No OpenGL could be started, and 3.2 is needed. {ADVICE}")
+        raise DisplayError("No OpenGL could be started, and 3.2 is needed. {0}", advice)
     try:
         functions = context.functions()
         version, renderer = (
@@ -91,11 +91,9 @@ def probe() -> OpenGL:
     finally:
         context.doneCurrent()
     if context.isOpenGLES():
-        raise DisplayError(f"Only OpenGL ES is offered here ({renderer}), not OpenGL 3.2. {ADVICE}")
+        raise DisplayError("opengl-es", renderer, advice)
     if tuple(numbers) < NEEDED:
-        raise DisplayError(
-            f"OpenGL {numbers[0]}.{numbers[1]} is too old ({renderer}): 3.2 is needed. {ADVICE}"
-        )
+        raise DisplayError("old-opengl", *numbers[:2], renderer, advice)
     return OpenGL(version, renderer, is_software(renderer))
 
 

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QCheckBox, QDialog, QDialogButtonBox, QFormLayout,
 from app.document.lengths import DPI, PX_PER, Size
 from app.document.view import PANES
 from app.drawings.figure import ENDINGS, Figure
+from app.languages import with_comma
 from app.model.refusal import Cancelled, Refusal
 from widgets.parts.icons import Combo
 from widgets.parts.labels import WarningLabel
@@ -179,9 +180,8 @@ class ExportDialog(QDialog):
         for field, side in zip(self._sides, (width_px, height_px), strict=True):
             was_modified = field.isModified()
             with QSignalBlocker(field):
-                field.setText(
-                    f"{round(side / PX_PER[self._unit], 0 if self._unit == 'px' else 2):g}"
-                )
+                digits = 0 if self._unit == "px" else 2
+                field.setText(with_comma(f"{round(side / PX_PER[self._unit], digits):g}"))
             field.setModified(was_modified)
 
     def _check(self) -> None:
@@ -207,7 +207,7 @@ class ExportDialog(QDialog):
         if figure.text_pt is None:
             text = self._fields["text"]
             with QSignalBlocker(text):
-                text.setText(f"{figure.em_pt:.2g}")
+                text.setText(with_comma(f"{figure.em_pt:.2g}"))
         return ""
 
     # -- preview

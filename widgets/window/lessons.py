@@ -86,8 +86,7 @@ class Lessons(QObject):
         self._look_from, self._panes = look_from, panes
         self.player: Player | None = None  # the open lesson, as it is played
         self.letters: Letters | None = None  # instead of those that lessons ask for
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self._move)
+        self._clock = Clock(self, self._move)
         self._start = self._end = store.document
         self._part = 1.0
         self._stages = (0.0, 0.0)
@@ -245,6 +244,11 @@ class Lessons(QObject):
         view = self.player.view_beside(document, self._store.look(), other_scene=is_other)
         self._move_to(replace(document, view=view), scene_of(document))
         self._set_off()
+
+    def show_left(self, document: Document) -> None:
+        """Show at once how a student has left the step."""
+        self._move_to(document, scene_of(document))
+        self._finish()
 
     def _is_other(self, document: Document) -> bool:
         """Whether a document shows another scene."""

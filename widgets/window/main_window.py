@@ -9,10 +9,11 @@
 
 import logging
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
@@ -29,7 +30,7 @@ from PySide6.QtGui import (
 from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
-from app.document.store import Store
+from app.document.store import Origin, Store
 from app.drawings.style import Style
 from app.lessons.record import Record
 from app.model.refusal import Refusal
@@ -59,7 +60,6 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.cover_card import CoverCard
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
-from widgets.window.help import Help
 from widgets.window.history import History
 from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
@@ -105,6 +105,7 @@ class Work(NamedTuple):
     lesson: Path | None = None
     step: str = ""
     store: Store | None = None
+    covered: Mapping[Origin, Path] = MappingProxyType({})  # copies of unsaved work
 
 
 class MainWindow(QMainWindow):
@@ -175,9 +176,8 @@ class MainWindow(QMainWindow):
             self.look.words, settings,
         )  # fmt: skip
         self.menus = Actions(
-            self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
-            panes=self.panes, theme=settings.theme, language=settings.language,
-            all_digits=settings.all_digits,
+            self, files=self.files, pictures=self.pictures, slots=self.slots, panes=self.panes,
+            theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self.laser = Laser(self)
@@ -360,15 +360,19 @@ class MainWindow(QMainWindow):
         self.history.stand_still()
         self.settings.language = language
         origin, lesson = self.store.origin, self.lessons.lesson
-        self.work_left = Work(
-            self.store.seen,
-            origin.saved,
-            origin.path,
-            lesson.path if lesson is not None else None,
-            lesson.steps[self.lessons.place].name if lesson is not None else "",
-            self.store,
-        )
+        at = (None, "") if lesson is None else (lesson.path, lesson.steps[self.lessons.place].name)
+        given = self.store.seen, origin.saved, origin.path, *at, self.store, self.recovery.covered
+        self.work_left = Work(*given)
         self.close()
+
+    def go_on(self, work: Work) -> None:
+        """Go on with what another window has left, or open a lesson."""
+        if work.store is not None:
+            self.store.take_steps(work.store)
+            self.recovery.take_over(work.covered)
+        is_open = work.lesson is not None and self.lesson_card.open(work.lesson, work.step)
+        if is_open and work.store is not None:
+            self.lessons.show_left(work.document)
 
     # -- showing the document
 

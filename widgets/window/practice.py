@@ -24,7 +24,6 @@ from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
     MOST,
-    PlacedExercise,
     Sheet,
     Waiting,
     draw_test,
@@ -39,7 +38,7 @@ from app.lessons.practice import (
 )
 from app.lessons.record import Attempt, Record, corrected, ideas_met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 from widgets.parts.layouts import FREE, in_column, in_row, push_button
 from widgets.parts.messages import MessageBar, sentence
 from widgets.parts.plain import PlainLabel, set_tip
@@ -49,12 +48,6 @@ from widgets.window.overview import Overview
 from widgets.window.settings import Settings
 
 COLUMNS = 2
-
-
-def exercises_text(count: int) -> str:
-    if count == 1:
-        return QCoreApplication.translate("SelfTestDialog", "1 exercise")
-    return QCoreApplication.translate("SelfTestDialog", "%n exercises", "", count)
 
 
 class SelfTestDialog(QDialog):
@@ -116,7 +109,7 @@ class SelfTestDialog(QDialog):
 
     def _show_count(self) -> None:
         count = min(MOST, sum(self._counts[name] for name in self.topics))
-        text = exercises_text(count) if count else self.tr("Choose topics.")
+        text = counted(count, "exercise") if count else self.tr("Choose topics.")
         self._count.setText(text)
         self.begin.setEnabled(count > 0 and self.number.hasAcceptableInput())
 
@@ -126,14 +119,11 @@ def review_text(waiting: Waiting) -> str:
     count = len(waiting.due)
     if not count:
         return QCoreApplication.translate("Practice", "&Review")
-    some = exercises_text(count)
+    some = counted(count, "exercise")
     if count > MOST:
         some = QCoreApplication.translate("Practice", "{0} of {1}").format(MOST, some)
-    minutes = waiting.minutes  # lupdate finds no text before an attribute
-    time_needed = QCoreApplication.translate("Practice", "about %n minutes", "", minutes)
-    if minutes == 1:
-        time_needed = QCoreApplication.translate("Practice", "about 1 minute")
-    return QCoreApplication.translate("Practice", "&Review: {0}, {1}").format(some, time_needed)
+    text = QCoreApplication.translate("Practice", "&Review: {0}, about {1}")
+    return text.format(some, counted(waiting.minutes, "minute"))
 
 
 def next_review(waiting: Waiting) -> str:
@@ -250,14 +240,13 @@ class Practice(QObject):
         set_tip(overview.review, next_review(waiting))
         overview.review.setEnabled(bool(waiting.due))
         overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))
-        overview.exercise_wanted.connect(self._open)
+        overview.exercise_wanted.connect(
+            lambda placed: self._card.open(placed.course.lesson.path, placed.here.step.name)
+        )
         overview.review_wanted.connect(self.review)
         overview.test_wanted.connect(self.choose_test)
         overview.export_wanted.connect(partial(self.save, attempts))
         overview.show()
-
-    def _open(self, placed: PlacedExercise) -> None:
-        self._card.open(placed.course.lesson.path, placed.here.step.name)
 
     # -- what has come back
 

@@ -19,7 +19,7 @@ from app.document.settings import set_values
 from app.document.store import Store
 from app.drawings.scene_bounds import bounds_px
 from app.model.parameters import DISTANCE
-from app.model.refusal import Refusal
+from app.model.refusal import Refusal, counted
 from app.precision.quality import AUTO, AUTOMATIC, Quality
 from widgets.panes.canvas import SMOOTHINGS
 from widgets.panes.pane import Pane
@@ -90,11 +90,8 @@ class DrawnQuality(QObject):
             text = self.tr("A pane cannot draw with {0}: it uses its default smoothing")
             yield text.format(quality.smoothing)
         if adaptive.samples:
-            samples = self.tr("%n samples per pixel", "", adaptive.samples)
-            if adaptive.samples == 1:
-                samples = self.tr("1 sample per pixel")
-            text = self.tr("This computer's OpenGL gives {0} instead of {1}")
-            yield text.format(samples, quality.smoothing)
+            text = self.tr("This computer's OpenGL gives {0} per pixel instead of {1}")
+            yield text.format(counted(adaptive.samples, "sample"), quality.smoothing)
         if quality.detail < 1.0 and adaptive.drawn is self._shown().scene:
             yield self.tr("The scene has too few triangles to leave any out")
         image = self._image.drawing

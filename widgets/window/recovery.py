@@ -10,7 +10,7 @@ import logging
 import os
 import re
 import secrets
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from functools import partial
 from pathlib import Path
@@ -51,8 +51,8 @@ class Autosave(QObject):
     ) -> None:
         super().__init__(parent)
         self._folder, self._current, self._has_failed = folder, current, False
-        self._path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
-        self._lock = _lock(self._path)
+        self.path = folder / f"autosave-{os.getpid()}-{secrets.token_hex(4)}.json"
+        self._lock = _lock(self.path)
         self._timer = QTimer(self, singleShot=True, interval=DELAY_MS)
         self._timer.timeout.connect(self.save_now)
         try:
@@ -74,9 +74,9 @@ class Autosave(QObject):
             return self._fail() if document is not None else False
         try:
             if document is None:
-                self._path.unlink(missing_ok=True)
+                self.path.unlink(missing_ok=True)
             else:
-                write(document, self._path)
+                write(document, self.path)
         except (Refusal, OSError) as error:
             log.warning("autosave failed: %s", error)
             return self._fail()
@@ -94,7 +94,7 @@ class Autosave(QObject):
         left, files = list[str](), list[tuple[float, Path]]()
         with suppress(OSError):
             left = [name for name in os.listdir(self._folder) if _COPY.fullmatch(name)]
-        for path in {(self._folder / name).with_suffix(".json") for name in left} - {self._path}:
+        for path in {(self._folder / name).with_suffix(".json") for name in left} - {self.path}:
             lock = _lock(path)
             if lock.tryLock(0):
                 lock.unlock()
@@ -105,7 +105,7 @@ class Autosave(QObject):
     def leave(self) -> bool:
         """Keep unsaved work before another document is shown; False if there is no copy to keep."""
         self._timer.stop()
-        return self.save_now() and os.path.exists(self._path)
+        return self.save_now() and os.path.exists(self.path)
 
     def release(self) -> None:
         """Leave the copy for the next window: its work was neither saved nor discarded."""
@@ -117,7 +117,7 @@ class Autosave(QObject):
         self._timer.stop()
         if self._lock.isLocked():
             try:
-                self._path.unlink(missing_ok=True)
+                self.path.unlink(missing_ok=True)
             except OSError as error:  # offering it later is better than not closing
                 log.warning("autosave stays: %s", error)
             self._lock.unlock()
@@ -142,12 +142,26 @@ class Recovery(QObject):
     @property
     def autosave(self) -> Autosave:
         """The copy of the current document."""
-        origin, store = self._store.origin, self._store
-        if origin not in self._copies:
-            copy = Autosave(self._folder, lambda: store.seen if store.modified else None, self)
-            copy.failed.connect(self._show_no_copy)
-            self._copies[origin] = copy
-        return self._copies[origin]
+        return self._copies.get(self._store.origin) or self._copy_of(self._store.origin)
+
+    def _copy_of(self, origin: Origin) -> Autosave:
+        store = self._store
+        copy = Autosave(self._folder, lambda: store.seen if store.modified else None, self)
+        copy.failed.connect(self._show_no_copy)
+        self._copies[origin] = copy
+        return copy
+
+    @property
+    def covered(self) -> Mapping[Origin, Path]:
+        """The copies of unsaved documents that others cover, in undo."""
+        others = self._copies.items()
+        return {origin: copy.path for origin, copy in others if origin is not self._store.origin}
+
+    def take_over(self, covered: Mapping[Origin, Path]) -> None:
+        """Keep the copies of a window that this one continues, so that they are not offered."""
+        for origin, path in covered.items():
+            with suppress(OSError):
+                path.rename(self._copy_of(origin).path)
 
     def _leave(self) -> None:
         """Keep unsaved work when another document comes: undo or the next window restores it."""
@@ -158,9 +172,8 @@ class Recovery(QObject):
     def close(self) -> None:
         """Close with the window: keep the copies of all documents except the current one."""
         self.autosave.close()
-        for origin, copy in self._copies.items():
-            if origin is not self._store.origin:
-                copy.release()
+        for origin in self.covered:
+            self._copies[origin].release()
 
     def offer(self) -> None:
         """Offer to recover the unsaved work of a window that died, if there is any."""

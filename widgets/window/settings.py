@@ -16,6 +16,7 @@ from PySide6.QtCore import QCoreApplication, QSettings, QStandardPaths
 from app import __version__
 from app.document.files import blamed_on, write_bytes_atomically
 from app.drawings.frame_budget import FRAME_MS, LARGEST_FRAME_MS
+from app.languages import said
 from app.lessons.player import Progress
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.levels import DRAWING_TOLERANCE_PX, LARGEST_TOLERANCE_PX, LEAST_TOLERANCE_PX
@@ -81,10 +82,6 @@ def _valid(value: _T, *conditions: bool) -> _T:
     return value
 
 
-def _flag(text: str) -> bool:
-    return _valid(text == "true", text in ("true", "false"))
-
-
 def _number_in(low: _N, high: _N) -> Callable[[str], _N]:
     def read(text: str) -> _N:
         number = type(low)(text)
@@ -103,10 +100,6 @@ def _bytes(text: str) -> bytes:
         return base64.b64decode(_valid(text, len(text) <= 10_000), validate=True)
     except binascii.Error as error:
         raise ValueError from error
-
-
-def _base64(content: bytes | None) -> str:
-    return base64.b64encode(content or b"").decode("ascii")
 
 
 def _json(text: str, kind: type[_T]) -> _T:
@@ -161,7 +154,10 @@ class _KeptSetting(Generic[_T]):
 
 
 def _kept_flag(key: str, default: _D) -> _KeptSetting[bool | _D]:
-    return _KeptSetting(key, _flag, default, lambda on: "true" if on else "false")
+    def read(text: str) -> bool:
+        return _valid(text == "true", text in ("true", "false"))
+
+    return _KeptSetting(key, read, default, lambda on: "true" if on else "false")
 
 
 def _progress_text(progress: Mapping[str, Progress]) -> str:
@@ -212,7 +208,9 @@ class Settings:
     """Height of the letters in the speaker's notes."""
     export = _KeptSetting[dict[str, Any]]("export", lambda text: _json(text, dict), {}, json.dumps)
     """The last choice in the dialog for pictures."""
-    geometry = _KeptSetting[bytes | None]("geometry", _bytes, None, _base64)
+    geometry = _KeptSetting[bytes | None](
+        "geometry", _bytes, None, lambda content: base64.b64encode(content or b"").decode("ascii")
+    )
     """The window's geometry in Qt's format; None before the first time."""
     recent = _KeptSetting[list[str]]("recent", _paths, [], json.dumps, shared=True)
     """Paths of the files opened or saved by any window, newest first."""
@@ -330,5 +328,5 @@ def delete_settings() -> str:
     try:
         path.unlink()
     except FileNotFoundError:
-        return f"There are no settings to delete: {path}"
-    return f"Settings deleted: {path}"
+        return said("There are no settings to delete: {0}", path)
+    return said("Settings deleted: {0}", path)

@@ -5,6 +5,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 
+from app.languages import said
 from app.lessons import marking
 from app.lessons.blocks.block import Here, Verdict
 from app.lessons.blocks.choices import Choices
@@ -17,7 +18,6 @@ from app.lessons.marking import TypedNumber
 from app.model.formula import Formula
 from app.model.refusal import REFUSALS, Refusal
 
-_ANSWERS = "“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices"
 WAYS = ("value", "count", "matrix", "click", "order", "choice")  # the keys by which one answers
 
 _KINDS: dict[str, type[Choices | Click | MatrixQuestion | OrderQuestion]] = {
@@ -38,12 +38,12 @@ class Answer(MarkedQuestion):
         text, items = body.items(*keys, "wrong", *CHECKS, choices=True)
         given = [item for item in items if item.key in WAYS]
         if not given:
-            raise refused(body.line, REFUSALS["lacks"], _ANSWERS)
+            kinds = said("“value:”, “count:”, “matrix:”, “click:”, “order:”, or choices")
+            raise refused(body.line, REFUSALS["lacks"], kinds)
         other = next((item for item in given if item.key != given[0].key), None)
         if other is not None:
-            raise refused(
-                other.line, REFUSALS["answer-either"], f"{', '.join(WAYS[:-1])} and choices"
-            )
+            kinds = said("{0} and choices", ", ".join(WAYS[:-1]))
+            raise refused(other.line, REFUSALS["answer-either"], kinds)
         if given[0].key in _KINDS:
             return _KINDS[given[0].key].of(body, text, items)
         value = items.single(given[0].key)

@@ -14,6 +14,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from app.document.settings import assignments_in
+from app.languages import said
 from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
@@ -242,7 +243,7 @@ def _number(text: str, line: int, numbers: Mapping[str, Fraction]) -> Fraction:
         try:
             return rational(parse(text.strip()), numbers)
         except KeyError as error:
-            near = ", ".join(numbers) or "none"
+            near = ", ".join(numbers) or said("none")
             raise Refusal(
                 "formula", text.strip(), REFUSALS["no-name"], str(error.args[0]), near
             ) from error
