@@ -23,9 +23,8 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderWindow,
 )
 
-from app.model.parameter import read_content
-
 from app.languages import said
+from app.model.parameter import read_content
 
 Pixels: TypeAlias = NDArray[np.uint8]
 
