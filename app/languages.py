@@ -175,7 +175,7 @@ def texts(part: str, language: str) -> Mapping[tuple[str, str], str]:
         logging.getLogger("app.strangers").warning(text, path, error)  # which the window shows
         return {}
     for name, source, gone, translation in _MESSAGE.findall(content):
-        context = name or context
+        context = _unescaped(name) or context
         if translation and not gone:
             known_texts[context, _unescaped(source)] = translation
     return known_texts

@@ -19,11 +19,11 @@ from app.bootstrap import ROOT
 from app.commands import options
 from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS, sentences
-from app.lecture.conventions import CONVENTIONS
 from app.lecture.kinds import KINDS
 from app.lessons.course import CONTENT
 from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
+from app.model import chain
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
@@ -122,7 +122,7 @@ def said_texts() -> tuple[set[str], set[str]]:
     """The sentences of the commands and of the set-up, and the names of what they count."""
     texts, counted = {*sentences().values(), *ARGPARSE}, set[str]()
     page = (ROOT / "app" / "content" / "set-up.md").read_text("utf-8")
-    texts.update(re.findall("(?m)^- .*?: (.*)", page), (c.note for c in CONVENTIONS.values()))
+    texts.update(re.findall("(?m)^- .*?: (.*)", page), (kind.split()[0] for kind in chain.KINDS))
     for node in (each for path in code() for each in ast.walk(ast.parse(path.read_text("utf-8")))):
         if isinstance(node, ast.Call):
             name = ast.unparse(node.func).rpartition(".")[2]
@@ -154,8 +154,8 @@ def lesson_texts() -> list[tuple[str, list[str]]]:
 
 def source() -> str:
     """Python that marks them all."""
+    from app.lecture.titles import FACTORS, SPACES
     from widgets.panels.frame_panel import STEP_TEXTS
-    from widgets.parts.messages import FACTORS, SPACES
 
     said, counted = said_texts()
     plural = [f'        self.tr("%n {each}s", "", n)\n' for each in sorted(counted)]

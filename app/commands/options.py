@@ -237,8 +237,7 @@ def _sweep(value: str) -> tuple[str, str]:
     return name, ends
 
 
-_COUNT = partial(_whole, "[0-9]{1,9}")
-_DIGITS = partial(_whole, "[1-9]|1[0-7]")
+_COUNT, _DIGITS = partial(_whole, "[0-9]{1,9}"), partial(_whole, "[1-9]|1[0-7]")
 _PAPER: dict[str, dict[str, Any]] = {  # of figures and charts
     "--size": {"type": _parsed("--size", "size", parse_size)},
     "--width": {"type": _parsed("--width", "a length in {0}, such as 84mm", parse_length)},

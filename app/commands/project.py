@@ -16,7 +16,7 @@ from app.commands.arguments import document_of
 from app.commands.options import Parser
 from app.commands.terminal import CliError, write_out
 from app.document.document import MESH_ENDINGS
-from app.languages import said, sentences
+from app.languages import said, sentences, translate
 from app.model.projection import PLANES, Array, Projection, Space, Trace
 from app.precision.levels import (
     Precision,
@@ -227,11 +227,11 @@ def _csv_row(cells: list[str]) -> str:
 
 
 def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
-    labels = ("world", "view", "clip", "NDC", "image px", "depth")
+    labels = said("world"), said("view"), said("clip"), "NDC", said("image px"), said("depth")
+    wide = max(10, *map(len, labels))
     rows, line = len(labels) + 1, "%*s" * 4 + "\n"
-    seen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels)
-    unseen = "%-10s  " + line + "".join(f"{label:>10}  {line}" for label in labels[:3])
-    nothing = "%-10s  " + line + f"{labels[0]:>10}  {line}"
+    head, *below = f"%-{wide}s  {line}", *(f"{label:>{wide}}  {line}" for label in labels)
+    seen, unseen, nothing = ("".join([head, *below[:count]]) for count in (len(labels), 3, 1))
     # The position of each number in a table of four columns with a header row.
     sizes = [len(names) for _, names in answer.stages]
     places = [4 * row + i for row, size in enumerate(sizes, 1) for i in range(size)]
@@ -240,7 +240,7 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
     names = answer.columns.names
     others = answer.columns.written(
         lambda row: "".join(
-            f"{_printable(name):>10}  {_printable(text)}\n"
+            f"{_printable(name):>{wide}}  {_printable(text)}\n"
             for name, text in zip(names, row, strict=True)
         )
     )
@@ -274,13 +274,13 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
                 numbers_of = block.numbers[i, :before_ndc].tolist()
                 why = answer.why_lost if lost else _why_no_picture(numbers_of)
                 none = said("none: {0}", said(why))
-                lines += [f"{label:>10}  {none}\n" for label in labels[known:]]
+                lines += [f"{label:>{wide}}  {none}\n" for label in labels[known:]]
             if lost:
                 lines.append(next(others))
                 continue
             where = said("outside of") if outside_of else said("inside")
-            volume = ", ".join(outside_of) or said("the view volume")
-            lines.append(f"{where:>10}  {volume}\n")
+            planes = ", ".join(translate(plane, "Plane") for plane in outside_of)
+            lines.append(f"{where:>{wide}}  {planes or said('the view volume')}\n")
             lines.append(next(others))
         yield "".join(lines)
     if answer.predictions is not None:

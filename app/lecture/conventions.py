@@ -24,23 +24,16 @@ class Convention(NamedTuple):
     clip: tuple[int, ...]
     depth: DepthRange
     rows: bool
-    note: str
 
 
 _SAME, _Y, _Z, _YZ = (1, 1, 1, 1), (1, -1, 1, 1), (1, 1, -1, 1), (1, -1, -1, 1)
-_OPENCV = "the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0"
 CONVENTIONS = {
-    "opengl": Convention(_SAME, _SAME, _SAME, "opengl", False, "looks along -z, y up"),
-    "direct3d": Convention(
-        _Z, _Z, _SAME, "direct3d", True, "left-handed: world z reversed; looks along +z, y up"
-    ),
-    "vulkan": Convention(_SAME, _SAME, _Y, "direct3d", False, "looks along -z; y of clip down"),
-    "unity": Convention(
-        _Z, _SAME, _SAME, "opengl", False,
-        "left-handed world: z reversed; the view looks along -z, y up (worldToCameraMatrix)",
-    ),
-    "opencv": Convention(_SAME, _YZ, _SAME, "opengl", False, _OPENCV),
-}  # fmt: skip
+    "opengl": Convention(_SAME, _SAME, _SAME, "opengl", False),
+    "direct3d": Convention(_Z, _Z, _SAME, "direct3d", True),
+    "vulkan": Convention(_SAME, _SAME, _Y, "direct3d", False),
+    "unity": Convention(_Z, _SAME, _SAME, "opengl", False),
+    "opencv": Convention(_SAME, _YZ, _SAME, "opengl", False),
+}
 
 
 def in_convention(projection: Projection, name: str, *, rows: bool) -> dict[str, Array]:

@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Vaade: kaamera liikumised tagasi võetud</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Vaade kujul R T või iga liikumise pöördteisendusena</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Lisa lüli</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Esimesena mõjub kõige alumine lüli.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Näita stseeni pärast seda tegurit</translation>
     </message>
 </context>
 <context>
@@ -1617,7 +1629,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>väljaspool</translation>
+        <translation>väljaspool:</translation>
     </message>
     <message>
         <source>overwritten</source>
@@ -2137,11 +2149,11 @@
     </message>
     <message>
         <source>the whole numbers from 0 to {0}</source>
-        <translation>täisarvudest 0 kuni {0}</translation>
+        <translation>täisarvud 0 kuni {0}</translation>
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>lõigu teise otsa vastandpunktist</translation>
+        <translation>(lõigu teise otsa vastandpunkt)</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -2155,9 +2167,57 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} ja {1}</translation></message><message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} ja {1}</translation>
+    </message>
+    <message>
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>nihe</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>pööre</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skaleerimine</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>kaldnihe</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>peegeldus</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>maatriks</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>maailm</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>vaade</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>kärperuum</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>pilt px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>sügavus</translation>
     </message>
 </context>
 <context>
@@ -2233,8 +2293,8 @@
         <translation>Pilt ja sügavusvahemik</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
+        <source>Chain</source>
+        <translation>Ahel</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2651,6 +2711,10 @@
         <source>Answer:</source>
         <translation>Vastus:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Kirjutage lülide tähed korrutisena: esimesena mõjub parempoolne.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2849,6 +2913,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Jagamine w-ga</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>peegeldus</translation>
     </message>
@@ -2883,6 +2951,10 @@
     <message>
         <source>typed matrix</source>
         <translation>sisestatud maatriks</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z jagatud w-ga</translation>
     </message>
 </context>
 <context>
@@ -3461,11 +3533,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>tiirlemine nurgad</translation>
+        <translation>tiirlemise nurgad</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>tiirlemine kalle</translation>
+        <translation>tiirlemise kalle</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -7052,9 +7124,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
 </context>
 <context>
-    <name>Program</name>
-    </context>
-<context>
     <name>Progress</name>
     <message>
         <source>Cancel</source>
@@ -9645,14 +9714,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Jagamine w-ga</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z jagatud w-ga</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Kas see lüli on korrutises</translation>

@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Pogled: poništeni pokreti kamere</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Pogled kao R T ili kao inverz svakog pokreta</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Dodaj pločicu</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Prikaži scenu nakon ovog faktora</translation>
     </message>
 </context>
 <context>
@@ -1137,7 +1149,7 @@
     </message>
     <message>
         <source>Left out, because it is done in the window: {0}.</source>
-        <translation>Izostavljeno, jer se rješava u prozoru: {0}.</translation>
+        <translation>Izostavljeno jer se radi u prozoru: {0}.</translation>
     </message>
     <message>
         <source>Log folder</source>
@@ -1617,7 +1629,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>izvan</translation>
+        <translation>izvan:</translation>
     </message>
     <message>
         <source>overwritten</source>
@@ -2141,7 +2153,7 @@
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>suprotne drugom kraju dužine</translation>
+        <translation>suprotnoj drugom kraju dužine</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -2155,9 +2167,57 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} i {1}</translation></message><message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} i {1}</translation>
+    </message>
+    <message>
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>translacija</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>rotacija</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skaliranje</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>smicanje</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>zrcaljenje</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>matrica</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>svijet</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>kamera</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>odsijecanje</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>slika px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>dubina</translation>
     </message>
 </context>
 <context>
@@ -2233,8 +2293,8 @@
         <translation>Slika i raspon dubine</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
+        <source>Chain</source>
+        <translation>Lanac</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2666,6 +2726,10 @@
         <source>Answer:</source>
         <translation>Odgovor:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Napišite slova pločica kao umnožak: desna djeluje prva.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2864,6 +2928,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Dijeli s w</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>zrcaljenje</translation>
     </message>
@@ -2898,6 +2966,10 @@
     <message>
         <source>typed matrix</source>
         <translation>upisana matrica</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z podijeljeno s w</translation>
     </message>
 </context>
 <context>
@@ -3480,7 +3552,7 @@
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>kruženje nagib</translation>
+        <translation>nagib kruženja</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -7068,9 +7140,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
 </context>
 <context>
-    <name>Program</name>
-    </context>
-<context>
     <name>Progress</name>
     <message>
         <source>Cancel</source>
@@ -9661,14 +9730,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Dijeli s w</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z podijeljeno s w</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Ima li umnožak ovu pločicu</translation>

@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Поглед: поништени покрети камере</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Поглед као R T или као инверз сваког покрета</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Додај плочицу</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Прикажи сцену после овог чиниоца</translation>
     </message>
 </context>
 <context>
@@ -973,7 +985,7 @@
     </message>
     <message>
         <source> (cancelled)</source>
-        <translation> (прекинуто)</translation>
+        <translation> (отказано)</translation>
     </message>
     <message>
         <source> failed</source>
@@ -1137,7 +1149,7 @@
     </message>
     <message>
         <source>Left out, because it is done in the window: {0}.</source>
-        <translation>Изостављено, јер се ради у прозору: {0}.</translation>
+        <translation>Изостављено јер се ради у прозору: {0}.</translation>
     </message>
     <message>
         <source>Log folder</source>
@@ -1617,7 +1629,7 @@
     </message>
     <message>
         <source>outside of</source>
-        <translation>ван</translation>
+        <translation>ван:</translation>
     </message>
     <message>
         <source>overwritten</source>
@@ -2141,7 +2153,7 @@
     </message>
     <message>
         <source>the opposite of the segment's other end</source>
-        <translation>супротне другом крају дужи</translation>
+        <translation>супротној другом крају дужи</translation>
     </message>
     <message>
         <source>change a value of the document, such as lens.far=inf; may be repeated; the names are {0} and settings.NAME for a setting of the scene</source>
@@ -2155,9 +2167,57 @@
         <source>language of messages, lessons and figures (default: the system's)</source>
         <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
-<message><source>{0} and {1}</source><translation>{0} и {1}</translation></message><message>
+    <message>
+        <source>{0} and {1}</source>
+        <translation>{0} и {1}</translation>
+    </message>
+    <message>
         <source>Qt has no OpenGL here: VTK draws the panes off the screen.</source>
         <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
+    </message>
+    <message>
+        <source>translate</source>
+        <translation>транслација</translation>
+    </message>
+    <message>
+        <source>rotate</source>
+        <translation>ротација</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>скалирање</translation>
+    </message>
+    <message>
+        <source>shear</source>
+        <translation>смицање</translation>
+    </message>
+    <message>
+        <source>mirror</source>
+        <translation>рефлексија</translation>
+    </message>
+    <message>
+        <source>matrix</source>
+        <translation>матрица</translation>
+    </message>
+    <message>
+        <source>world</source>
+        <translation>свет</translation>
+    </message>
+    <message>
+        <source>view</source>
+        <translation>камера</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>одсецање</translation>
+    </message>
+    <message>
+        <source>image px</source>
+        <translation>слика px</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>дубина</translation>
     </message>
 </context>
 <context>
@@ -2233,8 +2293,8 @@
         <translation>Слика и опсег дубине</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Објекат</translation>
+        <source>Chain</source>
+        <translation>Ланац</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2666,6 +2726,10 @@
         <source>Answer:</source>
         <translation>Одговор:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Напишите слова плочица као производ: прва делује десна.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2864,6 +2928,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Дељење са w</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>рефлексија</translation>
     </message>
@@ -2898,6 +2966,10 @@
     <message>
         <source>typed matrix</source>
         <translation>унета матрица</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z подељени са w</translation>
     </message>
 </context>
 <context>
@@ -3476,11 +3548,11 @@
     </message>
     <message>
         <source>orbit angles</source>
-        <translation>кружење углови</translation>
+        <translation>углови кружења</translation>
     </message>
     <message>
         <source>orbit tilt</source>
-        <translation>кружење бочни нагиб</translation>
+        <translation>бочни нагиб кружења</translation>
     </message>
     <message>
         <source>preset cavalier cabinet oblique</source>
@@ -7068,9 +7140,6 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
 </context>
 <context>
-    <name>Program</name>
-    </context>
-<context>
     <name>Progress</name>
     <message>
         <source>Cancel</source>
@@ -9661,14 +9730,6 @@ An error in {3} is {2} times as large in u and v.</source>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Дељење са w</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z подељени са w</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Да ли производ садржи ову плочицу</translation>

@@ -21,8 +21,9 @@ from app.model.refusal import Refusal
 from tests.support.commands import one_sentence, run_here
 from tests.support.exercises import WIDE
 from tests.support.pdf import pages_of, printed
+from widgets.program import exam as on_paper
 from widgets.program import paper
-from widgets.program.exam import Numbered, exam, paged
+from widgets.program.exam import Numbered, exam, key, paged
 
 LESSON = (
     """---
@@ -315,3 +316,18 @@ def test_a_state_without_a_picture_to_draw_is_a_whole_exercise(qapp: Any) -> Non
         exercises(1, hidden)[:1], paper.PageBlock(0.0, lambda *_: None), 490.0, 745.0
     )
     assert part.height < 200.0
+
+
+def test_a_test_speaks_the_language_from_its_title_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    class Installed(Exception):
+        pass
+
+    def installed() -> None:
+        raise Installed
+
+    monkeypatch.setattr(on_paper, "off_screen_application", installed)
+    monkeypatch.setattr(on_paper, "QCoreApplication", None)
+    with pytest.raises(Installed):
+        exam("L3", 1, [], lambda: None)
+    with pytest.raises(Installed):
+        key("L3", [(1, [])], "", lambda: None)

@@ -1,5 +1,6 @@
 """Every text of the program is translated, and says what the English one says."""
 
+import ast
 import re
 import shutil
 from collections import Counter
@@ -10,6 +11,7 @@ from xml.etree import ElementTree
 
 import pytest
 
+from app.bootstrap import ROOT
 from app.languages import TRANSLATIONS
 from tests import texts
 
@@ -71,3 +73,43 @@ def test_the_files_are_up_to_date(tmp_path: Path) -> None:
     }
     assert len(changed) == len(FILES)
     assert not any(changed.values()), "run python3 -m tests.texts, and translate what is new"
+
+
+_SAYS = {
+    "write_out",
+    "print_error",
+    "log",
+    "show",
+    "CliError",
+    "SetupError",
+    "DisplayError",
+    "Finding",
+}
+_TWO_WORDS = re.compile(r"(?<![\w-])[a-z]{2,} [a-z]{2,}(?![\w-])")
+
+
+def _written(node: ast.AST) -> Iterator[str]:
+    """The texts below a node, but for what `said` translates."""
+    if isinstance(node, ast.Call) and ast.unparse(node.func).endswith("said"):
+        return
+    if isinstance(node, ast.Constant) and isinstance(node.value, str):
+        yield node.value
+    for child in ast.iter_child_nodes(node):
+        yield from _written(child)
+
+
+def test_commands_and_the_set_up_write_no_words_past_the_translation() -> None:
+    names = ("bootstrap", "system_packages", "held_lock", "commands/*", "lessons/checking")
+    programs = [path for name in names for path in (ROOT / "app").glob(f"{name}.py")]
+    programs += [ROOT / "widgets" / "program" / f"{name}.py" for name in ("display", "opengl")]
+    faults, calls = [], 0
+    for path in programs:
+        for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+            if isinstance(node, ast.Call) and (name := ast.unparse(node.func)) in _SAYS:
+                calls += 1
+                # An error translates its sentence if it is one text, which lupdate is given.
+                is_text = name.endswith("Error") and isinstance(node.args[0], ast.Constant)
+                texts = [text for each in node.args[is_text:] for text in _written(each)]
+                faults += [f"{path.name}: {text}" for text in texts if _TWO_WORDS.search(text)]
+    assert calls > 150
+    assert not faults

@@ -21,7 +21,7 @@ from app.lecture.stages import (
     VIEW,
     WORLD,
 )
-from app.model.chain import MOST_TILES, Tile
+from app.model.chain import MOST_TILES, Tile, in_words
 from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
@@ -82,8 +82,7 @@ class StageStrip(QWidget, Playing):
         self._emitted = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self.advance)
+        self._clock = Clock(self, self.advance)
         self.first = WORLD  # the first stop: below 0, one for each of the object's moves
         self._tiles: tuple[Tile, ...] = ()  # the moves in the order in which they are made
 
@@ -188,7 +187,7 @@ class StageStrip(QWidget, Playing):
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
             name = called(tile.kind) + tile.kind.partition(" ")[2]
-            return [name, WORDS.say("after", tile.text)]
+            return [name, WORDS.say("after", in_words(tile.text))]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             return [self._names[CANONICAL_PARALLEL][0], WORDS.say("no-pyramid")]
         if self._parallel and stop == CANONICAL_PARALLEL:

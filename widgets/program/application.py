@@ -242,14 +242,9 @@ def _window_with(
     saved = work.document if options.screenshot else work.saved  # and closes without a question
     try:
         window = MainWindow(
-            work.document,
-            settings=settings,
-            software_rendering=graphics.software,
-            canvas=canvas,
-            saved=saved,
-            path=work.path,
-            scene=scene,
-        )
+            work.document, settings=settings, software_rendering=graphics.software, canvas=canvas,
+            saved=saved, path=work.path, scene=scene,
+        )  # fmt: skip
     except Refusal as error:
         if work.path is None or error.file is not None:
             raise

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF
+from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, QSizeF
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.document.document import Document
@@ -22,6 +22,7 @@ from app.lessons.text import escaped
 from app.model.refusal import REFUSALS
 from widgets.parts.lesson_text import answer_of
 from widgets.parts.messages import FEW, figure_text
+from widgets.parts.translator import off_screen_application
 from widgets.parts.typeset import paint_brackets
 from widgets.program import paper
 from widgets.program.paper import (
@@ -83,6 +84,7 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
 
     `check` is called before each page; it may raise an exception.
     """
+    off_screen_application()  # which translates
     title = QCoreApplication.translate("Exam", "Test: {0}").format(name)
     left = QCoreApplication.translate("Exam", "{0}, variant {1}").format(title, seed)
 
@@ -91,20 +93,16 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
         pages = paged(exercises, head, width, height)
 
         def paint(number: int, painter: QPainter) -> None:
-            parts = pages[number - 1]
-            painter.save()
+            parts, y = pages[number - 1], 0.0
             room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
             if number == 1:
-                head.paint(painter, QRectF(0.0, 0.0, width, head.height))
-                painter.translate(0.0, head.height + BETWEEN_STEPS_PT)
-                room -= head.height + BETWEEN_STEPS_PT
+                _draw(painter, head, 0.0, 0.0)
+                y = head.height + BETWEEN_STEPS_PT
+                room -= y
             for part in parts:
                 high = part.height + room / len(parts)
-                painter.save()
-                part.paint(painter, QRectF(0.0, 0.0, width, high))
-                painter.restore()
-                painter.translate(0.0, high + BETWEEN_STEPS_PT)
-            painter.restore()
+                _draw(painter, part, 0.0, y, QSizeF(width, high))
+                y += high + BETWEEN_STEPS_PT
             paper.foot(painter, left, f"{number} / {len(pages)}", width, height)
 
         for number in range(1, len(pages) + 1):
@@ -124,6 +122,7 @@ def key(
 
     `check` as for `exam`.
     """
+    off_screen_application()
     title = QCoreApplication.translate("Exam", "Key: {0}").format(name)
 
     def lay_out(width: float, height: float) -> Iterator[paper.PaintPage]:
@@ -318,10 +317,12 @@ def _place_of_answer(question: Asked) -> PageBlock:
     return PageBlock(low, paint)
 
 
-def _draw(painter: QPainter, block: PageBlock, x: float, y: float) -> None:
+def _draw(
+    painter: QPainter, block: PageBlock, x: float, y: float, size: QSizeF | None = None
+) -> None:
     painter.save()
     painter.translate(x, y)
-    block.paint(painter, QRectF(0.0, 0.0, 1e4, block.height))
+    block.paint(painter, QRectF(QPointF(), size or QSizeF(1e4, block.height)))
     painter.restore()
 
 
