@@ -18,6 +18,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Perspective, Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
+from widgets.panes.pane import REST_MS
 from widgets.parts.clock import Clock
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
@@ -187,7 +188,7 @@ def turn(window: MainWindow, name: str) -> None:
     QTest.mouseMove(canvas, QPoint(180, 130))
     QTest.mouseRelease(canvas, LEFT, pos=QPoint(180, 130))
     QTest.keyClick(canvas, Qt.Key.Key_Plus)
-    window.look.adaptive._end_turn()
+    QTest.qWait(3 * REST_MS)
     assert pane.drawing is not None
     board = pane.drawing.board
     assert QTest.qWaitFor(lambda: not board.is_restless, PATIENCE_MS)
