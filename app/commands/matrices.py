@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from app.arithmetic.rationals import Rationals
 from app.commands.aligned import lengths, lens_line, plain, widths
 from app.commands.arguments import document_of, set_letters
 from app.commands.options import Parser
@@ -20,7 +21,7 @@ from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.camera import taken_apart
 from app.model.matrix_text import read_matrix
-from app.model.projection import Array, Projection, Rationals
+from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
 from app.model.tables import rounded
 
@@ -81,9 +82,7 @@ def _text(projection: Projection) -> str:
     blocks = [f"{lens_line(projection)}\n"]
     for stage in projection.all_stages:
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
-        notes = [translate(stage.note, "Stage")] if stage.note else []
-        notes += map(str, properties(projection, stage.name))
-        note = "".join(f"  ({note})\n" for note in notes)
+        note = _notes("  ({0})\n", projection, stage)
         blocks.append(f"{stage.name}{product}\n{note}{_rows(stage.matrix)}")
         factors = [each for each in stage.factors if "_from_" not in each[0]]  # no stages
         if len(factors) > 1:
@@ -91,6 +90,13 @@ def _text(projection: Projection) -> str:
         if stage.name == "clip_from_world":
             blocks.append(f"ndc_from_clip: {said('x, y and z divided by w')}\n")
     return "\n".join(blocks)
+
+
+def _notes(line: str, projection: Projection, matrix: Stage | WrittenMatrix) -> str:
+    """Return the note and the properties of a matrix, each in a line of this form."""
+    own = translate(matrix.note, "Stage") if matrix.note else ""
+    notes = [own, *map(str, properties(projection, matrix.name))]
+    return "".join(map(line.format, filter(None, notes)))
 
 
 def _rows(matrix: Array) -> str:
@@ -174,14 +180,12 @@ def _planes(projection: Projection, form: str) -> str:
 def _latex(projection: Projection, options: argparse.Namespace, letters: Letters) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
     numbers = options.numbers or not options.symbols
+    digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
     whole = matrices(projection, letters)
     (clip,) = (each for each in whole if each.name == "clip_from_view")
     called = latex_called(clip.called.partition(" = ")[0] or clip.name)
     for matrix in whole:
-        notes = [translate(matrix.note, "Stage")] if matrix.note else []
-        notes += map(str, properties(projection, matrix.name))
-        note = "".join(f"% {note}\n" for note in notes)
-        digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
+        note = _notes("% {0}\n", projection, matrix)
         own = called if matrix.name == "clip_from_world" else ""
         tex = displayed(matrix, letters, options.symbols, numbers, digits, width, own)
         blocks.append(note + tex)

@@ -31,6 +31,7 @@ from app.model.limits import (
     Array,
     Row,
     Vector,
+    check_name,
     finite,
     finite_vector,
     keep_checked,
@@ -357,7 +358,6 @@ class Chain:
         return Chain((*self.tiles[:place], *tiles, *self.tiles[place + over :]))
 
     def moved(self, place: int, to: int) -> Chain:
-        """The chain with one tile at another place."""
         return self.with_tile(place, over=1).with_tile(to, self.tiles[place])
 
     @property
@@ -553,8 +553,7 @@ class FiveTiles:
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
             keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
-        if not isinstance(self.order, str) or self.order not in ORDERS:
-            raise Refusal("order", self.order, REFUSALS["one-of"], ", ".join(ORDERS))
+        check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

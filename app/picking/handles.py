@@ -22,15 +22,14 @@ import numpy as np
 
 from app.model import parameters
 from app.model.chain import KINDS, Tile
+from app.model.lenses.lens import FAR, NEAR
+from app.model.lenses.perspective import FOV_Y
 from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.parameters import (
     BOTTOM,
     CHAIN,
-    FAR,
-    FOV_Y,
     LEFT,
-    NEAR,
     PARAMETERS,
     RIGHT,
     ROTATE,
@@ -38,7 +37,7 @@ from app.model.parameters import (
     TOP,
     TRANSLATE,
     UP,
-)  # fmt: skip
+)
 from app.model.projection import LENSES, Array, Chain, Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
 from app.picking.sight import Sight, heading

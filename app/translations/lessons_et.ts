@@ -7907,6 +7907,10 @@
         <translation>105 mm</translation>
     </message>
     <message>
+        <source>105 mm, enlarged 3.3 times</source>
+        <translation>105 mm, suurendatud 3.3 korda</translation>
+    </message>
+    <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
         <translation>Mis on peast 20 cm tagapool, paistab 30 cm kauguselt 0.6 ja 108.6 cm kauguselt 0.84 korda nii suur kui pea.</translation>
     </message>
@@ -8545,12 +8549,12 @@
         <translation>1/z on ekraanil lineaarne</translation>
     </message>
     <message>
-        <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation>Serv läheb sügavuselt {0} sügavusele {1}. Kui ekraanil on läbitud osa {2}, siin {3}, on selle punkti sügavus {4}:</translation>
+        <source>An edge runs from the depth {0} to {1}. At {2} of the way on the screen: {3}</source>
+        <translation>Serv läheb sügavuselt {0} sügavusele {1}. Kui ekraanil on läbitud osa {2}: {3}</translation>
     </message>
     <message>
-        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimene on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirge {0} ja kiir läbi punkti {1} kohtuvad, kus {2}. p ja 1/z on lineaarses võrrandis, ja see ongi kõik.</translation>
+        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a straight edge has a linear equation in x and z. Divided by z it is one in x/z, the place on the screen, and 1/z, and that is all.</source>
+        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimene on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirgel serval on lineaarne võrrand x ja z suhtes. Kui see jagada z-iga, on see lineaarne x/z, ekraanikoha, ja 1/z suhtes, ja see ongi kõik.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
@@ -8875,8 +8879,8 @@
         <translation>Tooge lähitasand kaamerale lähemale.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Lohistage paanis Maailm ookrivärvi rombi piki telge või nihutage külgribal liugurit *Lähitasand* vasakule.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Lohistage seda paanis Maailm tahust, servast või nimest või nihutage külgribal liugurit *Lähitasand* vasakule.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>

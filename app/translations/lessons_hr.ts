@@ -7907,6 +7907,10 @@
         <translation>105 mm</translation>
     </message>
     <message>
+        <source>105 mm, enlarged 3.3 times</source>
+        <translation>105 mm, povećano 3.3 puta</translation>
+    </message>
+    <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
         <translation>20 cm iza, njezina je veličina 0.6 veličine glave snimljene s 30 cm, a 0.84 snimljene sa 108.6 cm.</translation>
     </message>
@@ -8545,12 +8549,12 @@
         <translation>1/z je na ekranu linearan</translation>
     </message>
     <message>
-        <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation>Brid ide od dubine {0} do {1}. Njegova točka na {2} puta na ekranu, ovdje {3}, ima dubinu {4}:</translation>
+        <source>An edge runs from the depth {0} to {1}. At {2} of the way on the screen: {3}</source>
+        <translation>Brid ide od dubine {0} do {1}. Na {2} puta na ekranu: {3}</translation>
     </message>
     <message>
-        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation>Slika: polovica označenog brida na ekranu i njegova polovica u svijetu dva su mjesta. Prvo je na samo 30 % puta od bližeg kraja. Na ploči: dubine 2 i 8, t = 1/2, pa je 1/z = (1/2 + 1/8)/2 i z = 3.2, a ne 5. Zašto: pravac {0} i zraka kroz {1} sijeku se gdje je {2}. p i 1/z povezuje linearna jednadžba, i to je sve.</translation>
+        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a straight edge has a linear equation in x and z. Divided by z it is one in x/z, the place on the screen, and 1/z, and that is all.</source>
+        <translation>Slika: polovica označenog brida na ekranu i njegova polovica u svijetu dva su mjesta. Prvo je na samo 30 % puta od bližeg kraja. Na ploči: dubine 2 i 8, t = 1/2, pa je 1/z = (1/2 + 1/8)/2 i z = 3.2, a ne 5. Zašto: ravni brid ima linearnu jednadžbu u x i z. Podijeljena sa z, to je linearna jednadžba u x/z, mjestu na ekranu, i u 1/z, i to je sve.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
@@ -8875,8 +8879,8 @@
         <translation>Primaknite blisku ravninu kameri.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Povucite romb boje okera u oknu Svijet duž osi ili pomaknite klizač *Bliska ravnina* na bočnoj ploči ulijevo.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Povucite je u oknu Svijet za plohu, rub ili ime, ili pomaknite klizač *Bliska ravnina* na bočnoj ploči ulijevo.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>

@@ -7907,6 +7907,10 @@
         <translation>105 mm</translation>
     </message>
     <message>
+        <source>105 mm, enlarged 3.3 times</source>
+        <translation>105 mm, увећано 3.3 пута</translation>
+    </message>
+    <message>
         <source>20 cm behind, it is 0.6 times as large as the head from 30 cm, and 0.84 times from 108.6 cm.</source>
         <translation>20 cm иза главе велика је 0.6 пута колико глава са 30 cm, а 0.84 пута са 108.6 cm.</translation>
     </message>
@@ -8545,12 +8549,12 @@
         <translation>1/z је на екрану линеарно</translation>
     </message>
     <message>
-        <source>An edge runs from the depth {0} to {1}. Its point at {2} of the way on the screen, here {3}, has the depth {4}:</source>
-        <translation>Ивица иде од дубине {0} до {1}. Њена тачка на делу {2} пута на екрану, овде {3}, има дубину {4}:</translation>
+        <source>An edge runs from the depth {0} to {1}. At {2} of the way on the screen: {3}</source>
+        <translation>Ивица иде од дубине {0} до {1}. На {2} пута на екрану: {3}</translation>
     </message>
     <message>
-        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a line {0} and a ray through {1} meet where {2}. p and 1/z stand in a linear equation, and that is all.</source>
-        <translation>Слика: пола пута дуж обележене ивице на екрану и пола пута дуж ње у свету два су места. Прво је само на 30 % пута од ближег краја. На табли: дубине 2 и 8, t = 1/2, па је 1/z = (1/2 + 1/8)/2 и z = 3.2, а не 5. Зашто: права {0} и зрак кроз {1} секу се где је {2}. p и 1/z стоје у линеарној једначини, и то је све.</translation>
+        <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a straight edge has a linear equation in x and z. Divided by z it is one in x/z, the place on the screen, and 1/z, and that is all.</source>
+        <translation>Слика: пола пута дуж обележене ивице на екрану и пола пута дуж ње у свету два су места. Прво је само на 30 % пута од ближег краја. На табли: дубине 2 и 8, t = 1/2, па је 1/z = (1/2 + 1/8)/2 и z = 3.2, а не 5. Зашто: права ивица има линеарну једначину по x и z. Подељена са z, то је линеарна једначина по x/z, месту на екрану, и по 1/z, и то је све.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
@@ -8875,8 +8879,8 @@
         <translation>Приближите предњу раван камери.</translation>
     </message>
     <message>
-        <source>Drag the ochre diamond in the World pane along the axis, or move the slider *Near* in the dock to the left.</source>
-        <translation>Превуците окер ромб у приказу „Свет” дуж осе, или померите клизач *Предња раван* у бочном панелу улево.</translation>
+        <source>Drag it in the World pane, by its face, an edge or its name, or move the slider *Near* in the dock to the left.</source>
+        <translation>Превуците је у приказу „Свет” за саму страну, ивицу или име, или померите клизач *Предња раван* у бочном панелу улево.</translation>
     </message>
     <message>
         <source>The picture stays as it is; in the NDC cube everything has moved towards far.</source>

@@ -20,20 +20,10 @@ from PySide6.QtWidgets import QWidget
 
 from app.drawings.style import Style
 from app.lecture.highlight import Highlight, made_of
+from app.model.lenses.lens import FAR, NEAR
+from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
-from app.model.parameters import (
-    DISTANCE,
-    EYE,
-    FAR,
-    FOV_X,
-    FOV_Y,
-    FX,
-    KIND,
-    NEAR,
-    TARGET,
-    TILES,
-    parameters,
-)
+from app.model.parameters import DISTANCE, EYE, FOV_X, FX, KIND, TARGET, TILES, parameters
 from app.model.projection import LARGEST, LENSES, Camera, Projection
 from app.model.refusal import REFUSALS, Refusal, shown_limits
 from widgets.controls.animation import AnimationBar

@@ -16,7 +16,7 @@ from typing import Generic, TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton
 
 from app.languages import with_comma
 from app.lecture.letters import Letters, in_letters
@@ -52,7 +52,6 @@ all_digits = SharedChoice(False)  # whether numbers are shown with all digits in
 _NAMES = read_sections(Path(__file__).with_name("content") / "names.md")
 SPACES, FACTORS = _NAMES["Space"].named, _NAMES["Factor"].named
 
-# Refusals of controls only: the text is not a number.
 
 FEW = 4  # significant digits of a displayed number
 
@@ -196,8 +195,8 @@ class MessageBar(QFrame):
     that is shown is dismissed.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("messageBar")
         self.setAccessibleName(self.tr("Message"))
         self._text = WarningLabel()
