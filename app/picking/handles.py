@@ -247,7 +247,7 @@ def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
     if handle.name == CORNER and 0.0 in handle.at:
         return np.array(projection.camera.frame[int(handle.at[0] == 0.0)])
     if handle.name == "object" and handle.setting in "xyz":
-        return _directions(projection.placement)[:, "xyz".index(handle.setting)]
+        return projection.placement.directions[:, "xyz".index(handle.setting)]
     return None
 
 
@@ -334,17 +334,11 @@ def object_points(chain: Chain, reach: float) -> dict[str, Array]:
 
     `reach` is the drawn length of an axis, in lengths of its matrix column.
     """
-    matrix, turned = chain.matrix, _directions(chain)
+    matrix, turned = chain.matrix, chain.directions
     origin = matrix[:3, 3]
     tips = [origin + reach * matrix[:3, axis] for axis in range(3)]
     aside = origin + _TURN_OUT * reach * (turned[:, 0] + turned[:, 2])
     return dict(zip(OBJECT_POINTS, (origin, *tips, aside), strict=True))
-
-
-def _directions(chain: Chain) -> Array:
-    """Directions of the object's axes as columns (3, 3), also of a flattened axis."""
-    linear = Chain(tuple(tile for tile in chain.on if tile.kind != "scale")).matrix[:3, :3]
-    return np.asarray(linear / np.linalg.norm(linear, axis=0))
 
 
 def _moved_object(chain: Chain, drag: _HandleDrag, shift: bool) -> Chain:

@@ -958,8 +958,8 @@
         <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Milline ahel viib tähe punkti kaamera telgedesse? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
+        <source>Exchange the two tiles in *Chain*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation>Vahetage külgribal jaotises *Ahel* kaks lüli omavahel ja laske ribal uuesti joosta. Kuidas jõuab täht nüüd oma kohale?</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1018,6 +1018,14 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Ahel* on pööre nihkest ülalpool, nii et see mõjub viimasena.</translation>
+    </message>
+    <message>
+        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Chain*, in the dock.</source>
+        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja veel ei ole nihutatud. Selle nihe on külgribal jaotises *Ahel*.</translation>
+    </message>
+    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Tähte pöörati ümber z-telje {0}° ja nihutati siis {1} võrra piki x-telge. Milline korrutis seda tegi?</translation>
     </message>
@@ -1042,10 +1050,6 @@
         <translation>Nupu *Esita* kõrval olev nool loeb korrutist teistpidi. **←** teeb teisendused paremalt vasakule, igaühe maailma telgedes. **→** teeb need vasakult paremale, igaühe telgedes, mida eelmised teisendused on liigutanud: täht läheb 3 võrra piki x-telge ja pöördub siis ümber omaenda alguspunkti. Mõlemal viisil jõuab see samasse kohta.</translation>
     </message>
     <message>
-        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation>Vahetage külgribal jaotises *Objekt* kaks lüli omavahel ja laske ribal uuesti joosta. Kuidas jõuab täht nüüd oma kohale?</translation>
-    </message>
-    <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
         <translation>Lohistage lüli selle vasakus servas olevast pidemest või vajutage seal nooleklahve.</translation>
     </message>
@@ -1066,16 +1070,16 @@
         <translation>Kaameral on omad teljed ja {0} viib maailma nendesse. See võtab kaamera paigutamise tagasi. Tähe punkti {1} jaoks korrutatakse mõlemad maatriksid:</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera's axes?</source>
+        <translation>Milline ahel viib tähe punkti kaamera telgedesse?</translation>
+    </message>
+    <message>
         <source>In which space does the point have its coordinates at first?</source>
         <translation>Millises ruumis on punkti koordinaadid alguses?</translation>
     </message>
     <message>
         <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Punkt alustab tähe enda ruumist. Pööre ja nihe viivad selle maailma ja vaatemaatriks viib selle sealt kaamerani.</translation>
-    </message>
-    <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Objekt* on pööre nihkest ülalpool, nii et see mõjub viimasena.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
@@ -1146,10 +1150,6 @@
         <translation>Harjutus: viige punkt oma kohale</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja veel ei ole nihutatud. Selle nihe on külgribal jaotises *Objekt*.</translation>
-    </message>
-    <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
         <translation>Jätke pööre {0}° samaks ja nihutage tähte nii, et selle punkt {1} langeb kokku sondiga 1, mis on kohal {2}.</translation>
     </message>
@@ -1198,8 +1198,8 @@
         <translation>{0}: enne skaleerimine piki tähe enda telgi, siis pööre ümber selle enda alguspunkti ja viimasena nihe.</translation>
     </message>
     <message>
-        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
-        <translation>Andke lülidele arvud ja seadke need järjekorda: korrutis peab olema {0}.</translation>
+        <source>Give the tiles their numbers, and arrange them. Columns 1 and 4 of their product {0} must be {1} and {2}.</source>
+        <translation>Andke lülidele arvud ja seadke need järjekorda. Nende korrutise {0} 1. ja 4. veerg peavad olema {1} ja {2}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,10 +2863,6 @@
         <translation>Riba iga peatus on koht ja iga tegur viib ühest järgmisse. Kaamerafreimi punkt {0} läbib need kõik: millega see kohtub esimesena, on paremal, selle kõrval.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Milline ahel viib peatusest *Vaade* peatusse *NDC*? Lohistage lülisid; esimesena mõjub kõige alumine.</translation>
-    </message>
-    <message>
         <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
         <translation>Millisest ruumist iga tegur alustab: objektiivi enda nähtavast ruumist, püramiidist või risttahukast?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} teeb püramiidist risttahuka. Mis teeb püramiidi?</translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*?</source>
+        <translation>Milline ahel viib peatusest *Vaade* peatusse *NDC*?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>

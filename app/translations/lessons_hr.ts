@@ -958,8 +958,8 @@
         <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Koji lanac točku slova prebacuje na osi kamere? Povlačite pločice; ona na dnu djeluje prva.</translation>
+        <source>Exchange the two tiles in *Chain*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation>Zamijenite dvije pločice u odjeljku *Lanac*, na bočnoj ploči, i ponovno pokrenite traku. Kako slovo sada dolazi na svoje mjesto?</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1018,6 +1018,14 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <translation>Primamljivo je najprije pomaknuti, od {0} do {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} dolazi u {3}, gdje je sonda 1. To je {4}, što ovaj korak i pokazuje: u odjeljku *Lanac* rotacija stoji iznad pomaka, pa djeluje posljednja.</translation>
+    </message>
+    <message>
+        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Chain*, in the dock.</source>
+        <translation>Slovo je okrenuto oko z za {0} i još nije pomaknuto. Pomak mu je u odjeljku *Lanac*, na bočnoj ploči.</translation>
+    </message>
+    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Slovo je okrenuto oko z za {0}°, a zatim pomaknuto za {1} duž x. Koji je umnožak to učinio?</translation>
     </message>
@@ -1042,10 +1050,6 @@
         <translation>Strelica pokraj *Pokreni* čita umnožak s druge strane. **←** izvodi faktore zdesna nalijevo, svaki po osima svijeta. **→** ih izvodi slijeva nadesno, svaki po osima koje su prethodni već pomaknuli: slovo ide 3 duž x, a zatim se okreće oko vlastitog ishodišta. Oba načina završavaju na istom mjestu.</translation>
     </message>
     <message>
-        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation>Zamijenite dvije pločice u odjeljku *Objekt*, na bočnoj ploči, i ponovno pokrenite traku. Kako slovo sada dolazi na svoje mjesto?</translation>
-    </message>
-    <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
         <translation>Povucite pločicu za ručicu lijevo od nje ili ondje pritišćite strelice.</translation>
     </message>
@@ -1066,16 +1070,16 @@
         <translation>Kamera ima vlastite osi, a {0} svijet prebacuje na njih. Ona poništava postavljanje kamere. Točka {1} slova množi se objema matricama:</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera's axes?</source>
+        <translation>Koji lanac točku slova prebacuje na osi kamere?</translation>
+    </message>
+    <message>
         <source>In which space does the point have its coordinates at first?</source>
         <translation>U kojem koordinatnom sustavu točka na početku ima koordinate?</translation>
     </message>
     <message>
         <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Točka počinje u vlastitom koordinatnom sustavu slova. Okret i pomak prebacuju je u svijet, a odande je matrica pogleda prebacuje u koordinatni sustav kamere.</translation>
-    </message>
-    <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation>Primamljivo je najprije pomaknuti, od {0} do {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} dolazi u {3}, gdje je sonda 1. To je {4}, što ovaj korak i pokazuje: u odjeljku *Objekt* rotacija stoji iznad pomaka, pa djeluje posljednja.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
@@ -1146,10 +1150,6 @@
         <translation>Vježba: dovedite točku na mjesto</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation>Slovo je okrenuto oko z za {0} i još nije pomaknuto. Pomak mu je u odjeljku *Objekt*, na bočnoj ploči.</translation>
-    </message>
-    <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
         <translation>Zadržite okret od {0}° i pomaknite slovo tako da njegova točka {1} dođe u sondu 1, u {2}.</translation>
     </message>
@@ -1198,8 +1198,8 @@
         <translation>{0}: najprije skaliranje, duž vlastitih osi slova, zatim okret oko njegova ishodišta, a pomak posljednji.</translation>
     </message>
     <message>
-        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
-        <translation>Dajte pločicama brojeve i poredajte ih: umnožak mora biti {0}.</translation>
+        <source>Give the tiles their numbers, and arrange them. Columns 1 and 4 of their product {0} must be {1} and {2}.</source>
+        <translation>Dajte pločicama brojeve i poredajte ih. Stupci 1 i 4 njihova umnoška {0} moraju biti {1} i {2}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,10 +2863,6 @@
         <translation>Svaka postaja trake je mjesto, a svaki faktor vodi s jednog mjesta na sljedeće. Točka {0} koordinatnog sustava kamere prolazi kroz sva: ono na što najprije naiđe stoji zdesna, do nje.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Koji lanac vodi od postaje *Kamera* do *NDC*? Povlačite pločice; ona na dnu djeluje prva.</translation>
-    </message>
-    <message>
         <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
         <translation>Od kojeg volumena polazi svaki faktor: od vlastitog volumena objektiva, od piramide ili od kvadra?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} prebacuje piramidu u kvadar. Što čini piramidu?</translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*?</source>
+        <translation>Koji lanac vodi od postaje *Kamera* do *NDC*?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>

@@ -958,8 +958,8 @@
         <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Који ланац преводи тачку слова у осе камере? Превуците плочице; она на дну делује прва.</translation>
+        <source>Exchange the two tiles in *Chain*, in the dock, and play the strip again. How does the letter reach its place now?</source>
+        <translation>Замените места двема плочицама у одељку *Ланац*, у бочном панелу, и поново пустите траку. Како слово сада стиже на своје место?</translation>
     </message>
     <message>
         <source>A point through T and R</source>
@@ -1018,6 +1018,14 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <translation>Примамљиво је прво померити, из {0} у {1}, па онда ротирати. Али ротација око координатног почетка света ротира и помак: {2} иде у {3}, где је сонда 1. То је {4}, што овај корак показује: у одељку *Ланац* ротација стоји изнад помака, па делује последња.</translation>
+    </message>
+    <message>
+        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Chain*, in the dock.</source>
+        <translation>Слово је окренуто око z за {0} и још није померено. Његов помак је у одељку *Ланац*, у бочном панелу.</translation>
+    </message>
+    <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
         <translation>Слово је окренуто око z за {0}°, па померено за {1} дуж x. Који производ је то учинио?</translation>
     </message>
@@ -1042,10 +1050,6 @@
         <translation>Стрелица поред дугмета *Пусти* чита производ на другу страну. **←** изводи покрете здесна налево, сваки у осама света. **→** их изводи слева надесно, сваки у осама које су ранији покрети померили: слово иде за 3 дуж x, па се окреће око сопственог координатног почетка. Оба пута завршавају се на истом месту.</translation>
     </message>
     <message>
-        <source>Exchange the two tiles in *Object*, in the dock, and play the strip again. How does the letter reach its place now?</source>
-        <translation>Замените места двема плочицама у одељку *Објекат*, у бочном панелу, и поново пустите траку. Како слово сада стиже на своје место?</translation>
-    </message>
-    <message>
         <source>Drag a tile by the grip at its left, or press the arrow keys there.</source>
         <translation>Превуците плочицу за ручицу на њеној левој страни, или тамо притисните тастере са стрелицама.</translation>
     </message>
@@ -1066,16 +1070,16 @@
         <translation>Камера има сопствене осе, и матрица {0} свет преводи у њих. Она поништава постављање камере. За тачку {1} слова множе се обе матрице:</translation>
     </message>
     <message>
+        <source>Which chain takes a point of the letter to the camera's axes?</source>
+        <translation>Који ланац преводи тачку слова у осе камере?</translation>
+    </message>
+    <message>
         <source>In which space does the point have its coordinates at first?</source>
         <translation>У ком систему су координате тачке на почетку?</translation>
     </message>
     <message>
         <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Тачка полази из координатног система слова. Окретање и помак је преводе у свет, а матрица погледа одатле у систем камере.</translation>
-    </message>
-    <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Object* the rotation stands above the move, so it acts last.</source>
-        <translation>Примамљиво је прво померити, из {0} у {1}, па онда ротирати. Али ротација око координатног почетка света ротира и помак: {2} иде у {3}, где је сонда 1. То је {4}, што овај корак показује: у одељку *Објекат* ротација стоји изнад помака, па делује последња.</translation>
     </message>
     <message>
         <source>With {0} the letter is rotated in its place and then moved, and column 4 is the move as you typed it. With {1} column 4 is the move after the rotation, {2}.</source>
@@ -1146,10 +1150,6 @@
         <translation>Вежба: доведите тачку на место</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0} and not moved yet. Its move is in *Object*, in the dock.</source>
-        <translation>Слово је окренуто око z за {0} и још није померено. Његов помак је у одељку *Објекат*, у бочном панелу.</translation>
-    </message>
-    <message>
         <source>Keep the turn of {0}°, and move the letter so that its point {1} comes to probe 1, at {2}.</source>
         <translation>Задржите окретање од {0}° и померите слово тако да његова тачка {1} дође у сонду 1, у {2}.</translation>
     </message>
@@ -1198,8 +1198,8 @@
         <translation>{0}: прво скалирање, дуж сопствених оса слова, па окретање око његовог координатног почетка, и на крају помак.</translation>
     </message>
     <message>
-        <source>Give the tiles their numbers, and arrange them: the product must be {0}.</source>
-        <translation>Дајте плочицама бројеве и поређајте их: производ мора бити {0}.</translation>
+        <source>Give the tiles their numbers, and arrange them. Columns 1 and 4 of their product {0} must be {1} and {2}.</source>
+        <translation>Дајте плочицама бројеве и поређајте их. Колоне 1 и 4 њиховог производа {0} морају бити {1} и {2}.</translation>
     </message>
     <message>
         <source>Column 4 is the move, if the move acts last.</source>
@@ -2863,10 +2863,6 @@
         <translation>Свака станица траке је једно место, и сваки чинилац води са једног на следеће. Тачка {0} координатног система камере пролази кроз све: оно што прво среће стоји десно, одмах до ње.</translation>
     </message>
     <message>
-        <source>Which chain leads from *View* to *NDC*? Drag the tiles; the one at the bottom acts first.</source>
-        <translation>Који ланац води од станице *Камера* до станице *NDC*? Превуците плочице; она на дну делује прва.</translation>
-    </message>
-    <message>
         <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
         <translation>Од које запремине полази сваки чинилац: од запремине самог објектива, од пирамиде или од квадра?</translation>
     </message>
@@ -3073,6 +3069,10 @@
     <message>
         <source>{0} takes the pyramid to the box. What makes the pyramid?</source>
         <translation>{0} преводи пирамиду у квадар. Шта прави пирамиду?</translation>
+    </message>
+    <message>
+        <source>Which chain leads from *View* to *NDC*?</source>
+        <translation>Који ланац води од станице *Камера* до станице *NDC*?</translation>
     </message>
     <message>
         <source>{0} makes the pyramid, {1} turns it into the box, and {2} stretches its depths.</source>

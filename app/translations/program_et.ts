@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Vaade: kaamera liikumised tagasi võetud</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Vaade kujul R T või iga liikumise pöördteisendusena</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Lisa lüli</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Esimesena mõjub kõige alumine lüli.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Näita stseeni pärast seda tegurit</translation>
     </message>
 </context>
 <context>
@@ -2281,8 +2293,8 @@
         <translation>Pilt ja sügavusvahemik</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
+        <source>Chain</source>
+        <translation>Ahel</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2699,6 +2711,10 @@
         <source>Answer:</source>
         <translation>Vastus:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Kirjutage lülide tähed korrutisena: esimesena mõjub parempoolne.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2897,6 +2913,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Jagamine w-ga</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>peegeldus</translation>
     </message>
@@ -2931,6 +2951,10 @@
     <message>
         <source>typed matrix</source>
         <translation>sisestatud maatriks</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z jagatud w-ga</translation>
     </message>
 </context>
 <context>
@@ -9690,14 +9714,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Jagamine w-ga</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z jagatud w-ga</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Kas see lüli on korrutises</translation>

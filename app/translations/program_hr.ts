@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Pogled: poništeni pokreti kamere</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Pogled kao R T ili kao inverz svakog pokreta</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Dodaj pločicu</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Prikaži scenu nakon ovog faktora</translation>
     </message>
 </context>
 <context>
@@ -1137,7 +1149,7 @@
     </message>
     <message>
         <source>Left out, because it is done in the window: {0}.</source>
-        <translation>Izostavljeno, jer se rješava u prozoru: {0}.</translation>
+        <translation>Izostavljeno jer se radi u prozoru: {0}.</translation>
     </message>
     <message>
         <source>Log folder</source>
@@ -2281,8 +2293,8 @@
         <translation>Slika i raspon dubine</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Objekt</translation>
+        <source>Chain</source>
+        <translation>Lanac</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2714,6 +2726,10 @@
         <source>Answer:</source>
         <translation>Odgovor:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Napišite slova pločica kao umnožak: desna djeluje prva.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2912,6 +2928,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Dijeli s w</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>zrcaljenje</translation>
     </message>
@@ -2946,6 +2966,10 @@
     <message>
         <source>typed matrix</source>
         <translation>upisana matrica</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z podijeljeno s w</translation>
     </message>
 </context>
 <context>
@@ -9706,14 +9730,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Dijeli s w</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z podijeljeno s w</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Ima li umnožak ovu pločicu</translation>

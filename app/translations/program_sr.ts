@@ -783,6 +783,14 @@
 <context>
     <name>ChainEditor</name>
     <message>
+        <source>View: the camera's moves undone</source>
+        <translation>Поглед: поништени покрети камере</translation>
+    </message>
+    <message>
+        <source>The view as R T, or as the inverse of each move</source>
+        <translation>Поглед као R T или као инверз сваког покрета</translation>
+    </message>
+    <message>
         <source>Add a tile</source>
         <translation>Додај плочицу</translation>
     </message>
@@ -801,6 +809,10 @@
     <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
+    </message>
+    <message>
+        <source>Show the scene after this factor</source>
+        <translation>Прикажи сцену после овог чиниоца</translation>
     </message>
 </context>
 <context>
@@ -1137,7 +1149,7 @@
     </message>
     <message>
         <source>Left out, because it is done in the window: {0}.</source>
-        <translation>Изостављено, јер се ради у прозору: {0}.</translation>
+        <translation>Изостављено јер се ради у прозору: {0}.</translation>
     </message>
     <message>
         <source>Log folder</source>
@@ -2281,8 +2293,8 @@
         <translation>Слика и опсег дубине</translation>
     </message>
     <message>
-        <source>Object</source>
-        <translation>Објекат</translation>
+        <source>Chain</source>
+        <translation>Ланац</translation>
     </message>
     <message>
         <source>Animation</source>
@@ -2714,6 +2726,10 @@
         <source>Answer:</source>
         <translation>Одговор:</translation>
     </message>
+    <message>
+        <source>Write the letters of the tiles as a product: what stands on the right acts first.</source>
+        <translation>Напишите слова плочица као производ: прва делује десна.</translation>
+    </message>
 </context>
 <context>
     <name>ExerciseView</name>
@@ -2912,6 +2928,10 @@
 <context>
     <name>Factor</name>
     <message>
+        <source>Divide by w</source>
+        <translation>Дељење са w</translation>
+    </message>
+    <message>
         <source>mirror</source>
         <translation>рефлексија</translation>
     </message>
@@ -2946,6 +2966,10 @@
     <message>
         <source>typed matrix</source>
         <translation>унета матрица</translation>
+    </message>
+    <message>
+        <source>x, y, z divided by w</source>
+        <translation>x, y, z подељени са w</translation>
     </message>
 </context>
 <context>
@@ -9706,14 +9730,6 @@ An error in {3} is {2} times as large in u and v.</source>
 </context>
 <context>
     <name>_TileRow</name>
-    <message>
-        <source>Divide by w</source>
-        <translation>Дељење са w</translation>
-    </message>
-    <message>
-        <source>x, y, z divided by w</source>
-        <translation>x, y, z подељени са w</translation>
-    </message>
     <message>
         <source>Whether the product has this tile</source>
         <translation>Да ли производ садржи ову плочицу</translation>
