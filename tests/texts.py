@@ -154,8 +154,8 @@ def lesson_texts() -> list[tuple[str, list[str]]]:
 
 def source() -> str:
     """Python that marks them all."""
+    from app.lecture.titles import FACTORS, SPACES
     from widgets.panels.frame_panel import STEP_TEXTS
-    from widgets.parts.messages import FACTORS, SPACES
 
     said, counted = said_texts()
     plural = [f'        self.tr("%n {each}s", "", n)\n' for each in sorted(counted)]

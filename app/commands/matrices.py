@@ -1,6 +1,7 @@
 """The command ``matrices``: every stage's matrix as text, JSON or LaTeX."""
 
 import argparse
+import itertools
 import json
 from collections.abc import Mapping, Sequence
 
@@ -15,12 +16,13 @@ from app.languages import said, translate
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
 from app.lecture.copying import latex_called
 from app.lecture.letters import Letters
-from app.lecture.notation import WrittenMatrix, matrices
+from app.lecture.notation import WrittenMatrix, clip_signs, matrices
 from app.lecture.paper import TEXT_WIDTH_PT, displayed
 from app.lecture.typed_matrix import properties
 from app.model.camera import taken_apart
+from app.model.chain import FROM_OBJECT
 from app.model.matrix_text import read_matrix
-from app.model.projection import Array, Projection, Rationals
+from app.model.projection import Array, Projection, Stage
 from app.model.refusal import format_value
 from app.model.tables import rounded
 
@@ -45,12 +47,12 @@ def run(arguments: Sequence[str]) -> int:
     projection = document.projection
     if options.convention:
         write_out([_in_convention(projection, options)])
-    elif options.chain:
-        write_out([_chain(projection, options)])
     elif options.planes:
         write_out([_planes(projection, options.format)])
     elif options.format == "latex":
         write_out([_latex(projection, options, document.view.letters)])
+    elif options.chain:
+        write_out([_chain(projection, options)])
     else:
         parts = _of_p(options.set) if options.format == "text" else ""
         write_out([(_text if options.format == "text" else _json)(projection), parts])
@@ -81,9 +83,7 @@ def _text(projection: Projection) -> str:
     blocks = [f"{lens_line(projection)}\n"]
     for stage in projection.all_stages:
         product = f" = {' '.join(name for name, _ in stage.factors)}" if stage.factors else ""
-        notes = [translate(stage.note, "Stage")] if stage.note else []
-        notes += map(str, properties(projection, stage.name))
-        note = "".join(f"  ({note})\n" for note in notes)
+        note = _notes("  ({0})\n", projection, stage)
         blocks.append(f"{stage.name}{product}\n{note}{_rows(stage.matrix)}")
         factors = [each for each in stage.factors if "_from_" not in each[0]]  # no stages
         if len(factors) > 1:
@@ -91,6 +91,13 @@ def _text(projection: Projection) -> str:
         if stage.name == "clip_from_world":
             blocks.append(f"ndc_from_clip: {said('x, y and z divided by w')}\n")
     return "\n".join(blocks)
+
+
+def _notes(line: str, projection: Projection, matrix: Stage | WrittenMatrix) -> str:
+    """Return the note and the properties of a matrix, each in a line of this form."""
+    own = translate(matrix.note, "Stage") if matrix.note else ""
+    notes = [own, *map(str, properties(projection, matrix.name))]
+    return "".join(map(line.format, filter(None, notes)))
 
 
 def _rows(matrix: Array) -> str:
@@ -140,21 +147,11 @@ def _chain(projection: Projection, options: argparse.Namespace) -> str:
             for name, exact, so_far in links
         ]
         return _object({"product": names, "steps": steps})
-    if options.format == "latex":
-        *to_clip, _, _ = links
-        factors = [_in_numbers(link.name, link.exact) for link in reversed(to_clip) if link.exact]
-        whole = _in_numbers("clip_from_object", to_clip[-1].so_far)._replace(factors=tuple(factors))
-        digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
-        return displayed(whole, "own", digits=digits, text_pt=width)
     blocks = [f"{' | '.join(names)}\n{said('the rightmost factor acts first')}\n"]
     for number, (name, exact, so_far) in enumerate(links, 1):
         own = _rows(rounded(exact)) if exact else f"  {said('x, y and z divided by w')}\n"
         blocks.append(f"{number}  {name}\n{own}  {said('so far')}\n{_rows(rounded(so_far))}")
     return "\n".join(blocks)
-
-
-def _in_numbers(name: str, exact: Rationals) -> WrittenMatrix:
-    return WrittenMatrix(name, tuple(map(tuple, rounded(exact).tolist())), (), ())
 
 
 def _planes(projection: Projection, form: str) -> str:
@@ -174,15 +171,33 @@ def _planes(projection: Projection, form: str) -> str:
 def _latex(projection: Projection, options: argparse.Namespace, letters: Letters) -> str:
     blocks = ["% needs \\usepackage{amsmath}\n"]
     numbers = options.numbers or not options.symbols
+    digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
     whole = matrices(projection, letters)
     (clip,) = (each for each in whole if each.name == "clip_from_view")
     called = latex_called(clip.called.partition(" = ")[0] or clip.name)
-    for matrix in whole:
-        notes = [translate(matrix.note, "Stage")] if matrix.note else []
-        notes += map(str, properties(projection, matrix.name))
-        note = "".join(f"% {note}\n" for note in notes)
-        digits, width = options.digits or _DIGITS, options.width or TEXT_WIDTH_PT
+    for matrix in (_product(projection, letters, whole),) if options.chain else whole:
+        note = _notes("% {0}\n", projection, matrix)
         own = called if matrix.name == "clip_from_world" else ""
         tex = displayed(matrix, letters, options.symbols, numbers, digits, width, own)
         blocks.append(note + tex)
     return "\n".join(blocks)
+
+
+def _product(
+    projection: Projection, letters: Letters, whole: Sequence[WrittenMatrix]
+) -> WrittenMatrix:
+    """Return the product of all factors from the object to clip space, in a lecture's letters."""
+    stages = {each.name: each for each in whole}
+    from_world, names = stages["clip_from_world"], [*stages["clip_from_world"].product]
+    called = [*from_world.chain]
+    if not projection.placement.is_identity:
+        names.append(FROM_OBJECT)
+        called.append(stages[FROM_OBJECT].called.partition(" = ")[0] or FROM_OBJECT)
+    factors = (
+        (name in ("view_from_world", FROM_OBJECT) and stages[name].factors) or (stages[name],)
+        for name in names
+    )
+    signs = np.reshape(clip_signs(projection, letters), (4, 1))
+    values = tuple(map(tuple, (signs * rounded(projection.links[-3].so_far) + 0.0).tolist()))
+    every = tuple(itertools.chain(*factors))
+    return WrittenMatrix("clip_from_object", values, (), (), every, chain=tuple(called))

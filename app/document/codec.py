@@ -48,13 +48,9 @@ def _with_view(tree: Tree) -> Tree:
     return tree | ({"view": panes | strange} if panes or strange else {})
 
 
-def _with_chain(tree: Tree) -> Tree:
-    """Version 3 has the object's chain; the fields of version 2 are read as ``--set`` sets them."""
-    return tree
-
-
-MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view, _with_chain)
-"""Step i turns a document of version i + 1 into one of version i + 2."""
+MIGRATIONS: tuple[Callable[[Tree], Tree], ...] = (_with_view, lambda tree: tree)
+"""Step i turns a document of version i + 1 into one of version i + 2. Version 3 has the object's
+chain; the fields of version 2 are read as ``--set`` sets them."""
 VERSION = len(MIGRATIONS) + 1  # version of the documents that are written
 
 MOST_VALUES = 100_000
@@ -388,13 +384,14 @@ def to_tree(document: Document) -> Tree:
     """Convert a document to a JSON tree, which `from_tree` reads."""
     projection, quality = document.projection, document.quality
     width, height = projection.image_size
+    tiles = [tile.text for tile in projection.placement.tiles]
     tree: Tree = {
         "format": FORMAT,
         "version": VERSION,
         "scene": document.scene,
         "mesh": document.mesh,
         "settings": _plain(document.settings),
-        "object": chain_tree(projection.placement),
+        "object": {"chain": tiles} if tiles else {},
         "camera": _plain(projection.camera),
         "lens": _plain(projection.lens),
         "depth": projection.depth,
@@ -410,10 +407,6 @@ def to_tree(document: Document) -> Tree:
     tree = {key: value for key, value in tree.items() if value not in ("", {})}
     _add(tree, document.extra)
     return tree
-
-
-def chain_tree(chain: Chain) -> Tree:
-    return {"chain": [tile.text for tile in chain.tiles]} if chain.tiles else {}
 
 
 def _plain(value: Any) -> Any:

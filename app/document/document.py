@@ -16,20 +16,12 @@ from typing import Any, NamedTuple, TypeAlias
 from app.document.compare import Held
 from app.document.view import View
 from app.model.chain import FiveTiles, Tile
+from app.model.lenses import LENSES, FreeMatrix, kinds
 from app.model.matrix_text import read_matrix
 from app.model.numerals import number, numbers
 from app.model.parameter import Settings
 from app.model.parameters import FOCAL_LENGTH, FOV_X, HEIGHT, WIDTH
-from app.model.projection import (
-    LARGEST_IMAGE_PX,
-    LENSES,
-    Camera,
-    FreeMatrix,
-    Intrinsics,
-    Orbit,
-    Projection,
-    kinds,
-)
+from app.model.projection import LARGEST_IMAGE_PX, Camera, Intrinsics, Orbit, Projection
 from app.model.refusal import REFUSALS, Refusal
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.phenomena import PHENOMENA

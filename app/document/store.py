@@ -233,7 +233,6 @@ class Store(QObject):
         self._gestures += 1
 
     def end_gesture(self) -> None:
-        """End the gesture that `begin_gesture` began."""
         if not self._gestures:
             return
         self._gestures -= 1

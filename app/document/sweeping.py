@@ -5,6 +5,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from app.document.document import Document, fields_of
+from app.model.limits import check_name
 from app.model.numerals import numbers
 from app.model.refusal import REFUSALS, Refusal
 
@@ -47,8 +48,7 @@ def swept(
     They go in equal steps, in equal ratios (``log``), or begin and end slowly (``smooth``). Whole
     numbers stay whole.
     """
-    if ease not in EASES:
-        raise Refusal("ease", ease, REFUSALS["one-of"], ", ".join(EASES))
+    check_name("ease", ease, EASES)
     fields = fields_of(start.scene, start.projection.lens.kind)
     whole = {field.path for field in fields if field.whole}
 
@@ -81,8 +81,7 @@ def order(frames: int, loop: str) -> list[int]:
 
     There and back, neither the first nor the last state comes twice in a row.
     """
-    if loop not in LOOPS:
-        raise Refusal("loop", loop, REFUSALS["one-of"], ", ".join(LOOPS))
+    check_name("loop", loop, LOOPS)
     is_back = loop == "back-and-forth"
     if not 2 <= frames <= MOST_FRAMES:
         raise Refusal.saying(REFUSALS["some-frames"], frames, MOST_FRAMES)

@@ -6,7 +6,7 @@ The view is not part of the model: changing it creates neither an undo step nor 
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 from app.document.compare import ComparedPicture, check_pictures
@@ -15,9 +15,9 @@ from app.lecture.letters import LETTERS, Letters, lettering
 from app.lecture.stages import IMAGE, NDC
 from app.model.chain import MOST_TILES
 from app.model.infinity import homogeneous
-from app.model.limits import LARGEST_IMAGE_PX, Row, finite_vector, keep_checked, real, within
-from app.model.projection import Camera
-from app.model.refusal import REFUSALS, Bound, Refusal
+from app.model.limits import Row, check_name, finite_vector, keep_checked, real, within
+from app.model.projection import LARGEST_IMAGE_PX, Camera
+from app.model.refusal import REFUSALS, Refusal
 from app.picking.picking import Probe
 
 LAYOUTS = ("pictures", "columns")  # one large pane and two small ones, or three side by side
@@ -68,12 +68,12 @@ class View:
     """The camera of each pane that the user turned, even of unknown panes. Do not modify it."""
 
     def __post_init__(self) -> None:
-        _check_name("layout", self.layout, LAYOUTS, REFUSALS["one-of"])
-        _check_name("large", self.large, PANES, REFUSALS["one-or-none"])
-        _check_name("frame_step", self.frame_step, STEPS, REFUSALS["one-of"])
-        _check_name("panel", self.panel or "", PANELS, REFUSALS["one-or-none"])
+        check_name("layout", self.layout, LAYOUTS)
+        check_name("large", self.large, PANES, or_none=True)
+        check_name("frame_step", self.frame_step, STEPS)
+        check_name("panel", self.panel or "", PANELS, or_none=True)
         lettering(self.letters)  # or a `Refusal`
-        _check_name("fixed", self.fixed or "", FIXED, REFUSALS["one-or-none"])
+        check_name("fixed", self.fixed or "", FIXED, or_none=True)
         if not _is_number(self.stage) or not -MOST_TILES <= self.stage <= IMAGE:
             raise Refusal(
                 "stage", self.stage, REFUSALS["a-stage"], ", ".join(STAGES), -MOST_TILES, IMAGE
@@ -132,11 +132,6 @@ def _is_number(value: object) -> bool:
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 
-def _check_name(name: str, value: object, names: Sequence[str], bound: Bound) -> None:
-    if value not in names and not (value == "" and bound == REFUSALS["one-or-none"]):
-        raise Refusal(name, value, bound, ", ".join(names))
-
-
 def _check_names(names: tuple[str, ...] | None) -> None:
     if names is None or names == EVERYTHING:
         return
@@ -146,6 +141,14 @@ def _check_names(names: tuple[str, ...] | None) -> None:
 
 
 AS_EVER = View()  # the default view
+
+
+def without_scene(view: View) -> View:
+    """Drop what concerns a scene; keep what is set up for a class."""
+    return replace(
+        view, large="", panel=None, probes=(), pinned=frozenset(), compare=(), dividers=(),
+        slide=(), controls=(), equation="", names=None,
+    )  # fmt: skip
 
 
 # --------------------------------------------------------------------------- as JSON
@@ -165,7 +168,7 @@ def read_view(
         if name in _LISTS:
             given[name] = _list(name, value)
         elif name in _ONE_OR_NONE:  # null is none of them
-            _check_name(name, value, _ONE_OR_NONE[name], REFUSALS["one-or-none"])
+            check_name(name, value, _ONE_OR_NONE[name], or_none=True)
         elif name == "probes":
             given[name] = _probes(value)
         elif name == "stage" and value in STAGES:

@@ -10,22 +10,8 @@ from itertools import compress
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings import actors
+from app.drawings import actors, frame
 from app.drawings.actors import Space, applied
-from app.drawings.frame import (
-    AROUND,
-    BALL,
-    BEFORE,
-    BODY_BOX,
-    LARGER,
-    PART_OF_PANE,
-    SIX_WAYS,
-    TIPS,
-    FrameSteps,
-    arrow,
-    arrow_tips,
-    is_built,
-)
 from app.drawings.label_placement import Ground
 from app.drawings.labels import DOT_EM, EYE, TARGET, vector
 from app.drawings.layer import Layer
@@ -72,13 +58,13 @@ class CameraDrawing(Layer):
 
         self.shafts: dict[str, vtkActor] = {}
         self._heads: dict[str, vtkActor] = {}
-        for axis, tip in TIPS.items():
-            shaft, head = arrow(np.array(tip), getattr(style, axis), 1.5 * width)
+        for axis, tip in frame.TIPS.items():
+            shaft, head = frame.arrow(np.array(tip), getattr(style, axis), 1.5 * width)
             self._axes_space.add(shaft, head)
             self.shafts[axis], self._heads[axis] = shaft, head
             add(shaft, head)
         self._target_parts = rim, target
-        self.steps: FrameSteps | None = None
+        self.steps: frame.FrameSteps | None = None
         self._named: frozenset[str] = frozenset()
         self.axes_lead = False  # whether the axes are what the picture is about
         self._show_parts()
@@ -112,11 +98,13 @@ class CameraDrawing(Layer):
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
         pane, standing = self._state.own.pane, self._state.standing
         eye = standing.eye
-        most_px = PART_OF_PANE * min(pane.size_px)
+        most_px = frame.PART_OF_PANE * min(pane.size_px)
         self._eye_depth = float(pane.axes[2] @ (eye - pane.eye))
         depth = max(self._eye_depth, 1e-6 * standing.extent)
         growing = most_px * (pane.unit(1.0) - pane.unit(0.0))  # for parts nearer than the eye
-        self.body_size = most_px * float(pane.unit(depth)) / (BALL + BEFORE * float(growing))
+        self.body_size = (
+            most_px * float(pane.unit(depth)) / (frame.BALL + frame.BEFORE * float(growing))
+        )
         self._local_from_body = _scaled(standing.local_from_view, self.body_size)
         self._body_space.set(self._local_from_body)
 
@@ -124,7 +112,7 @@ class CameraDrawing(Layer):
         """Build the frame up to the state's step."""
         state = self._state
         if self.steps is None:
-            self.steps = FrameSteps(self._canvas)
+            self.steps = frame.FrameSteps(self._canvas)
             state.emphasis.line(self.steps.up, "up")
             state.emphasis.line(self.steps.look, "target")
             self._name_arrow("up", "up", state.style.accent)
@@ -154,11 +142,11 @@ class CameraDrawing(Layer):
 
     def _shows(self, axis: str) -> bool:
         step = self._state.step
-        return axis in self._named if step is None else is_built(axis, step)
+        return axis in self._named if step is None else frame.is_built(axis, step)
 
     @property
     def shows_target(self) -> bool:
-        return "target" in self._named or is_built("look", self._state.step)
+        return "target" in self._named or frame.is_built("look", self._state.step)
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
@@ -173,8 +161,8 @@ class CameraDrawing(Layer):
     @property
     def _tips(self) -> dict[str, tuple[float, float, float]]:
         if self._state.step is None:
-            return {a: TIPS[a] for a in AXES if a in self._named}
-        return arrow_tips(self._state.step, self._state.standing.camera)
+            return {a: frame.TIPS[a] for a in AXES if a in self._named}
+        return frame.arrow_tips(self._state.step, self._state.standing.camera)
 
     @property
     def axes_size(self) -> float:
@@ -183,7 +171,7 @@ class CameraDrawing(Layer):
 
     @property
     def _enlarged(self) -> float:
-        return LARGER if self._state.step is not None or self.axes_lead else 1.0
+        return frame.LARGER if self._state.step is not None or self.axes_lead else 1.0
 
     @property
     def parts(self) -> Array:
@@ -193,14 +181,14 @@ class CameraDrawing(Layer):
         """
         tips, camera = self._tips, self._state.standing.camera
         if self._state.step is not None:
-            tips = arrow_tips(len(STEPS) - 1, camera)
+            tips = frame.arrow_tips(len(STEPS) - 1, camera)
         reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
-        return np.asarray(np.concatenate([BODY_BOX, ends]) @ camera.frame)
+        return np.asarray(np.concatenate([frame.BODY_BOX, ends]) @ camera.frame)
 
     @property
     def box(self) -> Array:
-        return applied(self._local_from_body, BODY_BOX)
+        return applied(self._local_from_body, frame.BODY_BOX)
 
     @property
     def depths(self) -> tuple[float, float]:
@@ -264,7 +252,7 @@ class CameraDrawing(Layer):
         ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
 
     def reach(self) -> Array:
-        return self._state.standing.eye + AROUND * self.axes_size * SIX_WAYS
+        return self._state.standing.eye + frame.AROUND * self.axes_size * frame.SIX_WAYS
 
     def inside(self) -> dict[str, Array]:
         """The eye, with the camera's body, unless it is not drawn; a parallel lens has none."""

@@ -79,6 +79,13 @@ class Dimensions(Layer):
         said = len(self._sentence_lines())
         return self._rows_em() + (0.5 + 1.5 * said if said else 0.0)
 
+    @property
+    def below(self) -> tuple[float, float]:
+        """The distances along the axis between which that room is needed; a sentence needs all."""
+        rows = [distance for _, distance in distances(self._state, self._state.own.fixed)]
+        is_all = not rows or self._sentence_lines()
+        return (-math.inf, math.inf) if is_all else (min(0.0, *rows), max(0.0, *rows))
+
     def _rows_em(self) -> float:
         state = self._state
         if state.own.fixed == "axis":

@@ -27,6 +27,7 @@ from app.drawings.describing import Description, describe
 from app.drawings.shades import printed
 from app.drawings.side_by_side import line_px, panes_in
 from app.drawings.style import PALETTES, Style, rgb
+from app.model.limits import check_name
 from app.model.projection import LARGEST_IMAGE_PX
 from app.model.refusal import REFUSALS, Cancelled, Refusal, format_value
 from app.scenes.fewer_triangles import reduced
@@ -108,9 +109,7 @@ class Figure:
 
     def __post_init__(self) -> None:
         for name, known in (("palette", PALETTES), ("hidden", HIDDEN), ("fit", FITS)):
-            value = getattr(self, name)
-            if not isinstance(value, str) or value not in known:
-                raise Refusal(name, value, REFUSALS["one-of"], ", ".join(known))
+            check_name(name, getattr(self, name), known)
         if isinstance(self.panes, str) or not self.panes:
             raise Refusal.saying(REFUSALS["no-panes"], repr(self.panes), ", ".join(PANES))
         for pane in self.panes:

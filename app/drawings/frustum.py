@@ -267,10 +267,9 @@ class FrustumDrawing(Layer):
         corners = state.corners_seen
         if corners is None:
             return
-        digits = 0 if planes is None else digits_apart(*planes)
-        for name, face, distance in zip(
-            ENDS, (corners[:4], corners[4:]), planes or (None, None), strict=True
-        ):
+        digits, body = 0 if planes is None else digits_apart(*planes), state.seen(corners)
+        faces = slice(4), slice(4, 8)
+        for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
             if not state.names_point(name):
                 continue
             text = state.words[name]
@@ -278,14 +277,14 @@ class FrustumDrawing(Layer):
                 letter = state.words.get(f"{{{name}_distance}}", name)
                 text = f"{text} {letter} = {written_distance(distance, digits)}"
             state.board.label(name).set_text(text)
-            covered = partial(state.own.pane.covered, face)
-            want_plane(state.board, ground, name, state.seen(face), covered)
+            covered = partial(state.own.pane.covered, corners[face])
+            want_plane(state.board, ground, name, body[face], body, covered)
 
     def _want_sides(self) -> None:
         """Ask for a place beside each side of the window, outside it or inside."""
         state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
         window, without = state.projection.window, state.unseen | state.written
-        if state.names.all:
+        if state.names.wanted is None:
             without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
         named = [
             letter not in without and (letter in state.names or side in state.names)

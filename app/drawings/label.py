@@ -311,7 +311,7 @@ class SceneLabel:
         return left, left + wide, low, low + high
 
     def covers(self, x_px: float, y_px: float) -> bool:
-        """Return whether the label is visible at a pixel from the renderer's left and bottom."""
-        left, right, bottom, top = self.box_px
-        inside = left <= x_px <= right and bottom <= y_px <= top
+        """Return whether the label, with its underline, is visible at a pixel of the renderer."""
+        (left, right, bottom, top), rim = self.box_px, (UNDER_EM + HALO_EM) * self.em
+        inside = left - rim <= x_px <= right + rim and bottom - rim <= y_px <= top + rim
         return inside and bool(self.actor.GetVisibility())

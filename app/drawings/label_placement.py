@@ -39,6 +39,7 @@ _BESIDE = np.array(  # which point of a line, how far from it, in em, and on whi
 )
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
 _STEEPEST = math.radians(30.0)
+_ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _MOVES = 200
@@ -161,30 +162,34 @@ def on(spot: Spot) -> Places:
     return Places(np.array([spot]), np.zeros(1), np.array([spot]), np.zeros(1), leads=False)
 
 
-def along(edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float) -> Places:
-    """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level."""
+def along(
+    edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float, body: Spot
+) -> Places:
+    """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level.
+
+    `body` is the middle of what the area bounds: edges before which that lies come last.
+    """
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
-    spans = ends[:, 1] - ends[:, 0]
+    spans, mids = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
     lengths = np.hypot(*spans.T)
-    # Upper edges first, and of them the longest: there is most room.
-    mids = ends.mean(axis=1)
-    order = np.argsort(-(mids[:, 1] - middle[1] + 0.1 * lengths), kind="stable")
-    round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
-    order = order[lengths[order] >= 1.0]
-    ends, spans, lengths, mids = ends[order], spans[order], lengths[order], mids[order]
-    across = spans / lengths[:, None]
-    turns = np.arctan2(across[:, 1], across[:, 0])
-    turns -= math.pi * np.round(turns / math.pi)
+    across = spans / np.maximum(lengths, 1e-9)[:, None]
     outward = np.stack([-across[:, 1], across[:, 0]], axis=1)
     outward[((mids - middle) * outward).sum(axis=1) < 0.0] *= -1.0
+    # Upper edges first, and of them the longest: there is most room.
+    is_before = ((np.array(body) - mids) * outward).sum(axis=1) > 0.0
+    order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
+    round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
+    order = order[lengths[order] >= 1.0]
+    turns = np.arctan2(across[:, 1], across[:, 0])
+    turns -= math.pi * np.round(turns / math.pi)
     is_turned = (np.abs(turns) <= _STEEPEST) & (lengths > size[0])
     half = np.abs(outward) @ np.array(size) / 2.0  # so that the nearest corner is at the gap
-    away = np.where(is_turned, size[1] / 2.0, half) + 0.35 * em
-    anchors = np.concatenate([ends[:, 0] + part * spans for part in (0.5, 0.2, 0.8)])
-    count = len(anchors)
-    centres = anchors + np.tile(away[:, None] * outward, (3, 1))
-    turns = np.tile(np.where(is_turned, turns, 0.0), 3)
-    places = Places(centres, turns, anchors, np.full(count, 0.35 * em))
+    reach = size[1] / 2.0 + np.abs(outward[:, 0]) * size[0] / 6.0  # of the boxes that ink is in
+    away = np.where(is_turned, reach, half) + 0.35 * em
+    anchors = (ends[:, :1] + np.array(_ALONG)[:, None] * spans[:, None])[order].reshape(-1, 2)
+    centres = anchors + np.repeat((away[:, None] * outward)[order], len(_ALONG), axis=0)
+    turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
+    places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
     return joined(places, round_mids)
 
 

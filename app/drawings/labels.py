@@ -210,7 +210,7 @@ class Board:
             if spot is not None:
                 label.set_position(*spot.centre, spot.turn)
             joined_px = None if spot is None else spot.leader
-            if joined_px is not None or leader.is_drawn:
+            if joined_px is not None or leader.used:
                 leader.begin()
                 if joined_px is not None:
                     leader.add(*joined_px)
@@ -272,11 +272,13 @@ def want_plane(
     ground: Ground,
     key: Hashable,
     corners: Sequence[Spot],
+    body: Sequence[Spot],
     covered: Callable[[], Sequence[Spot]] = tuple,
 ) -> None:
     """Ask for a place for a plane's name: along its visible edges, else on it.
 
-    `corners` are seen in the pane; `covered` returns the places of the pane that show the plane.
+    `corners` are seen in the pane, as are those of the `body` that the plane bounds; `covered`
+    returns the places of the pane that show the plane.
     """
     spots = [(x, y) if depth > 0.0 else (math.nan, math.nan) for x, y, depth in corners]
     size = board.label(key).size_px
@@ -288,7 +290,8 @@ def want_plane(
         possible = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
         if len(seen):
             x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
-            possible.insert(0, along(seen, (x, y), size, board.em))
+            centre = np.nanmean([each[:2] for each in body if each[2] > 0.0], axis=0).tolist()
+            possible.insert(0, along(seen, (x, y), size, board.em, centre))
         return joined(*possible) if possible else NOWHERE
 
     board.want(key, spots, places, PLANE)
@@ -298,7 +301,7 @@ class ScreenLines:
     """Thin lines of one colour in the plane of the screen, drawn anew by ``begin, add..., end``."""
 
     def __init__(self, canvas: PropGroup, colour: str, most: int, renderer: Any = None) -> None:
-        self._canvas, self._cells, self._used = weakref.proxy(canvas), ScreenCells(most, 2), 0
+        self._canvas, self._cells, self.used = weakref.proxy(canvas), ScreenCells(most, 2), 0
         self._cells.px[..., :2] = _AWAY_PX
         self.actor = self._cells.actor
         self.actor.GetProperty().SetColor(*rgb(colour))
@@ -309,25 +312,21 @@ class ScreenLines:
     @property
     def ends(self) -> Array:
         """The lines' ends in pixels, (n, 2, 2)."""
-        return self._cells.px[: self._used, :, :2].astype(np.float64)
-
-    @property
-    def is_drawn(self) -> bool:
-        return self._used > 0
+        return self._cells.px[: self.used, :, :2].astype(np.float64)
 
     def begin(self) -> None:
-        self._cells.px[: self._used, :, :2] = _AWAY_PX
-        self._used = 0
+        self._cells.px[: self.used, :, :2] = _AWAY_PX
+        self.used = 0
 
     def add(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw a line between two pixels, counted from the left and from the bottom."""
-        if self._used < len(self._cells.px):
-            self._cells.px[self._used, :, :2] = start_px, end_px
-            self._used += 1
+        if self.used < len(self._cells.px):
+            self._cells.px[self.used, :, :2] = start_px, end_px
+            self.used += 1
 
     def end(self) -> None:
         self._cells.changed()
-        self._canvas.set_visible(self.actor, self._used > 0)
+        self._canvas.set_visible(self.actor, self.used > 0)
 
 
 def vector(word: str) -> str:

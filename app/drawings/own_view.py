@@ -80,6 +80,7 @@ class Framed(NamedTuple):
     corners: Array  # (n, 3): inside the view from the eye
     has_eye: bool  # whether the lens' projectors meet
     below_em: float  # height of the text below a fixed view
+    below: tuple[float, float]  # the distances along the axis between which that text stands
     shot: Shot
 
 
@@ -177,7 +178,11 @@ class OwnView(PaneCamera):
         is_flat = not axes[2].any()
         half = 1.0 if is_flat else _HALF
         slopes = self._slopes(framed.below_em, half)
-        yield axes @ framed.points.T, slopes
+        along = (framed.eye - framed.points) @ framed.camera.frame[2]
+        is_above = (framed.below[0] <= along) & (along <= framed.below[1])
+        for is_there, below_em in ((is_above, framed.below_em), (~is_above, 0.0)):
+            if is_there.any():
+                yield axes @ framed.points[is_there].T, self._slopes(below_em, half)
         if len(framed.parts):
             grown = 2.0 * half * PART_OF_PANE * min(self.size_px) / self.size_px[1]
             body = grown / (BALL if is_flat else BALL + BEFORE * grown)

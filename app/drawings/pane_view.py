@@ -9,6 +9,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings.actors import axes_of
 from app.drawings.prop_group import PropGroup
+from app.lecture.stages import rotation_between
 from app.model.limits import cos_sin_deg
 from app.model.projection import Array
 from app.picking.sight import Sight
@@ -190,9 +191,7 @@ class Pose(NamedTuple):
 
     def towards(self, other: "Pose", part: float) -> "Pose":
         """Return the pose at a part of the way to another one, 0 to 1."""
-        turn = other.axes.T @ self.axes
-        cosine = max(-1.0, min(1.0, (float(np.trace(turn)) - 1.0) / 2.0))
-        axes = _turned(self.axes, other.axes, part * math.acos(cosine))
+        axes = self.axes @ rotation_between(other.axes.T @ self.axes, part).T
         one, end = max(self.slope, _FLATTEST), max(other.slope, _FLATTEST)
         slope = one ** (1.0 - part) * end**part if self.slope or other.slope else 0.0
         half = self.half_height ** (1.0 - part) * other.half_height**part
@@ -203,19 +202,6 @@ class Pose(NamedTuple):
 
 _LEAST_PART = 1e-12  # of the focus' coordinates, for the distance to it
 _FLATTEST = 0.01  # slope of a camera that is hardly different from a parallel one
-
-
-def _turned(axes: Array, others: Array, angle: float) -> Array:
-    """Turn axes towards others about the one axis that leads there."""
-    turn = others.T @ axes
-    about = np.array([turn[2, 1] - turn[1, 2], turn[0, 2] - turn[2, 0], turn[1, 0] - turn[0, 1]])
-    length = float(np.linalg.norm(about))
-    if length < 1e-9:  # alike, or opposite: then there is no shortest way
-        return others if angle > math.pi / 2.0 else axes
-    x, y, z = about / length
-    cross = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-    rotation = np.eye(3) + math.sin(angle) * cross + (1.0 - math.cos(angle)) * cross @ cross
-    return np.asarray(axes @ rotation.T)
 
 
 def axes_from(azimuth_deg: float, elevation_deg: float) -> Array:

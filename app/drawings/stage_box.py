@@ -388,11 +388,12 @@ class StageBox(Layer):
         spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
         corners = self._corners_seen()
         middle = np.nanmean(corners[:, :2], axis=0) if np.isfinite(corners).any() else np.zeros(2)
-        for label, face in ((self.near, corners[:4]), (self.far, corners[4:])):
+        body = [(x, y, 1.0) for x, y in corners.tolist()]
+        for label, face in ((self.near, slice(4)), (self.far, slice(4, 8))):
             if label in self._written:
                 key = self._keys[label]
-                if np.isfinite(face).all():
-                    want_plane(board, ground, key, [(x, y, 1.0) for x, y in face.tolist()])
+                if np.isfinite(corners[face]).all():
+                    want_plane(board, ground, key, body[face], body)
                 else:
                     board.want_beside(key, spots[label], PLANE)
         starts = zip(self._letters, seen(self.axes[:, 0]), strict=True)

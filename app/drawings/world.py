@@ -185,7 +185,7 @@ class WorldDrawing(Drawing):
 
     def _switch_layers(self) -> None:
         names, hidden = self.names, self.state.hidden_now
-        has_arrows = not names.all and any(axis in names for axis in AXES)
+        has_arrows = names.wanted is not None and any(axis in names for axis in AXES)
         self._scene.actors.show_grid("grid" not in hidden, pale=has_arrows)
         self.picture.actors.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:
@@ -281,7 +281,7 @@ class WorldDrawing(Drawing):
         return Framed(
             at.camera, at.eye, points, self.camera.parts if "eye" in inside else NO_POINTS,
             volume.corners if volume.exists and "frustum" not in state.left_out else points,
-            state.projection.lens.central, self._lengths.below_em, self._shot,
+            state.projection.lens.central, self._lengths.below_em, self._lengths.below, self._shot,
         )  # fmt: skip
 
     @property

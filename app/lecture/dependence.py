@@ -24,17 +24,8 @@ from app.model.formula import (
     Sum,
     parse,
 )
-from app.model.parameters import (
-    ASPECT,
-    EYE,
-    FOV_Y,
-    PARAMETERS,
-    ROTATE,
-    TARGET,
-    TILES,
-    TRANSLATE,
-    UP,
-)
+from app.model.lenses.perspective import FOV_Y
+from app.model.parameters import ASPECT, EYE, PARAMETERS, ROTATE, TARGET, TILES, TRANSLATE, UP
 from app.model.projection import Projection
 
 FIELDS = {  # fields of the document by the names in the formulas of `app.lecture.notation`

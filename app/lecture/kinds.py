@@ -10,8 +10,9 @@ from pathlib import Path
 from typing import NamedTuple
 
 from app.model.infinity import trace_at_infinity
+from app.model.lenses.oblique import oblique_angles
 from app.model.parameter import read_sections, section_of
-from app.model.projection import Camera, Orbit, Projection, Vector, oblique_angles
+from app.model.projection import Camera, Orbit, Projection, Vector
 
 TOLERANCE = 1e-4
 """Tolerance of an axis' component across the image plane and of a receding edge.

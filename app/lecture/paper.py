@@ -65,6 +65,8 @@ def displayed(
     sides = [[_ProductPart(each, _width(each)) for each in chain]] if chain else []
     for wanted, formulas in ((symbols, True), (numbers, False)):
         for product in (matrix.factors, (matrix,)) if wanted else ():
+            if formulas and not all(each.formulas for each in product):
+                continue  # a result that is too long for formulas
             side = [_pmatrix(_cells_of(each, letters, formulas, digits)) for each in product]
             is_product = formulas and bool(sides) and product is not matrix.factors
             is_left = is_product and side[0].width > _READABLE * text_pt

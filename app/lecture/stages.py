@@ -458,7 +458,6 @@ def standing_at(
 
 
 def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Morph:
-    """Create the `Morph` of a projection and a scene."""
     kind = Morph if projection.lens.has_steps else FreeMorph
     return kind(projection, origin, corners_world)
 

@@ -21,10 +21,10 @@ from app.arithmetic.rationals import Rationals, dot, eliminate, rationals
 from app.lecture.rounded import moved_px, nearest_rotation, rounding_of
 from app.model.lenses.lens import plane_letters
 from app.model.lenses.solving import DIGITS, MEANT, same, shortest
-from app.model.limits import DEPTH_RANGES, Cells, DepthRange, finite_matrix
+from app.model.limits import DEPTH_RANGES, Cells, DepthRange, check_name, finite_matrix
 from app.model.parameters import ALPHA, BETA, BOTTOM, FAR, FOV_Y, LEFT, NEAR, RIGHT, TOP
 from app.model.projection import LENSES, Camera, FreeMatrix, Lens, Projection, Vector
-from app.model.refusal import MATRIX, REFUSALS, Refusal
+from app.model.refusal import MATRIX, Refusal
 from app.model.tables import evaluated
 
 Write: TypeAlias = Callable[[float], str]  # writes a number in a sentence
@@ -48,8 +48,7 @@ def shown(projection: Projection, name: str) -> Cells:
         "view_from_world": projection.stages[1],
         "clip_from_view": projection.direct_stages[0],
     }
-    if name not in stages:
-        raise Refusal("matrix", name, REFUSALS["one-of"], ", ".join(EDITABLE))
+    check_name("matrix", name, EDITABLE)
     return finite_matrix(name, (stages[name].matrix + 0.0).tolist())
 
 

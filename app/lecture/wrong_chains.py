@@ -28,7 +28,7 @@ _POINTS = np.array(
 )
 _OF_OBJECT = (*{kind.split()[0]: None for kind in KINDS}, "world_from_object")
 _OF_VIEW = ("view_from_world", "rotation", "translation")
-_OF_LENS = ("clip_from", "canonical_perspective", "canonical_parallel")
+OF_LENS = ("clip_from", "canonical_perspective", "canonical_parallel")
 _AXES = tuple(kind for kind in KINDS if kind.startswith("rotate "))
 
 
@@ -143,7 +143,7 @@ def _single(kinds: Kinds, how: Callable[[Any], Any]) -> Change:
 
 MISTAKES: dict[str, Change] = {
     "model-view": _past(_OF_VIEW, _OF_OBJECT),
-    "projection-first": _past(_OF_LENS, _OF_VIEW),
+    "projection-first": _past(OF_LENS, _OF_VIEW),
     "turn-moves": _past("translate", "rotate"),
     "scale-moves": _past("translate", "scale"),
     "mirror-moves": _past("translate", "mirror"),

@@ -66,16 +66,9 @@ class Course:
 
     def __init__(self, lesson: Lesson) -> None:
         self.lesson = lesson
+        self.file: Path | None = lesson.path
+        self.name = name_of(lesson.path)  # under which answers are kept
         self._shown: dict[int, ShownStep] = {}
-
-    @property
-    def name(self) -> str:
-        """Return the name under which answers are kept."""
-        return name_of(self.lesson.path)
-
-    @property
-    def file(self) -> Path | None:
-        return self.lesson.path
 
     def at(self, place: int) -> "AtStep":
         return AtStep(self, place)

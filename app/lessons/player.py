@@ -15,7 +15,7 @@ from dataclasses import dataclass, field, replace
 from typing import Any
 
 from app.document.document import Document
-from app.document.view import AS_EVER, FIELDS, View
+from app.document.view import AS_EVER, FIELDS, View, without_scene
 from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, State, Variant, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.course import AtStep, Course, ShownStep, scene_of
@@ -400,11 +400,8 @@ class Player:
         beside = self._beside.items()
         own = {name: before for name, (before, then) in beside if getattr(look, name) == then}
         look, self._beside = replace(look, **own), {}
-        if other_scene:  # drop what concerned the previous scene; keep what was set up for a class
-            look = replace(
-                look, large="", panel=None, probes=(), pinned=frozenset(), compare=(),
-                dividers=(), slide=(), controls=(), equation="", names=None,
-            )  # fmt: skip
+        if other_scene:
+            look = without_scene(look)
         # A step is seen from its own side, wherever the user has turned the one before.
         return replace(look, **{"panes": {}, **shown.view})
 

@@ -72,15 +72,7 @@ class Sheet(Course):
             for number, (placed, _) in enumerate(items, 1)
         )
         super().__init__(Lesson(Path(title), title, tuple(steps)))
-        self._name, self.items, self.is_test = name, tuple(items), is_test
-
-    @property
-    def name(self) -> str:
-        return self._name
-
-    @property
-    def file(self) -> Path | None:
-        return None
+        self.name, self.file, self.items, self.is_test = name, None, tuple(items), is_test
 
     def at(self, place: int) -> AtStep:
         return self.items[place].placed.here

@@ -24,29 +24,27 @@ from app.document.view import View
 from app.model import formula
 from app.model.formula import Arithmetic, Formula
 from app.model.infinity import trace_at_infinity
+from app.model.lenses.lens import FAR, NEAR
+from app.model.lenses.oblique import ALPHA, BETA
+from app.model.lenses.perspective import FOV_Y, focal_length_35mm
 from app.model.limits import LARGEST, Row
 from app.model.parameter import Parameter
 from app.model.parameters import (
-    ALPHA,
     ASPECT,
     AZIMUTH,
-    BETA,
     DISTANCE,
     ELEVATION,
-    FAR,
     FOCAL_E,
     FOCAL_LENGTH,
     FOV_X,
-    FOV_Y,
     HEIGHT,
-    NEAR,
     PARAMETERS,
     ROTATE,
     WIDTH,
     WINDOW_SIDES,
-)  # fmt: skip
+)
 from app.model.pipeline import Stage
-from app.model.projection import Array, Projection, Trace, focal_length_35mm
+from app.model.projection import Array, Projection, Trace
 from app.model.refusal import REFUSALS, Refusal
 
 if TYPE_CHECKING:
@@ -116,11 +114,7 @@ def _called(name: str, arguments: Sequence[float]) -> float:
         raise Refusal("formula", name, REFUSALS["quantities-not-defined"]) from None
 
 
-def _rational(name: str, arguments: Sequence[Fraction]) -> Fraction:
-    return Fraction(_called(name, [*map(float, arguments)]))
-
-
-RATIONAL = Arithmetic(Fraction, _rational)
+RATIONAL = Arithmetic(Fraction, lambda name, of: Fraction(_called(name, [*map(float, of)])))
 """Rationals, with the functions in float64; a `KeyError` names an unknown one."""
 
 NEGLIGIBLE = 1.0 / LARGEST  # a number nearer to 0 counts as 0

@@ -5,8 +5,6 @@ Formulas, states, numbers and tests stand in the English file alone: a sentence 
 where they are. The other language has as many lines, so that a fault has the same line in all.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from itertools import pairwise

@@ -15,15 +15,7 @@ from app.measure.results import ChartPoint, Trade, without_numbers
 from app.measure.run import Watch, timed, unwatched
 from app.model.projection import Array, Projection
 from app.model.refusal import MEASURE
-from app.precision.drift import (
-    BLOCK,
-    drifted,
-    errors_px,
-    exact_turn,
-    multiplier,
-    orthonormal,
-    turner,
-)
+from app.precision import drift
 
 _CAMERAS = 1024  # whose axes fit into a processor's cache
 _WAYS = {
@@ -35,17 +27,17 @@ _WAYS = {
 def turning(numbers: str, way: str) -> Callable[[], Any]:
     """Return a function that turns many cameras for `BLOCK` frames."""
     if way == "sines":
-        run: Callable[[], Any] = turner(np.linspace(0.0, 6.0, _CAMERAS).astype(numbers))
+        run: Callable[[], Any] = drift.turner(np.linspace(0.0, 6.0, _CAMERAS).astype(numbers))
     else:
-        step, first = exact_turn(1).hi.astype(numbers)[:, :, None], np.eye(3)[:, :, None]
+        step, first = drift.exact_turn(1).hi.astype(numbers)[:, :, None], np.eye(3)[:, :, None]
         axes = np.array(np.broadcast_to(first, (3, 3, _CAMERAS)), dtype=numbers)
-        run = multiplier(step, axes)
+        run = drift.multiplier(step, axes)
 
     def turn() -> None:
-        for _ in range(BLOCK):
+        for _ in range(drift.BLOCK):
             run()
         if way in ("renormalised", "fast"):
-            axes[:] = orthonormal(axes, way == "fast")
+            axes[:] = drift.orthonormal(axes, way == "fast")
 
     return turn
 
@@ -64,7 +56,9 @@ def measure(
                 f"{numbers}, {said}",
                 MEASURE["in-software"] if numbers == "float16" else "",
             )
-            px, bounds = errors_px(projection, sample(points)[0], *drifted(numbers, way, 1))
+            px, bounds = drift.errors_px(
+                projection, sample(points)[0], *drift.drifted(numbers, way, 1)
+            )
             error, predicted = float(np.linalg.norm(px, axis=1).max()), float(bounds.max())
             use = {"scene": "drift", "settings.rounds": "1", "settings.numbers": numbers}
             use["settings.way"] = way
@@ -73,4 +67,4 @@ def measure(
             if not note:
                 runs[name] = turning(numbers, way)
     trade = Trade("drift", "ns", "px", tuple(choices), 0)
-    return timed(trade, runs, seconds, 1e9 / (BLOCK * _CAMERAS), watch)
+    return timed(trade, runs, seconds, 1e9 / (drift.BLOCK * _CAMERAS), watch)

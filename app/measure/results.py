@@ -2,28 +2,8 @@
 
 A `Trade` is one chart: choices, each with a cost and an error. A `Sweep` holds the errors of
 several choices over a range of one parameter, or the smallest gaps for near and far.
-`Measurements` hold everything that one run measured and everything needed to repeat it::
-
-    {"format": "frustum-lab-measurements", "version": 2,
-     "date": "2026-11-21T08:46:06+00:00", "complete": true,
-     "machine": {"system": ..., "processor": ..., "cores": ..., "opengl": ...},
-     "versions": {"frustum-lab": ..., "python": ..., "numpy": ..., "vtk": ...},
-     "document": {...},
-     "trades": [{"name": "arithmetic", "complete": true, "rounds": 41,
-                 "cost": {"unit": "ns"}, "error": {"unit": "px"},
-                 "columns": ["error_depth"],
-                 "choices": [{"name": "float32", "cost": 12.1, "cost_p95": 12.9,
-                              "error": 3.1e-4, "predicted": 3.1e-4,
-                              "values": {"error_depth": 6e-8}, "note": "", "use": {},
-                              "bytes": 12, "library": false, "steady": true}]}],
-     "sweeps": [{"parameter": "near", "unit": "", "values": [...],
-                 "complete": true, "choices": {"float32": {"error": [...], "error_depth": [...],
-                                                           "predicted": [...],
-                                                           "predicted_depth": [...],
-                                                           "notes": ["", ...]}}}]}
-
-An error is ``null`` if the choice answered NaN or nothing; the note gives the reason. An infinite
-error is ``"inf"``. In version 1 a cost was the median and not the least time.
+`Measurements` hold everything that one run measured and everything needed to repeat it. The page
+``docs/measurements.md`` shows the file.
 """
 
 import csv

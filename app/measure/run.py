@@ -33,11 +33,7 @@ def unwatched(_fraction: float) -> None:
 
 def part_of(watch: Watch, first: float, last: float) -> Watch:
     """Return a watch for the part of the work from one fraction to another."""
-
-    def watch_part(fraction: float) -> None:
-        watch(first + (last - first) * fraction)
-
-    return watch_part
+    return lambda fraction: watch(first + (last - first) * fraction)
 
 
 class Times(NamedTuple):

@@ -13,6 +13,7 @@ the world and its origin (lecture 003).
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -31,6 +32,7 @@ from app.model.limits import (
     Array,
     Row,
     Vector,
+    check_name,
     finite,
     finite_vector,
     keep_checked,
@@ -58,6 +60,7 @@ LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARG
 _LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * LARGEST)
 _SLACK = 1.0001  # a product of rotations may be larger than 1 by their last bit
 _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
+_STEEP = 1e-12  # a view direction is vertical, and a camera level, to so much
 FROM_OBJECT = "world_from_object"
 
 
@@ -357,7 +360,6 @@ class Chain:
         return Chain((*self.tiles[:place], *tiles, *self.tiles[place + over :]))
 
     def moved(self, place: int, to: int) -> Chain:
-        """The chain with one tile at another place."""
         return self.with_tile(place, over=1).with_tile(to, self.tiles[place])
 
     @property
@@ -437,6 +439,12 @@ class Chain:
     def matrix(self) -> Array:
         """`world_from_object`, (4, 4), every number rounded once."""
         return rounded(self.exact)
+
+    @cached_property
+    def directions(self) -> Array:
+        """Directions of the object's axes as columns (3, 3), also of a flattened axis."""
+        linear = Chain(tuple(tile for tile in self.on if tile.kind != "scale")).matrix[:3, :3]
+        return np.asarray(linear / np.linalg.norm(linear, axis=0))
 
     @cached_property
     def is_identity(self) -> bool:
@@ -528,6 +536,23 @@ def _identity() -> Rationals:
 
 NOT_MOVED = Chain()
 
+
+def view_chain(frame: Array, eye: Vector) -> Chain:
+    """The view matrix as the moves that placed a camera, undone: ``Rz Rx Ry T``.
+
+    `frame` has the rows u, v, n. The camera was tilted about its own z, if at all, and about x,
+    turned about y, and moved to its eye.
+    """
+    (u_x, u_y, u_z), (_, v_y, _), (n_x, n_y, n_z) = frame.tolist()
+    is_level = math.hypot(n_x, n_z) > _STEEP
+    turn = math.atan2(n_x, n_z) if is_level else math.atan2(-u_z, u_x)
+    tilt, roll = math.atan2(-n_y, math.hypot(n_x, n_z)), math.atan2(u_y, v_y) if is_level else 0.0
+    turns = {"rotate z": roll, "rotate x": tilt, "rotate y": turn}
+    undone = [Tile(kind, (-math.degrees(angle),)) for kind, angle in turns.items()]
+    x, y, z = eye
+    return Chain((*undone[abs(roll) < _STEEP :], Tile("translate", (-x, -y, -z))))
+
+
 _TURNS = tuple(f"rotate {axis}" for axis in "zyx")
 FIVE: dict[str, tuple[str, ...]] = {
     "trs": ("translate", *_TURNS, "scale"),
@@ -553,8 +578,7 @@ class FiveTiles:
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
             keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
-        if not isinstance(self.order, str) or self.order not in ORDERS:
-            raise Refusal("order", self.order, REFUSALS["one-of"], ", ".join(ORDERS))
+        check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

@@ -26,7 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from app.languages import said
-from app.model.limits import within
+from app.model.limits import check_name, within
 from app.model.projection import DEPTH_RANGES, PLANES, Array
 from app.model.refusal import REFUSALS, Refusal
 
@@ -104,12 +104,10 @@ def _points(field: str, value: ArrayLike, size: int) -> Array:
 
 def _chosen(planes: Iterable[str], depth: str) -> NDArray[np.bool_]:
     """Check the names, and return which of `PLANES` are chosen."""
-    if not isinstance(depth, str) or depth not in DEPTH_RANGES:
-        raise Refusal("depth", depth, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
+    check_name("depth", depth, DEPTH_RANGES)
     names = [planes] if isinstance(planes, str) else list(planes)
     for name in names:
-        if name not in PLANES:
-            raise Refusal("planes", name, REFUSALS["one-of"], ", ".join(PLANES))
+        check_name("planes", name, PLANES)
     return np.array([plane in names for plane in PLANES])
 
 

@@ -27,7 +27,7 @@ import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from app.languages import said
-from app.model.limits import within
+from app.model.limits import check_name, within
 from app.model.projection import DEPTH_RANGES, Array, Lens, Perspective
 from app.model.refusal import REFUSALS, Refusal
 
@@ -72,12 +72,8 @@ class DepthBuffer:
     lens: Lens = Perspective()  # noqa: RUF009
 
     def __post_init__(self) -> None:
-        for field, value, known in (
-            ("format", self.format, tuple(FORMATS)),
-            ("mapping", self.mapping, MAPPINGS),
-        ):
-            if not isinstance(value, str) or value not in known:
-                raise Refusal(field, value, REFUSALS["one-of"], ", ".join(known))
+        check_name("format", self.format, FORMATS)
+        check_name("mapping", self.mapping, MAPPINGS)
         far = self.far  # raises a refusal for a typed matrix
         if self.mapping == "logarithmic":
             if not self.lens.depth_slope:

@@ -2,6 +2,7 @@
 
 import math
 import numbers
+from collections.abc import Collection
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -108,6 +109,13 @@ def within(field: str, number: float, low: float, high: float) -> float:
     if number > high:
         raise Refusal(field, number, REFUSALS["at-most"], high)
     return number
+
+
+def check_name(field: str, value: Any, known: Collection[str], *, or_none: bool = False) -> None:
+    """Refuse what is none of the known names, nor empty if there may be `or_none`."""
+    if (not isinstance(value, str) or value not in known) and not (or_none and value == ""):
+        bound = REFUSALS["one-or-none"] if or_none else REFUSALS["one-of"]
+        raise Refusal(field, value, bound, ", ".join(known))
 
 
 def between(field: str, value: Any, low: int, high: int) -> float:

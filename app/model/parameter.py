@@ -20,7 +20,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
-from app.model.limits import Vector, finite, finite_vector, within
+from app.model.limits import Vector, check_name, finite, finite_vector, within
 from app.model.refusal import REFUSALS, Refusal
 
 Value: TypeAlias = float | bool | str | Vector
@@ -158,9 +158,7 @@ class Parameter:
                 raise Refusal(self.path, value, REFUSALS["yes-or-no"])
             return value
         if isinstance(self.default, str):
-            known = [name for name, _ in self.choices]
-            if value not in known:
-                raise Refusal(self.path, value, REFUSALS["one-of"], ", ".join(known))
+            check_name(self.path, value, [name for name, _ in self.choices])
             return str(value)
         if isinstance(self.default, tuple):
             return finite_vector(self.path, value)
@@ -240,7 +238,6 @@ def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Para
 
 
 def read_content(path: Path) -> str:
-    """Return the text of a content file."""
     return path.read_text(encoding="utf-8")
 
 

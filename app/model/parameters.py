@@ -13,28 +13,16 @@ from types import MappingProxyType
 from typing import Any, NamedTuple
 
 from app.model.chain import KINDS
+from app.model.lenses import perspective
 from app.model.lenses.lens import FAR as FAR
 from app.model.lenses.lens import NEAR as NEAR
 from app.model.lenses.oblique import ALPHA as ALPHA
 from app.model.lenses.oblique import BETA as BETA
+from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
 from app.model.lenses.perspective import FOV_Y as FOV_Y
+from app.model.limits import LARGEST_SHEAR
 from app.model.parameter import Computed, Parameter, stated
-from app.model.projection import (
-    LARGEST_SHEAR,
-    LENSES,
-    OBLIQUE_PRESETS,
-    Camera,
-    Lens,
-    Projection,
-    focal_length_35mm,
-    focal_length_e,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_35mm,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
-    oblique_angles,
-    receding_of,
-)
+from app.model.projection import LENSES, Camera, Lens, Projection
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 ASPECTS = {"1:1": (1, 1), "4:3": (4, 3), "16:9": (16, 9)}
@@ -64,7 +52,7 @@ def _measure(
 
 
 def _fov_x(projection: Projection) -> float:
-    fov_x_deg = fov_x_from_fov_y(FOV_Y.value(projection), projection.aspect)
+    fov_x_deg = perspective.fov_x_from_fov_y(FOV_Y.value(projection), projection.aspect)
     tidy_deg = tidy(fov_x_deg)
     return tidy_deg if tidy_deg < 180.0 else fov_x_deg
 
@@ -72,7 +60,7 @@ def _fov_x(projection: Projection) -> float:
 def _with_half(is_width: bool, projection: Projection, half: float) -> Any:
     top = half / projection.aspect if is_width else half
     try:
-        fov_y_deg = fov_y_from_window(top, projection.lens.near)
+        fov_y_deg = perspective.fov_y_from_window(top, projection.lens.near)
     except Refusal as error:  # its field is top
         name = (HALF_WIDTH if is_width else HALF_HEIGHT).name
         raise Refusal(name, half, error.bound, *error.limits) from None
@@ -183,7 +171,7 @@ FOV_X = _by_fov(
 FOCAL_LENGTH = _by_fov(
     "focal_length_mm", unit="mm", span=(5.0, 500.0), logarithmic=True, formula="focal_35mm",
     shows=FOV_Y.shows, makes=(*_ACROSS, *_UPWARDS),
-    **_measure(focal_length_35mm, fov_y_from_focal_length_35mm),
+    **_measure(perspective.focal_length_35mm, perspective.fov_y_from_focal_length_35mm),
 )  # fmt: skip
 KEEP = _more_lens("keep")
 PRESET = _oblique(
@@ -199,7 +187,7 @@ WINDOW_SIDES = (LEFT, RIGHT, BOTTOM, TOP)
 FOCAL_E = _by_fov(
     "e", unit="units", span=(1e-2, 1e2), logarithmic=True, formula="focal_e",
     shows=FOV_Y.shows, makes=(*_ACROSS, *_UPWARDS),
-    **_measure(focal_length_e, fov_y_from_focal_length_e),
+    **_measure(perspective.focal_length_e, perspective.fov_y_from_focal_length_e),
 )  # fmt: skip
 HALF_WIDTH = _by_fov(
     "window_right", **_LENGTH, shows=_ACROSS,

@@ -24,6 +24,7 @@ from app.model.limits import (
     LARGEST_INVERSE,
     Array,
     DepthRange,
+    check_name,
     keep_checked,
     read_only,
 )
@@ -142,8 +143,7 @@ class Pipeline:
             is_number = isinstance(side, numbers.Real) and not isinstance(side, bool)
             if not is_number or not 1 <= side <= LARGEST_IMAGE_PX or side != int(side):
                 raise Refusal(name, side, REFUSALS["whole-pixels"], LARGEST_IMAGE_PX)
-        if not isinstance(self.depth, str) or self.depth not in DEPTH_RANGES:
-            raise Refusal("depth", self.depth, REFUSALS["one-of"], ", ".join(DEPTH_RANGES))
+        check_name("depth", self.depth, DEPTH_RANGES)
         keep_checked(self, image_size=(int(size[0]), int(size[1])))
         self.lens.check_image(Fraction(*self.image_size))
 
@@ -391,8 +391,7 @@ class Pipeline:
 
         Raises a `Refusal` for a coordinate that is not a finite number, and for another space.
         """
-        if space not in SPACES:
-            raise Refusal("space", space, REFUSALS["one-of"], ", ".join(SPACES))
+        check_name("space", space, SPACES)
         given = checked_points(points).reshape(-1, 3)
         if space == "world" or self.placement.is_identity:
             return WorldPoints.at(given)

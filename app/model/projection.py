@@ -35,56 +35,34 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from app.arithmetic.rationals import Rationals
 from app.model.camera import Camera, Orbit, checked_intrinsics
-from app.model.chain import Chain, Space, WorldPoints
+from app.model.chain import Chain, Space
 from app.model.eye_first import EyeFirst
 from app.model.formula import FLOAT64
-from app.model.lenses import (
-    LENSES,
-    FreeMatrix,
-    Frustum,
-    Lens,
-    Oblique,
-    Orthographic,
-    Perspective,
-    kinds,
-)
+from app.model.lenses import LENSES, FreeMatrix, Frustum, Oblique, Orthographic, Perspective, kinds
 from app.model.lenses.answers import Intrinsics
-from app.model.lenses.lens import LensTable, Seen
-from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
-from app.model.lenses.perspective import (
-    focal_length_35mm,
-    focal_length_e,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_35mm,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
-)
+from app.model.lenses.lens import Lens, LensTable, Seen
+from app.model.lenses.perspective import fov_x_from_fov_y, fov_y_from_window
 from app.model.limits import (
     DEPTH_RANGES,
     LARGEST,
     LARGEST_IMAGE_PX,
-    LARGEST_SHEAR,
     PLANES,
     Array,
     DepthRange,
     Vector,
     between,
+    check_name,
     read_only,
 )
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
-from app.model.refusal import REFUSALS, Refusal
 from app.model.tables import evaluated
 from app.model.typed_cells import TypedCells
 
 __all__ = [  # the other packages import the model from here
-    "DEPTH_RANGES", "LARGEST", "LARGEST_IMAGE_PX", "LARGEST_SHEAR", "LENSES", "OBLIQUE_PRESETS",
-    "PLANES", "Array", "Camera", "Chain", "DepthRange", "FreeMatrix", "Frustum", "Intrinsics",
-    "Lens", "Oblique", "Orbit", "Orthographic", "Perspective", "Projection", "Rationals", "Space",
-    "Stage", "Trace", "Vector", "WorldPoints", "checked_points", "focal_length_35mm",
-    "focal_length_e", "fov_x_from_fov_y", "fov_y_from_focal_length_35mm",
-    "fov_y_from_focal_length_e", "fov_y_from_window", "kinds", "oblique_angles", "receding_of",
+    "DEPTH_RANGES", "LARGEST", "LARGEST_IMAGE_PX", "LENSES", "PLANES", "Array", "Camera", "Chain",
+    "FreeMatrix", "Frustum", "Intrinsics", "Lens", "Oblique", "Orbit", "Orthographic",
+    "Perspective", "Projection", "Space", "Stage", "Trace", "Vector", "kinds",
 ]  # fmt: skip
 
 Passage: TypeAlias = EyeFirst | TypedCells
@@ -195,8 +173,7 @@ class Projection(Pipeline):
         plane through the target stays. A typed matrix starts with the cells of the lens, and
         returns to that lens.
         """
-        if kind not in kinds():
-            raise Refusal("kind", kind, REFUSALS["one-of"], ", ".join(kinds()))
+        check_name("kind", kind, kinds())
         if kind == self.lens.kind:
             return self
         if self.lens.former is not self.lens:

@@ -22,15 +22,14 @@ import numpy as np
 
 from app.model import parameters
 from app.model.chain import KINDS, Tile
+from app.model.lenses.lens import FAR, NEAR
+from app.model.lenses.perspective import FOV_Y
 from app.model.limits import vector
 from app.model.parameter import Parameter
 from app.model.parameters import (
     BOTTOM,
     CHAIN,
-    FAR,
-    FOV_Y,
     LEFT,
-    NEAR,
     PARAMETERS,
     RIGHT,
     ROTATE,
@@ -38,7 +37,7 @@ from app.model.parameters import (
     TOP,
     TRANSLATE,
     UP,
-)  # fmt: skip
+)
 from app.model.projection import LENSES, Array, Chain, Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
 from app.picking.sight import Sight, heading
@@ -248,7 +247,7 @@ def way(projection: Projection, handle: Handle, grabbed: Array) -> Array | None:
     if handle.name == CORNER and 0.0 in handle.at:
         return np.array(projection.camera.frame[int(handle.at[0] == 0.0)])
     if handle.name == "object" and handle.setting in "xyz":
-        return _directions(projection.placement)[:, "xyz".index(handle.setting)]
+        return projection.placement.directions[:, "xyz".index(handle.setting)]
     return None
 
 
@@ -335,17 +334,11 @@ def object_points(chain: Chain, reach: float) -> dict[str, Array]:
 
     `reach` is the drawn length of an axis, in lengths of its matrix column.
     """
-    matrix, turned = chain.matrix, _directions(chain)
+    matrix, turned = chain.matrix, chain.directions
     origin = matrix[:3, 3]
     tips = [origin + reach * matrix[:3, axis] for axis in range(3)]
     aside = origin + _TURN_OUT * reach * (turned[:, 0] + turned[:, 2])
     return dict(zip(OBJECT_POINTS, (origin, *tips, aside), strict=True))
-
-
-def _directions(chain: Chain) -> Array:
-    """Directions of the object's axes as columns (3, 3), also of a flattened axis."""
-    linear = Chain(tuple(tile for tile in chain.on if tile.kind != "scale")).matrix[:3, :3]
-    return np.asarray(linear / np.linalg.norm(linear, axis=0))
 
 
 def _moved_object(chain: Chain, drag: _HandleDrag, shift: bool) -> Chain:

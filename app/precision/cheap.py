@@ -17,8 +17,9 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.formats import FORMATS, QUANTISED, RECIPROCALS, SNAPS, Format, Grid, reciprocal
 from app.arithmetic.rationals import Rationals, nearest
-from app.model.projection import Array, Projection, Vector, checked_points
-from app.model.refusal import REFUSALS, Refusal
+from app.model.limits import check_name
+from app.model.pipeline import checked_points
+from app.model.projection import Array, Projection, Vector
 from app.precision.levels import cell_terms
 
 _UNIT_64 = 2.0**-53
@@ -54,9 +55,7 @@ class Hardware:
             ("snap", SNAPS),
             ("reciprocal", RECIPROCALS),
         ):
-            value = getattr(self, field)
-            if not isinstance(value, str) or value not in known:
-                raise Refusal(field, value, REFUSALS["one-of"], ", ".join(known))
+            check_name(field, getattr(self, field), known)
 
     @property
     def bytes_per_vertex(self) -> float:

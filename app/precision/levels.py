@@ -27,10 +27,11 @@ from numpy.typing import ArrayLike, NDArray
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.formats import Quotients
+from app.model.chain import WorldPoints
 from app.model.infinity import trace_at_infinity
+from app.model.limits import check_name
 from app.model.pipeline import empty_trace
-from app.model.projection import Array, Projection, Space, Trace, Vector, WorldPoints
-from app.model.refusal import REFUSALS, Refusal
+from app.model.projection import Array, Projection, Space, Trace, Vector
 
 Precision: TypeAlias = Literal["float32", "float64", "exact"]
 PRECISIONS: tuple[Precision, ...] = ("float32", "float64", "exact")  # from cheapest to most exact
@@ -316,8 +317,7 @@ def trace(
 
     Raises a `Refusal` for coordinates that are not finite numbers, or an unknown precision.
     """
-    if precision not in PRECISIONS:
-        raise Refusal("precision", precision, REFUSALS["one-of"], ", ".join(PRECISIONS))
+    check_name("precision", precision, PRECISIONS)
     if precision == "float64":
         return projection.trace(points, space)
     placed = projection.placed(points, space)

@@ -28,8 +28,6 @@ LARGEST = 20_000_000, 2 * 2**30  # most triangles of a mesh, and bytes of its tr
 MOST_CORNERS = 100_000  # most corners of a face: its division into triangles takes some seconds
 PAINT_RGB = (184, 194, 208)  # colour of a surface whose file has no colours
 
-# Whole sentences, so that they can be translated. Words of a file format stay as they are.
-
 
 @dataclass(eq=False)
 class Mesh:

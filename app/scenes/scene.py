@@ -28,6 +28,7 @@ from numpy.typing import ArrayLike, NDArray
 from app.model.limits import vector
 from app.model.projection import Array, Chain, Projection, Space, Vector
 from app.model.refusal import REFUSALS, Refusal
+from app.scenes import shapes
 from app.scenes.built_in import BUILDERS, NAMES, SHOWN, WORDS, WORDS_OF_A_MESH
 from app.scenes.finishing import Finished, check, dot_colours
 from app.scenes.first_camera import centre_of, frame_camera, rounded
@@ -38,18 +39,6 @@ from app.scenes.phenomena import PHENOMENA, Phenomenon
 from app.scenes.phenomena.illustration import Appearance, Illustration, Subject
 from app.scenes.poly_data import LaterMesh, dot_set, line_set, poly_data, surface_of
 from app.scenes.reading import read
-from app.scenes.shapes import (
-    DRAWN_RGB,
-    EDGE_RGB,
-    Coloured,
-    box_corners,
-    boxes_by_size,
-    distinct_rows,
-    flat,
-    ground_grid,
-    is_grid,
-    joined,
-)
 from app.strangers import printable
 
 if TYPE_CHECKING:
@@ -189,7 +178,7 @@ class Scene(Appearance):
         if self.own_lines.any():
             assert self.lines is not None
             ends = np.asarray(self.lines.points).reshape(-1, 2, 3)[self.own_lines]
-            parts.append(distinct_rows(ends.reshape(-1, 3))[0])
+            parts.append(shapes.distinct_rows(ends.reshape(-1, 3))[0])
         if len(parts) == 1:
             return parts[0]
         return np.asarray(np.concatenate([np.empty((0, 3), dtype=np.float32), *parts]))
@@ -197,7 +186,7 @@ class Scene(Appearance):
     @cached_property
     def own_lines(self) -> NDArray[np.bool_]:
         """Which of `lines` are a file's own."""
-        return np.asarray((self._line_rgb == DRAWN_RGB).all(axis=1))
+        return np.asarray((self._line_rgb == shapes.DRAWN_RGB).all(axis=1))
 
     @property
     def _line_rgb(self) -> Colours:
@@ -254,7 +243,7 @@ class Scene(Appearance):
     @cached_property
     def ground_lines(self) -> int:
         """How many of `lines` are a ground's; they are the first ones."""
-        return int(is_grid(self._line_rgb).sum())
+        return int(shapes.is_grid(self._line_rgb).sum())
 
     @cached_property
     def apart(self) -> tuple[Scene, Scene]:
@@ -263,7 +252,7 @@ class Scene(Appearance):
         kept: list[LaterMesh | None] = [None, None]
         if lines is not None:
             rgb = self._line_rgb
-            ends, grid = np.asarray(lines.points).reshape(-1, 2, 3), is_grid(rgb)
+            ends, grid = np.asarray(lines.points).reshape(-1, 2, 3), shapes.is_grid(rgb)
             for i, which in enumerate((~grid, grid)):
                 kept[i] = line_set((ends[which], rgb[which])) if which.any() else None
         objects, ground = kept
@@ -316,13 +305,13 @@ class Scene(Appearance):
                     kind = {"surface": "Polys", "dots": "Verts", "lines": "Lines"}[name]
                     offsets, corners = cells_of(getattr(mesh, f"Get{kind}")())
                 if 1 < len(offsets) <= MOST_IN_BOXES:
-                    ends = boxes_by_size(np.asarray(mesh.points), offsets, corners)
+                    ends = shapes.boxes_by_size(np.asarray(mesh.points), offsets, corners)
             boxes.append(np.array([self._box(*pair) for pair in ends]).reshape(-1, 8, 3))
         return Boxes(*boxes)
 
     def _box(self, low: ArrayLike, high: ArrayLike) -> Array:
         """Return the corners (8, 3) of a box in world coordinates from two relative ones."""
-        return box_corners(low, high) + self.origin
+        return shapes.box_corners(low, high) + self.origin
 
     @property
     def _meshes(self) -> list[Any]:
@@ -384,7 +373,7 @@ def _but_last(words: Sequence[str]) -> tuple[str, str]:
 
 
 def _built_in(
-    name: str, quads: Coloured, lines: Coloured, start: Projection, **shown: Any
+    name: str, quads: shapes.Coloured, lines: shapes.Coloured, start: Projection, **shown: Any
 ) -> Scene:
     points = quads[0].reshape(-1, 3)
     return Scene(
@@ -417,10 +406,10 @@ def _notes(path: str, mesh: Finished) -> tuple[Refusal, ...]:
     return tuple(Refusal.saying(template, path, *parts) for template, *parts in mesh.notes)
 
 
-def _drawn_edges(mesh: Finished) -> Coloured:
+def _drawn_edges(mesh: Finished) -> shapes.Coloured:
     """Return the faces' edges, then the file's own lines."""
-    lines = mesh.lines, flat(DRAWN_RGB, len(mesh.lines))
-    return joined((mesh.edges, flat(EDGE_RGB, len(mesh.edges))), lines)
+    lines = mesh.lines, shapes.flat(shapes.DRAWN_RGB, len(mesh.lines))
+    return shapes.joined((mesh.edges, shapes.flat(shapes.EDGE_RGB, len(mesh.edges))), lines)
 
 
 def _scene_of_phenomenon(
@@ -453,11 +442,11 @@ def _scene_of_phenomenon(
         ends -= held
         ends *= scale
         ends += place
-    grid = is_grid(lines[1])
+    grid = shapes.is_grid(lines[1])
     scene = replace(
         scene,
         surface=poly_data(mesh.points, mesh.offsets, mesh.corners, mesh.rgb),
-        lines=line_set(joined((lines[0][grid], lines[1][grid]), _drawn_edges(mesh))),
+        lines=line_set(shapes.joined((lines[0][grid], lines[1][grid]), _drawn_edges(mesh))),
         lower=vector(mesh.points.min(axis=0)),
         upper=vector(mesh.points.max(axis=0)),
         own_mesh=True,
@@ -491,7 +480,7 @@ def _finished_scene(name: str, mesh: Finished) -> Scene:
         origin=origin,
         surface=surface,
         dots=dot_set(mesh.dots, mesh.dot_rgb),
-        lines=line_set(joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
+        lines=line_set(shapes.joined(_ground(lower, upper, origin), _drawn_edges(mesh))),
         lower=lower,
         upper=upper,
         start=frame_camera(lower, upper),
@@ -510,11 +499,11 @@ def cloud_alone(points: Array, rgb: Colours | None, widths: float | None) -> Sce
     return _finished_scene("cloud", mesh).with_cloud(points, rgb, widths)
 
 
-def _ground(lower: Vector, upper: Vector, origin: Vector) -> Coloured:
+def _ground(lower: Vector, upper: Vector, origin: Vector) -> shapes.Coloured:
     """Return a grid at the lowest y of the mesh, wider than the mesh, with 1-2-5 spacing."""
     size = math.dist(lower, upper)
     decade = 10.0 ** math.floor(math.log10(size / 8.0))
     spacing = max(step * decade for step in (1.0, 2.0, 5.0) if step * decade <= size / 8.0)
     rim = 0.5 * size
     low, high = (lower[0] - rim, lower[2] - rim), (upper[0] + rim, upper[2] + rim)
-    return ground_grid(low, high, (spacing, spacing), lower[1], origin)
+    return shapes.ground_grid(low, high, (spacing, spacing), lower[1], origin)

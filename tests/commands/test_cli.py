@@ -31,12 +31,11 @@ from app.document.view import View
 from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.model.chain import SPACES
-from app.model.limits import SMALLEST_WINDOW
+from app.model.limits import SMALLEST_WINDOW, DepthRange
 from app.model.projection import (
     LARGEST,
     PLANES,
     Camera,
-    DepthRange,
     Frustum,
     Lens,
     Oblique,

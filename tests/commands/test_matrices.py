@@ -2,6 +2,7 @@
 
 import json
 import re
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,8 +11,11 @@ from app.commands import options
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lecture.conventions import CONVENTIONS, in_convention, world_planes
+from app.lecture.letters import LETTERS, Letters
+from app.lecture.notation import clip_signs
 from app.model.projection import kinds
 from app.scenes.scene import load
+from tests.lecture.test_printed_products import tex_values
 from tests.support.commands import one_sentence, run_here
 from tests.support.printed import sides
 
@@ -124,15 +128,31 @@ def test_the_whole_chain_ends_in_the_picture_and_every_product_so_far_is_one_fac
     np.testing.assert_allclose([x / w, y / w, depth / w], [*seen.image, seen.depth], rtol=1e-11)
 
 
-def test_the_chain_in_latex_multiplies_to_its_result() -> None:
-    values = "--set", OBJECT
-    tex = run_here(
-        "matrices", "--chain", "--format=latex", "--digits=17", "--width=1000pt", *values
-    ).stdout
-    (body,) = re.findall(r"\\\[(.*)\\\]", tex, re.DOTALL)
-    product, result = sides(re.sub(r"\\\w+\{aligned\}", "", body), {}, {})[-2:]
-    np.testing.assert_allclose(product, result, rtol=1e-12, atol=1e-12)
-    text = run_here("matrices", "--chain", *values).stdout
+@pytest.mark.parametrize("letters", LETTERS)
+@pytest.mark.parametrize("lens", kinds())
+def test_the_chain_in_latex_is_true_in_each_lectures_letters(lens: str, letters: Letters) -> None:
+    """Its names, the factors in letters and in numbers, and the result."""
+    values = ["--set", OBJECT, "--set", f"lens.kind={lens}", "--letters", letters]
+    asked = ["--format=latex", "--symbols", "--numbers", "--digits=17", "--width=1500pt", *values]
+    done = [run_here("matrices", *more, *asked) for more in ([], ["--chain"])]
+    projection = set_values(Document("letter-f", load("letter-f").start), values[1:4:2]).projection
+    known, named, printed = tex_values(projection, letters), dict[str, Any](), list[Any]()
+    for tex in "".join(each.stdout for each in done).split("\\]"):
+        (body,) = re.findall(r"\\\[(.*)", tex, re.DOTALL) or [""]
+        body = re.sub(r"(?: \\\\)?\n&?\(p_\{ij\}\) &?=.*", "", body)
+        printed = sides(re.sub(r"\\\w+\{aligned\}", "", body), known, named) if body else printed
+    assert len(printed) == 5, "the name, the product of names, in letters, in numbers, the result"
+    for part in printed:
+        np.testing.assert_allclose(part, printed[-1], rtol=1e-11, atol=1e-12)
+    of_lecture = {"000": "P", "002": "V", "003": r"M_{\mathrm{O\to W}}", "004": "R P"}
+    assert of_lecture.get(letters, "M_{") in done[1].stdout.partition("pmatrix")[0]
+    seen = np.array(printed[-1]) @ [0.3, 0.7, 0.2, 1.0]
+    wanted = projection.trace((0.3, 0.7, 0.2), "object").clip
+    np.testing.assert_allclose(seen, wanted * clip_signs(projection, letters), rtol=1e-11)
+
+
+def test_the_chain_is_printed_with_its_products_so_far() -> None:
+    text = run_here("matrices", "--chain", "--set", OBJECT).stdout
     assert "translate 3,0,0 | rotate 1,2,2 40 | shear xy 0.5 | scale 2,1,1\nthe rightmost" in text
     assert text.count("  so far\n") == 12 and "x, y and z divided by w" in text
     refused = run_here("matrices", "--chain", "--planes")

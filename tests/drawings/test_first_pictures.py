@@ -175,6 +175,20 @@ def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
     assert near.sum() > 0.005 * near.size  # and the picture that lies on it can be seen
 
 
+@pytest.mark.parametrize("size_px", [SLOT_PX, (882, 990), (1000, 830), (1480, 910)])
+def test_near_and_far_are_named_outside_the_frustum(
+    off_screen: MakeScreen, size_px: tuple[int, int]
+) -> None:
+    """Also where a grip is in the middle of the edge that is best for it."""
+    screen = off_screen(*size_px)
+    drawing = opened(screen, "letter-f", own=True)
+    faces = [tint for tint, _ in drawing.frustum.tints.values()]
+    inside = mask_of(screen, drawing.frustum.dimmable[-1], *faces)
+    for name in ("near", "far"):
+        left, right, low, high = map(round, drawing.board.label(name).box_px)
+        assert inside[low:high, left:right].mean() < 0.15, name  # a turned name's box reaches in
+
+
 @pytest.mark.parametrize("size_px", [LARGE, SMALL])
 @pytest.mark.parametrize("name", ["letter-f", "view-volumes", "far-plane-popping", "eye-plane"])
 def test_the_cameras_body_is_no_larger_than_a_twelfth_of_the_pane(

@@ -363,6 +363,21 @@ def test_a_scenes_distances_stand_in_rows_of_their_own(
         assert low >= top
 
 
+def test_rows_of_lengths_take_room_only_below_what_they_measure(off_screen: MakeScreen) -> None:
+    """The F reaches farther down than the rows, behind them."""
+    screen, scene = off_screen(1366, 594), load("similar-triangles")
+    drawing = WorldDrawing(screen, scene, WORDS, LIGHT.enlarged(1.7), live=True)
+    drawing.show_names(frozenset({"y", "y_p", "d", "-z", "eye", "P", "P'"}))
+    drawing.show_projection(scene.start, illustrated(scene))
+    drawing.show_fixed("side")
+    screen.pixels()
+    spots = dict(drawing.board.points)
+    assert spots["P"][0] - spots["eye"][0] > 0.55 * 1366
+    foot = np.array(drawing.state.seen(drawing.state.objects))[:, 1].min()
+    row = drawing.board.label(("length", "-z")).box_px
+    assert 0.0 < foot < row[2] and not drawing.cut()
+
+
 @pytest.mark.parametrize("view", ["side", "top"])
 def test_no_text_lies_on_a_plane(off_screen: MakeScreen, view: str) -> None:
     """From the side a plane is a line; dimensions and the planes' own names stay off it."""

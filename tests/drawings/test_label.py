@@ -185,7 +185,8 @@ def test_a_label_stands_where_its_anchor_says_and_can_be_pointed_at(off_screen: 
         assert left - 1 <= columns.min() and columns.max() <= right + 1
         assert low - 1 <= rows.min() and rows.max() <= high + 1
         assert label.covers((left + right) / 2.0, (low + high) / 2.0)
-        assert not label.covers(left - 2.0, low) and not label.covers(right, high + 2.0)
+        assert label.covers((left + right) / 2.0, low - 2.0), "by its underline"
+        assert not label.covers(left - 6.0, low) and not label.covers(right, high + 6.0)
         label.set_shown(False)
         assert not label.covers((left + right) / 2.0, (low + high) / 2.0)
         assert (screen.pixels() == 255).all()

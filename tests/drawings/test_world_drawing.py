@@ -21,8 +21,8 @@ from app.drawings.style import DARK, LIGHT, Style
 from app.drawings.world import WorldDrawing
 from app.drawings.world_state import view_matrices
 from app.lecture.typed_matrix import with_cell
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
-    OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,

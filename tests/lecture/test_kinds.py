@@ -7,15 +7,8 @@ import pytest
 
 from app.lecture.kinds import AXES, KINDS, TOLERANCE, kind_of, path, scale_factors, with_kind
 from app.model.infinity import trace_at_infinity
-from app.model.projection import (
-    Camera,
-    Frustum,
-    Oblique,
-    Orbit,
-    Orthographic,
-    Projection,
-    oblique_angles,
-)
+from app.model.lenses.oblique import oblique_angles
+from app.model.projection import Camera, Frustum, Oblique, Orbit, Orthographic, Projection
 from app.scenes.phenomena.vanishing_points import PHENOMENON
 from app.scenes.scene import load
 

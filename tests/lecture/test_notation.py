@@ -16,6 +16,7 @@ from app.lecture.letters import LETTERS, Letters, written
 from app.lecture.notation import WrittenMatrix, matrices
 from app.model.chain import FiveTiles
 from app.model.formula import ARROW, parse
+from app.model.lenses.perspective import focal_length_e, fov_x_from_fov_y
 from app.model.projection import (
     DEPTH_RANGES,
     Camera,
@@ -26,8 +27,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_e,
-    fov_x_from_fov_y,
 )
 from app.model.refusal import format_value
 from tests.support.commands import told_matrices

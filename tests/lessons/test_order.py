@@ -1,5 +1,6 @@
 """Answers that are a chain of tiles: how they are read, mixed, marked, shown and printed."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -45,7 +46,7 @@ def test_the_tiles_are_mixed_and_the_object_stands_where_the_product_puts_it() -
     placement = here.document.projection.placement
     assert [tile.kind for tile in placement.tiles] == ["matrix"], "the tiles are not told"
     assert np.allclose(placement.matrix, Chain.read(RIGHT).matrix, atol=1e-12)
-    assert "- `rotate z 90`" in asked.posed()
+    assert ": rotation about z 90°\n" in asked.posed(), "in words, with a letter to write"
 
 
 @pytest.mark.parametrize(
@@ -110,22 +111,45 @@ def test_the_pipeline_is_a_chain_too(order: str, typed: str, word: str) -> None:
 
 def test_the_answer_the_mistakes_and_the_way_are_told() -> None:
     asked, here = question(ORDER)
-    assert asked.answer_text(here, str) == "translate 3,0,0 · rotate z 90 · scale 2,1,1"
+    answer = asked.answer_text(here, str)
+    assert answer == "translation (3, 0, 0) · rotation about z 90° · scale (2, 1, 1)"
+    letters = dict(re.findall("- (.): (.*)", asked.posed()))
+    told = asked.with_answer(answer)
+    assert all(f"{letter}: {title}" in told for letter, title in letters.items())
+    assert asked.shape == (1, 3)
     mistakes = dict(asked.mistakes(here, str))
-    assert mistakes["First the move, then the turn"].startswith("rotate z 90 · translate")
+    wrong = [letters[each] for each in mistakes["First the move, then the turn"].split(" · ")]
+    assert wrong[:2] == ["rotation about z 90°", "translation (3, 0, 0)"]
     way = asked.solution(here).split("\n")  # (1, 0, 0) -> (2, 0, 0) -> (0, 2, 0) -> (3, 2, 0)
     assert [line.rpartition("$(")[2] for line in way] == [
         "1, 0, 0)$", "2, 0, 0)$", "0, 2, 0)$", "3, 2, 0)$"
     ]  # fmt: skip
+    asked, here = question("order: viewport; divide; projection")
+    assert "inf" not in asked.solution(here), "the point is in front of the eye"
+
+
+def test_the_key_has_each_right_order_and_a_sheet_leaves_room_for_numbers() -> None:
+    asked, here = question(
+        "order: divide; translate 1,2,0; scale 2,2,2\ntiles: rotate z 0; divide; scale 2,2,2"
+        "; translate 1,2,0"
+    )
+    orders = asked.answer_text(here, str).split(" = ")
+    move, scale = "translation (1, 2, 0)", "scale (2, 2, 2)"
+    assert {*orders} == {
+        f"Divide by w · {move} · {scale}", f"{move} · Divide by w · {scale}",
+        f"{move} · {scale} · Divide by w",
+    }  # fmt: skip
+    assert re.search("- .: rotation about z\n", asked.posed() + "\n"), "the student types 0"
+    assert r"$M_{\mathrm{pp}}$" in question("order projection: M_z; M_pp; M_persp")[0].posed()
 
 
 def test_paper_and_solutions_name_tiles_in_the_language() -> None:
     asked, here = question(ORDER)
     languages.choose("hr")
     try:
-        assert "- `translacija 3; 0; 0`" in asked.posed() and "- `rotacija z 90`" in asked.posed()
-        assert asked.answer_text(here, str).endswith("skaliranje 2; 1; 1")
-        assert "- rotacija z 90: " in asked.solution(here)
+        assert ": translacija (3, 0, 0)" in asked.posed()
+        assert asked.answer_text(here, str).endswith("skaliranje (2, 1, 1)")
+        assert "- rotacija oko z 90°: " in asked.solution(here)
     finally:
         languages.choose("en")
     assert asked.right_sample(here) == RIGHT

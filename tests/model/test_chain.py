@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 from fractions import Fraction
 from itertools import product
+from typing import Any
 
 import numpy as np
 import pytest
@@ -11,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from app.arithmetic import double_double as dd
-from app.model.chain import KINDS, MOST_TILES, ORDERS, Chain, FiveTiles, Tile
+from app.model.chain import KINDS, MOST_TILES, ORDERS, Chain, FiveTiles, Tile, view_chain
 from app.model.projection import (
     DEPTH_RANGES,
     Array,
@@ -330,6 +331,26 @@ def test_moves_read_from_the_right_and_done_from_the_left_end_in_the_same_place(
     assert Chain.read("mirror y").after(0.75).text == "scale 1,-0.5,1"
     through = Chain.read("matrix -1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
     assert through.after(0.5) == through  # where it would be singular
+
+
+@pytest.mark.parametrize("up", [(0.0, 1.0, 0.0), None])
+def test_the_moves_that_placed_a_camera_undone_are_its_view_matrix(up: Any) -> None:
+    """200 cameras: their axes are rows, and the eye comes to the origin; straight down, too."""
+    rng = np.random.default_rng(20)
+    directions = [*rng.uniform(-1.0, 1.0, (200, 3)), np.array([0.0, -1.0, 0.0])]
+    for direction in directions:
+        eye = rng.uniform(-9.0, 9.0, 3)
+        own = up or rng.uniform(-1.0, 1.0, 3)
+        if not np.cross(direction, own).any():
+            own = np.array([0.3, 0.0, 1.0])
+        camera = Camera(tuple(eye), tuple(eye + direction), tuple(own))
+        chain = view_chain(camera.frame, camera.eye)
+        assert chain.kinds[-3:] == ("rotate x", "rotate y", "translate")
+        is_steep = not direction[::2].any()
+        assert (len(chain.tiles) == 3) == (up is not None or is_steep), "level"
+        wanted = np.eye(4)
+        wanted[:3, :3], wanted[:3, 3] = camera.frame, camera.frame @ -eye
+        np.testing.assert_allclose(chain.matrix, wanted, atol=2e-14)
 
 
 def test_a_chain_is_read_back_from_its_text() -> None:

@@ -13,6 +13,12 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from app.model.lenses.perspective import (
+    focal_length_e,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+)
 from app.model.projection import (
     Array,
     Camera,
@@ -22,10 +28,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_e,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
 )
 from app.model.tables import NO_M_PP
 from tests.support.frustum import corners_world

@@ -8,10 +8,11 @@ import pytest
 
 from app.model import parameters
 from app.model.chain import FiveTiles
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.limits import DEPTH_RANGES, Keep
 from app.model.parameter import Parameter
 from app.model.parameters import PARAMETERS, lenses_with
-from app.model.projection import LENSES, OBLIQUE_PRESETS, Camera, Projection
+from app.model.projection import LENSES, Camera, Projection
 from tests.support.lenses import ONE_OF_EACH
 
 

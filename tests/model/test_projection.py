@@ -16,12 +16,19 @@ from hypothesis import strategies as st
 from vtkmodules.vtkCommonMath import vtkMatrix4x4
 from vtkmodules.vtkRenderingCore import vtkCamera
 
+from app.model.lenses.oblique import OBLIQUE_PRESETS, oblique_angles, receding_of
+from app.model.lenses.perspective import (
+    focal_length_35mm,
+    fov_x_from_fov_y,
+    fov_y_from_focal_length_35mm,
+    fov_y_from_focal_length_e,
+    fov_y_from_window,
+)
 from app.model.limits import OTHER_SIDE, SMALLEST
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
     LARGEST_IMAGE_PX,
-    OBLIQUE_PRESETS,
     PLANES,
     Array,
     Camera,
@@ -34,14 +41,7 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    focal_length_35mm,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_35mm,
-    fov_y_from_focal_length_e,
-    fov_y_from_window,
     kinds,
-    oblique_angles,
-    receding_of,
 )
 from app.model.refusal import REFUSALS, Refusal, shown_limits, six_digits
 from tests.oracles import exact

@@ -16,7 +16,7 @@ from app.arithmetic import double_double as dd
 from app.model.chain import FiveTiles
 from app.model.eye_first import EyeFirst
 from app.model.infinity import trace_at_infinity
-from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW
+from app.model.limits import SMALLEST, SMALLEST_FIELD, SMALLEST_WINDOW, DepthRange
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
@@ -24,7 +24,6 @@ from app.model.projection import (
     PLANES,
     Array,
     Camera,
-    DepthRange,
     FreeMatrix,
     Frustum,
     Lens,

@@ -7,15 +7,8 @@ import mpmath as mp
 import numpy as np
 import pytest
 
-from app.model.projection import (
-    Camera,
-    Frustum,
-    Oblique,
-    Orthographic,
-    Perspective,
-    Projection,
-    focal_length_35mm,
-)
+from app.model.lenses.perspective import focal_length_35mm
+from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.phenomena.marks import Aperture

@@ -34,10 +34,11 @@ from PySide6.QtWidgets import (
 from app.document.document import IMAGE, Document, lens_fields
 from app.document.settings import set_values
 from app.model.chain import FiveTiles
+from app.model.lenses.oblique import OBLIQUE_PRESETS
+from app.model.lenses.perspective import fov_x_from_fov_y
 from app.model.projection import (
     LARGEST,
     LENSES,
-    OBLIQUE_PRESETS,
     Camera,
     FreeMatrix,
     Lens,
@@ -46,7 +47,6 @@ from app.model.projection import (
     Orthographic,
     Perspective,
     Projection,
-    fov_x_from_fov_y,
 )
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes import scene

@@ -10,8 +10,8 @@ from PySide6.QtCore import QPoint
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QComboBox
 
+from app.model.lenses.oblique import OBLIQUE_PRESETS
 from app.model.projection import (
-    OBLIQUE_PRESETS,
     Frustum,
     Intrinsics,
     Oblique,

@@ -20,6 +20,7 @@ from app.lecture import notation
 from app.lecture.conventions import in_convention
 from app.lecture.copying import as_latex
 from app.lecture.letters import LETTERS
+from app.lecture.titles import stage_title
 from app.lecture.typed_matrix import with_cell
 from app.lecture.typesetting import pieces_of
 from app.model.formula import ARROW
@@ -34,7 +35,7 @@ from tests.support.shown import show
 from tests.support.window import activate, click, move_mouse, named, rgb_of, settle
 from widgets.panels.matrix_panel import MatrixPanel
 from widgets.panels.matrix_view import MatrixView, first_change, rich
-from widgets.parts.messages import read_text, stage_title
+from widgets.parts.messages import read_text
 from widgets.parts.plain import subscripts
 from widgets.parts.typeset import typeset
 from widgets.window.main_window import MainWindow

@@ -13,6 +13,7 @@ from PySide6.QtWidgets import QLabel, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
+from app.document.settings import set_values
 from app.drawings.frame import axes_reach
 from app.model.chain import Chain, FiveTiles
 from app.scenes.scene import load
@@ -68,6 +69,35 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
         window.store.undo()
     assert chain_of(window).is_identity
     assert row_of(window, "scale_x").value() == 1.0
+
+
+def test_the_dock_has_the_whole_pipeline_and_each_factor_is_a_place_to_stand(
+    window: MainWindow,
+) -> None:
+    editor = build(window, "translate 3,0,0; rotate z 90")
+
+    def names() -> list[str]:
+        return [button.text() for button in editor.beyond]
+
+    eye = window.store.document.projection.camera.eye
+    moved = f"translation ({', '.join(f'{-part:.4g}' for part in eye)})"
+    assert names()[:3] == ["image ← ndc", "Divide by w", "clip ← depth range"]
+    assert names()[-2:] == ["rotation", moved]
+    stops = []
+    for button in reversed(editor.beyond):
+        button.click()
+        stops.append(window.strip.position)
+    assert stops == sorted(stops) and (stops[0], stops[1], stops[-1]) == (0.5, 1.0, 5.0)
+    editor.undone.click()
+    kinds = [name.rpartition(" ")[0] for name in names()[-3:-1]]
+    assert kinds == ["rotation about x", "rotation about y"] and names()[-1] == moved
+    window.store.set_projection(
+        set_values(window.store.document, ["lens.kind=orthographic"]).projection
+    )
+    settle()
+    assert names()[-1] == moved and len(editor.beyond) == len(names())
+    shown = [button.text() for button in editor.beyond if button.isVisible()]
+    assert shown == names()
 
 
 def remove(card: Any) -> None:
@@ -264,10 +294,11 @@ def test_l2_a_probe_is_read_in_the_objects_coordinates_too(window: MainWindow) -
         model = window.probe_panel.table.model()
         return [str(model.index(row, 1 + part).data()) for part in range(4)]
 
-    assert line(0) == ["0", "1", "0", "1"] and line(1) == ["2", "1", "0", "1"]
+    turned = ["0", "1", "0", "1"]
+    assert [line(row) for row in range(3)] == [turned, turned, ["2", "1", "0", "1"]]
     row_of(window, "scale_y").edited.emit(0.0)
     settle()
-    assert "flattened" in line(0)[0] and line(1)[0] == "2"
+    assert "flattened" in line(0)[0] and line(1) == turned and line(3)[0] == "2"
 
 
 def test_l2_axes_and_handles_are_there_before_anything_is_moved(window: MainWindow) -> None:

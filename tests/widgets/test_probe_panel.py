@@ -24,6 +24,7 @@ from app.drawings import probes
 from app.drawings.style import LIGHT, rgb
 from app.lecture.letters import stacked
 from app.lecture.notation import matrices
+from app.model.chain import Chain
 from app.model.formula_text import OVER
 from app.model.projection import Camera, FreeMatrix, Oblique, Perspective, Projection
 from app.model.refusal import format_value
@@ -430,6 +431,33 @@ def test_every_number_is_the_command_s_to_the_last_digit(
             beyond = expected["outside_of"]
             said = f"outside of: {', '.join(beyond)}" if beyond else "inside"
             assert cells(panel, block, 8) == [said]
+
+
+def test_a_point_is_followed_through_the_tiles_that_change_something(panel: ProbePanel) -> None:
+    def rows(text: str) -> dict[str, list[str]]:
+        show(panel, replace(start(), placement=Chain.read(text)))
+        model = panel.table.model()
+        heads = [model.headerData(row, Qt.Orientation.Vertical) for row in range(model.rowCount())]
+        formulas = [model.data(model.index(row, 0)) for row in range(model.rowCount())]
+        return {
+            head: [formula, *cells(panel, 0, row)]
+            for row, (head, formula) in enumerate(zip(heads, formulas, strict=True))
+        }
+
+    panel.follow(point=(1.0, 2.0, 0.0))
+    seen = rows("translate 3,0,0; rotate z 90; off mirror x; shear xy 0; scale 2,1,1")
+    assert [*seen][:5] == ["object", "scale", "rotation about z", "world", "view"]
+    assert [*seen.values()][:4] == [
+        ["p", "1", "2", "0", "1"], ["S p", "2", "2", "0", "1"],
+        ["R_z S p", "\u22122", "2", "0", "1"], [seen["world"][0], "1", "2", "0", "1"],
+    ]  # fmt: skip
+    assert seen["divide"][1].startswith("÷")
+    assert [*rows("translate 3,0,0; scale 0,1,1")][:3] == ["object", "scale", "world"]
+    assert cells(panel, 0, 0)[0].startswith("none") and cells(panel, 0, 1)[0] == "\u22122"
+    for usual in ("", "rotate z 30", "translate 1,0,0; rotate z 0"):
+        assert [*rows(usual)][:3] == ["object", "world", "view"]
+    panel.follow(pixel=(3.0, 4.0))
+    assert len(rows("translate 3,0,0; rotate z 90")) == 10
 
 
 def test_a_row_says_why_there_is_no_picture(panel: ProbePanel) -> None:

@@ -15,8 +15,9 @@ from pytestqt.qtbot import QtBot
 from app.document.document import Document
 from app.document.store import Store
 from app.lessons.course import CONTENT
+from app.model.lenses.oblique import receding_of
 from app.model.parameter import Parameter, Settings
-from app.model.projection import Camera, FreeMatrix, Frustum, Oblique, receding_of
+from app.model.projection import Camera, FreeMatrix, Frustum, Oblique
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.phenomena.illustration import Illustration, Subject

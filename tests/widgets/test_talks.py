@@ -1095,8 +1095,19 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
-    named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 590.0, 680.0, 5.0)]
-    named += [QRectF(x, 5.0, 5.0, 590.0) for x in (0.0, 675.0)]
+    frame = QRectF(100.0, 1.0, 800.0, 598.0)
+
+    def crossed(boxes: np.ndarray) -> np.ndarray:
+        """The ink of a picture's frame that leaves no room beside it."""
+        rects = [QRectF(left, top, right - left, low - top) for left, top, right, low in boxes]
+        is_clear = [frame.contains(each) or not frame.intersects(each) for each in rects]
+        return np.where(is_clear, 0.0, 1e5)
+
+    question = QuestionOverlay(slide, lambda: [([], crossed)])
+    question.show_text("How wide is it?  \n**A** 1  \n**B** 2", 600.0)
+    assert frame.contains(QRectF(question.geometry())), "inside, rather than over a side of it"
+    question = QuestionOverlay(slide, lambda: [(named, no_ink)])
+    named[:] = [QRectF(0.0, 5.0, 1000.0, 5.0), QRectF(0.0, 5.0, 680.0, 590.0)]
     question.show_text("How wide is what the camera sees at this distance?\n\n" * 4, 600.0)
     place = question.geometry()
     assert 200 < place.height() <= 300 and place.left() > 680, "rather high than over a name"

@@ -173,6 +173,9 @@ def test_another_scene_fades(window: MainWindow) -> None:
     assert drawn[-1] == canvas.height() < before.shape[0], "drawn in its place, above the strip"
     old = old_of(window)
     assert old.isVisible() and old.size() == window.slide.size()
+    window.control_strip.setMinimumHeight(2 * window.control_strip.height())
+    settle()
+    assert old.isVisible() and old.size() == window.slide.size(), "the strip has grown since"
     arrive(window.lessons)
     settle()
     assert not old.isVisible()

@@ -134,8 +134,7 @@ class AnimationBar(QWidget, Playing):
         self._start: Camera | None = None
         self._elapsed_s = 0.0
         self._shown: Camera | None = None
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self.advance)
+        self._clock = Clock(self, self.advance)
         self._make_widgets()
         self._show_state()
         self._show_error("")

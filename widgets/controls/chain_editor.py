@@ -12,29 +12,56 @@ from dataclasses import replace
 from functools import partial
 
 from PySide6.QtCore import QCoreApplication, Signal
-from PySide6.QtWidgets import QCheckBox, QMenu, QToolButton, QWidget
+from PySide6.QtWidgets import QCheckBox, QMenu, QSizePolicy, QToolButton, QWidget
 
+from app.languages import with_comma
 from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import written
-from app.lecture.notation import object_product
-from app.lecture.wrong_chains import difference, tiles_of
-from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile
+from app.lecture.notation import names_of, object_product
+from app.lecture.stages import IMAGE, NDC, REACHED_BY, VIEW
+from app.lecture.titles import stage_title
+from app.lecture.wrong_chains import DIVIDE, difference, tiles_of, written_numbers
+from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile, view_chain
 from app.model.parameters import TILES
+from app.model.projection import Projection
 from app.model.refusal import Refusal, format_value
+from app.model.tables import VIEWPORT
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
-from widgets.parts.layouts import FREE, in_column, in_row, tool_button
-from widgets.parts.messages import parameter_text, sentence, stage_title
+from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
+from widgets.parts.messages import lettering, parameter_text, sentence
 from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
-from widgets.parts.plain import PlainLabel, set_tip
+from widgets.parts.plain import PlainLabel, set_tip, subscripts
 from widgets.parts.scales import Linear
 from widgets.parts.section import GAP_PX, Rows
 from widgets.parts.typeset import TypesetLabel, matrix
 
 _COLUMNS = ("x", "y", "z", "origin")
+
+
+def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, float]]:
+    """Yield the factors left of the object's, each with its stop in the strip."""
+    yield stage_title(VIEWPORT.name), IMAGE
+    yield stage_title(DIVIDE), NDC
+    names = names_of(projection, lettering.now)
+    for step in [step.name for step in projection.lens.table.steps[::-1]] or ["clip_from_view"]:
+        stop = next((at for at, reached in enumerate(REACHED_BY) if step in reached), NDC)
+        yield subscripts(names.get(step) or stage_title(step)), stop
+    camera = projection.camera
+    if not projection.has_camera:
+        yield stage_title("view_from_world"), VIEW
+        return
+    *turns, move = view_chain(camera.frame, camera.eye).tiles
+    if undone:
+        for tile in turns:
+            angle = with_comma(written_numbers(tile.numbers[0]))
+            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}\N{DEGREE SIGN}", VIEW
+    else:
+        yield stage_title("rotation"), VIEW
+    yield f"{stage_title('translation')} {with_comma(written_numbers(move.numbers))}", VIEW / 2.0
 
 
 class _TileCard(Rows):
@@ -117,10 +144,17 @@ class ChainEditor(QWidget, RowHolder):
     edited = Signal(object)  # the user made this `Chain`
     compared = Signal(object)  # the `Chain` before a tile was moved; None for none any more
     highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
+    stood = Signal(float)  # the user went to the stop of this position behind a factor
 
     def __init__(self) -> None:
         super().__init__()
         self._chain, self._reach = NOT_MOVED, 10.0
+        self._projection = Projection()
+        self.beyond: list[QToolButton] = []  # the factors left of the tiles
+        self._beyond, self._stops = in_column(gap=0), list[float]()  # and their stops in the strip
+        self.undone = QCheckBox(self.tr("View: the camera's moves undone"))
+        set_tip(self.undone, self.tr("The view as R T, or as the inverse of each move"))
+        self.undone.toggled.connect(lambda: self.show_pipeline(self._projection))
         self.rows: dict[str, Row] = {}
         self.tiles = MovableColumn(GAP_PX)
         self.tiles.moved.connect(self._move)
@@ -142,7 +176,10 @@ class ChainEditor(QWidget, RowHolder):
         self.refusal = RefusalLabel()
         self.first = PlainLabel(objectName="paneNote", wordWrap=True)
         bar = in_row(self.letters, self.vectors, FREE)
-        parts = self.add, self.refusal, self.tiles, self.first, self.product, bar
+        parts = (
+            self._beyond, self.undone, self.add, self.refusal, self.tiles, self.first, self.product,
+            bar,
+        )  # fmt: skip
         in_column(*parts, on=self, margins=(0, 0, 0, 0))
         self._build(NOT_MOVED)
 
@@ -165,6 +202,22 @@ class ChainEditor(QWidget, RowHolder):
             self._build(chain)
         self._show_tiles()
         self._show_product()
+
+    def show_pipeline(self, projection: Projection) -> None:
+        """Show the factors from the picture to the camera, which act after the tiles."""
+        self._projection = projection
+        factors = [*_beyond(projection, undone=self.undone.isChecked())]
+        if len(factors) != len(self.beyond):
+            discard(self._beyond, self.beyond)
+            tip = self.tr("Show the scene after this factor")
+            self.beyond = [tool_button(tip=tip, flat=True) for _ in factors]
+            for place, button in enumerate(self.beyond):
+                button.clicked.connect(lambda _, at=place: self.stood.emit(self._stops[at]))
+                button.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
+                self._beyond.addWidget(button)
+        self._stops = [stop for _, stop in factors]
+        for button, (name, _) in zip(self.beyond, factors, strict=True):
+            button.setText(name)
 
     def set_scene(self, size: float) -> None:
         """Fit the sliders of translations to a scene."""
@@ -190,37 +243,35 @@ class ChainEditor(QWidget, RowHolder):
     def put(self, card: _TileCard | None, *tiles: Tile) -> None:
         """Put tiles over that of a card, or at the left, which acts last."""
         place, over = (0, 0) if card is None else (self.cards.index(card), 1)
-
-        def refuse(said: str) -> None:
-            self._show_tiles()
-            self.refusal.show_text(refusal(said))
-
-        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), refuse)
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._refuse)
 
     def _move(self, place: int, to: int) -> None:
         """Move a tile; show where the object was before, and say what differs."""
         before = self._chain
-
-        def refuse(said: str) -> None:
+        self._attempt(lambda: before.moved(place, to), self._say)
+        if self._chain == before:
             self._build(before)
             self._show_tiles()
-            self.refusal.show_text(refusal(said))
+            return
+        self.compared.emit(before)
+        self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
 
-        self._attempt(lambda: before.moved(place, to), refuse)
-        if self._chain != before:
-            self.compared.emit(before)
-            said = difference(*map(tiles_of, (before, self._chain)))
-            self.first.setText(sentence(said))
+    def _refuse(self, said: str) -> None:
+        self._show_tiles()
+        self._say(said)
+
+    def _say(self, said: str) -> None:
+        self.refusal.show_text(refusal(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
-
-        def edited() -> Chain:
-            numbers = card.typed(tile, key, value)
-            return self._chain.with_tile(place, replace(tile, numbers=numbers), over=1)
-
-        self._attempt(edited, card.rows[key].show_error)
+        self._attempt(
+            lambda: self._chain.with_tile(
+                place, replace(tile, numbers=card.typed(tile, key, value)), over=1
+            ),
+            card.rows[key].show_error,
+        )
 
     def join(self, card: _TileCard, key: str, row: Row) -> None:
         """Follow a new row."""

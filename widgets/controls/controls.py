@@ -20,20 +20,10 @@ from PySide6.QtWidgets import QWidget
 
 from app.drawings.style import Style
 from app.lecture.highlight import Highlight, made_of
+from app.model.lenses.lens import FAR, NEAR
+from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
-from app.model.parameters import (
-    DISTANCE,
-    EYE,
-    FAR,
-    FOV_X,
-    FOV_Y,
-    FX,
-    KIND,
-    NEAR,
-    TARGET,
-    TILES,
-    parameters,
-)
+from app.model.parameters import DISTANCE, EYE, FOV_X, FX, KIND, TARGET, TILES, parameters
 from app.model.projection import LARGEST, LENSES, Camera, Projection
 from app.model.refusal import REFUSALS, Refusal, shown_limits
 from widgets.controls.animation import AnimationBar
@@ -92,7 +82,7 @@ class Controls(Dock, RowHolder):
             "more_lens": Section(self.tr("More of the lens")),
             "more_camera": Section(self.tr("More of the camera")),
             "image": Section(self.tr("Image and depth range")),
-            "object": Section(self.tr("Object")),
+            "object": Section(self.tr("Chain")),
             "animation": Section(self.tr("Animation")),
         }
         for part in (self._not_here, self.card, *self._parts):
@@ -521,6 +511,8 @@ class Controls(Dock, RowHolder):
     def _show_values(self, parts: Collection[str]) -> None:
         """Write the visible values of these parts of the projection."""
         is_open = {rows: rows.is_open for rows in self._parts}
+        if is_open[self.sections["object"]]:
+            self.chain.show_pipeline(self._projection)
         if "placement" in parts and (is_open[self.sections["object"]] or self._lent_tiles):
             self.chain.show_chain(self._projection.placement)
         for key, binding in self._bindings.items():

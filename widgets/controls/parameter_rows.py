@@ -193,8 +193,7 @@ class SettingMotion(Playing, QObject):
         self.speed = setting.per_second
         self._at = self._low
         self._shown: float | None = None
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self.advance)
+        self._clock = Clock(self, self.advance)
         self.button = tool_button(act=self.toggle)
         self._show_state()
 

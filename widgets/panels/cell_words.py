@@ -4,8 +4,9 @@ from PySide6.QtCore import QObject
 
 from app.lecture.letters import Letters, written
 from app.lecture.notation import WrittenMatrix
+from app.lecture.titles import stage_title
 from widgets.panels.matrix_view import VIEW, is_a_cameras
-from widgets.parts.messages import field_name, read_text, stage_title
+from widgets.parts.messages import field_name, read_text
 
 _ONLY_W = (0.0, 0.0, 0.0, 1.0)
 

@@ -25,6 +25,7 @@ from app.lecture.letters import LETTERS, Letters
 from app.lecture.notation import WrittenMatrix, cell_sign, has_own_signs, matrices
 from app.lecture.pasting import Pasted, pasted
 from app.lecture.stages import NDC, REACHED_BY
+from app.lecture.titles import stage_title
 from app.lecture.typed_matrix import (
     EDITABLE,
     MatrixProperty,
@@ -43,7 +44,7 @@ from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
 from widgets.parts.labels import REFUSAL_SHEET, WarningLabel
 from widgets.parts.layouts import FREE, in_column, in_row, tool_button
-from widgets.parts.messages import read_text, sentence, stage_title, translated
+from widgets.parts.messages import read_text, sentence, translated
 from widgets.parts.number_field import refusal
 from widgets.parts.number_text import parse_number
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData

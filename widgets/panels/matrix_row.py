@@ -8,10 +8,10 @@ from PySide6.QtWidgets import QSizePolicy, QSpacerItem, QWidget
 
 from app.lecture.highlight import Highlight
 from app.lecture.notation import WrittenMatrix
+from app.lecture.titles import stage_title
 from widgets.panels.matrix_view import MatrixNotation, MatrixView
 from widgets.parts.icons import show_icon
 from widgets.parts.layouts import FREE, Part, in_column, in_row, scrolled, tool_button
-from widgets.parts.messages import stage_title
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 
 _NOTE_CHARACTERS = 40  # characters in a line of a note under a narrow matrix

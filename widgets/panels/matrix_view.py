@@ -274,7 +274,6 @@ class MatrixView(QWidget):
         return QSize(int(left + sum(self._columns) + 8.0), int(top + sum(self._heights) + 4.0))
 
     def cell_rect(self, row: int, column: int) -> QRectF:
-        """Return the rectangle of a cell in the widget."""
         left, top = self._margin
         return QRectF(
             left + sum(self._columns[:column]), top + sum(self._heights[:row]),

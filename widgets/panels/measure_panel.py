@@ -31,7 +31,7 @@ from PySide6.QtWidgets import (
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.drawings.style import Style
-from app.measure import chart
+from app.measure import chart, single
 from app.measure.meaning import ANY_SCENE, bargain, boldest, meaning, shown_by
 from app.measure.results import (
     CANCELLED,
@@ -45,15 +45,6 @@ from app.measure.results import (
     table,
     to_csv,
     to_json,
-)
-from app.measure.single import (
-    has_numbers,
-    joined_tables,
-    only_part,
-    read_results,
-    rows_of_other,
-    shipped,
-    split,
 )
 from app.model.refusal import MEASURE, Refusal
 from app.scenes.phenomena.words import Diagram
@@ -237,7 +228,7 @@ class MeasurePanel(DiagramPanel):
         self.used.emit({"scene": ANY_SCENE} | shown_by(name))
         self.choose(name)
         shown, _ = self._shown()
-        part = only_part(shown) if shown is not None else None
+        part = single.only_part(shown) if shown is not None else None
         bold = boldest(part) if isinstance(part, Trade) else None
         if bold is not None:
             cost, choice = bold
@@ -250,7 +241,6 @@ class MeasurePanel(DiagramPanel):
         self._readable.changed()  # the style may have another font, which changes the columns
 
     def close_process(self) -> None:
-        """End the measuring process."""
         self.measuring.kill()
         self._show_running()
 
@@ -288,7 +278,7 @@ class MeasurePanel(DiagramPanel):
         self._show_running()
 
     def _finished(self, results: Measurements | None, said: str) -> None:
-        measured = {} if results is None else split(results)
+        measured = {} if results is None else single.split(results)
         missing = [name for name in self._asked if name not in measured]
         cancelled = results is not None and not results.complete
         for name in self._asked:
@@ -302,7 +292,7 @@ class MeasurePanel(DiagramPanel):
                 self.measured.pop(name, None)
         if missing and not cancelled:
             self._refuse(said)
-        done = not cancelled and any(map(has_numbers, measured.values()))
+        done = not cancelled and any(map(single.has_numbers, measured.values()))
         self.progress.setValue(1000 if done else 0)
         self._show_running()
         self._readable.changed()
@@ -338,7 +328,7 @@ class MeasurePanel(DiagramPanel):
         QGuiApplication.setOverrideCursor(Qt.CursorShape.WaitCursor)
         try:
             if ending == ".csv":
-                parts = [only_part(each) for each in (shown, other) if each]
+                parts = [single.only_part(each) for each in (shown, other) if each]
                 content = "\n".join(map(to_csv, parts)).encode()
             elif ending == ".json":
                 content = to_json(shown).encode()
@@ -366,14 +356,14 @@ class MeasurePanel(DiagramPanel):
     def load(self, path: Path) -> bool:
         """Draw the results of a file over the measured ones; return whether that worked."""
         try:
-            results = read_results(path)
+            results = single.read_results(path)
         except OSError as error:
             self._refuse(WORDS.say("unreadable", path.name, error.strerror or error))
             return False
         except Refusal as error:
             self._refuse(sentence(error))
             return False
-        self.loaded = split(results)
+        self.loaded = single.split(results)
         if self.name not in self.loaded and self.loaded:
             self.choose(next(iter(self.loaded)))
         self.succeeded.emit()
@@ -391,7 +381,7 @@ class MeasurePanel(DiagramPanel):
         """Return the results that are shown, and those drawn thinner over them."""
         measured, loaded = self.measured.get(self.name), self.loaded.get(self.name)
         if self._is_shipped:
-            return shipped().get(self.name), None
+            return single.shipped().get(self.name), None
         return (measured, loaded) if measured is not None else (loaded, None)
 
     @property
@@ -403,7 +393,7 @@ class MeasurePanel(DiagramPanel):
         shown, other = self._shown()
         for row, name in enumerate(chart.TITLES):
             both = (self.measured.get(name), self.loaded.get(name))
-            has = any(each and has_numbers(each) for each in both)
+            has = any(each and single.has_numbers(each) for each in both)
             self.list.item(row).setIcon(icon("check") if has else QIcon())
         self.forget_button.setEnabled(bool(self.loaded))
         self.export_button.setEnabled(shown is not None and not self._is_shipped)
@@ -435,7 +425,7 @@ class MeasurePanel(DiagramPanel):
 
     def _priced(self, results: Measurements) -> Trade | Sweep:
         """Return the only part of split results, by the chosen cost."""
-        return only_part(results.by_cost(self.cost.currentData()))
+        return single.only_part(results.by_cost(self.cost.currentData()))
 
     def _show_chart(self, shown: Measurements | None, other: Measurements | None) -> None:
         diagrams: tuple[Diagram, ...] = ()
@@ -455,9 +445,11 @@ class MeasurePanel(DiagramPanel):
         heads: list[str] = []
         rows: list[list[str]] = []
         if shown is not None:
-            heads, *rows = table(only_part(shown), all_digits=all_digits.now)
+            heads, *rows = table(single.only_part(shown), all_digits=all_digits.now)
             if other is not None:
-                heads, rows = joined_tables(heads, rows, *rows_of_other(other, all_digits.now))
+                heads, rows = single.joined_tables(
+                    heads, rows, *single.rows_of_other(other, all_digits.now)
+                )
         elif self.name in self.words:
             heads, rows = ["", ""], [["", self.words[self.name]]]
         choices = self._choices()

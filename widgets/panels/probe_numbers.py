@@ -1,12 +1,14 @@
 """The numbers of probes at every stage, as the command `project` prints them, with formulas."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple, TypeAlias
 
 from PySide6.QtCore import QObject
 
 from app.lecture.highlight import NOTHING, Highlight
-from app.lecture.notation import clip_signs, steps_of_a_point
+from app.lecture.notation import called, clip_signs, steps_of_a_point
+from app.lecture.titles import stage_title
+from app.model.chain import KINDS, Chain
 from app.model.formula_text import stacked_fraction
 from app.model.projection import PLANES, Projection, Trace
 from app.model.refusal import Refusal
@@ -15,7 +17,7 @@ from app.precision.levels import precision_for_reading, predict, trace_homogeneo
 from widgets.parts.messages import lettering, plane_name
 
 Cells: TypeAlias = list[str | float]  # a probe's line: its numbers, or one text across all columns
-DIVIDE = 4  # the line that shows the divisor, after its sign
+DIVIDE = -5  # the line that shows the divisor, after its sign
 
 
 class ProbeRows(NamedTuple):
@@ -28,11 +30,26 @@ class ProbeRows(NamedTuple):
     outside: Sequence[Highlight] = ()  # the planes that each probe lies beyond
 
 
+_Move: TypeAlias = tuple[str, str, Chain]  # name, formula of the point after it, moves still to do
+
+
+def _moves(chain: Chain) -> Iterator[_Move]:
+    """Yield the moves that change something, except the last one, which leads to the world."""
+    tiles = [tile for tile in chain.on if not Chain((tile,)).is_identity]
+    letters = ["_".join([called(tile.kind), *tile.kind.split()[1:]]) for tile in tiles]
+    for at in range(len(tiles) - 1, 0, -1):
+        name = stage_title(KINDS[tiles[at].kind].factor)
+        yield name, f"{' '.join(letters[at:])} p", Chain(tuple(tiles[:at]))
+
+
 class ProbeNumbers(QObject):
     """Computes the table, and says why a number is missing."""
 
+    _moves: Sequence[_Move] = ()  # those of the object
+
     def numbers(self, projection: Projection, probes: Sequence[Probe]) -> ProbeRows:
         """Follow probes through all stages."""
+        self._moves = [*_moves(projection.placement)]
         rows = [probe.row for probe in probes if probe.row is not None]
         traced: Trace | None = None
         if rows:
@@ -65,6 +82,7 @@ class ProbeNumbers(QObject):
         image = f"(x + 1) {stacked_fraction('W', '2')},  (1 − y) {stacked_fraction('H', '2')}"
         return [
             (self.tr("object"), "p"),
+            *((name, formula) for name, formula, _ in self._moves),
             (self.tr("world"), steps["world"]),
             (self.tr("view"), steps["view"]),
             (self.tr("clip"), f"{steps['clip']};  w = {steps['w']}"),
@@ -82,12 +100,13 @@ class ProbeNumbers(QObject):
         inside = self.tr("inside")
         if outside_of:
             inside = self.tr("outside of: {0}").format(outside_of)
-        on_object: Cells
-        try:
-            on_object = list(projection.placement.object_from_world(point.world.tolist()))
-        except Refusal:
-            on_object = [self.tr("none: a scale of 0 has flattened the object")]
-        lines = [on_object, _cells(point.world), _cells(point.view), clip]
+        lines = list[Cells]()
+        for left in (projection.placement, *(left for *_, left in self._moves)):
+            try:
+                lines.append(list(left.object_from_world(point.world.tolist())))
+            except Refusal:
+                lines.append([self.tr("none: a scale of 0 has flattened the object")])
+        lines += [_cells(point.world), _cells(point.view), clip]
         if not point.in_front:
             return [*lines, *self._no_picture(projection, point), [], [], [inside]]
         if point.world[3] == 0.0:
@@ -120,7 +139,8 @@ class ProbeNumbers(QObject):
         assert probe.pixel is not None
         (x, y), (width, height) = probe.pixel, projection.image_size
         ndc: Cells = [2.0 * x / width - 1.0, 1.0 - 2.0 * y / height]
-        return [[self._ray(projection, probe)], [], [], [], [], ndc, [x, y], [], []]
+        ray: Cells = [self._ray(projection, probe)]
+        return [ray, *[[]] * (4 + len(self._moves)), ndc, [x, y], [], []]
 
     def _ray(self, projection: Projection, probe: Probe) -> str:
         """Say which part of a pixel's ray is drawn in the world, or why there is none."""

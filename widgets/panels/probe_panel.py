@@ -140,7 +140,6 @@ class ProbePanel(ReadablePanel):
         self.restore(probes, probes[-1].number if probes else 0, self.pinned - {self._chosen})
 
     def clear(self) -> None:
-        """Remove all probes."""
         self.restore((), 0, frozenset())
 
     def _put(self, new: Probe) -> None:

@@ -41,6 +41,7 @@ EXACT = Qt.ItemDataRole.UserRole + 1  # role of a cell: the text with all digits
 
 
 def _text(row: int, cell: str | float, write: Callable[[float], str]) -> str:
+    """Write a cell of a row, which is counted from the end."""
     if isinstance(cell, str):
         return cell
     return f"÷ {write(cell)}" if row == DIVIDE else write(cell)
@@ -106,7 +107,8 @@ class _Model(QAbstractTableModel):
         cells = self.content.blocks[probe][row]
         if part >= len(cells) or role == FORMULA:
             return None
-        return _text(row, cells[part], read_text if role == _Role.DisplayRole else number_text)
+        write = read_text if role == _Role.DisplayRole else number_text
+        return _text(row - self.rowCount(), cells[part], write)
 
     def headerData(
         self, section: int, orientation: Qt.Orientation, role: int = _Role.DisplayRole
@@ -182,7 +184,7 @@ class ProbeTable(QTableView):
                     words = max(words, metrics.horizontalAdvance(line[0]))
                     continue
                 for part, cell in enumerate(line):
-                    lengths[part].append(len(_text(row, cell, read_text)))
+                    lengths[part].append(len(_text(row - len(lines), cell, read_text)))
             for column, column_lengths in enumerate(lengths, first):
                 width = digit * (max(column_lengths, default=4) + 2)
                 if anew or width > self.columnWidth(column):

@@ -110,7 +110,7 @@ class Adaptive(QObject):
     def samples(self) -> int:
         """OpenGL's samples a pixel if they are fewer than chosen, else 0."""
         wanted = multisamples(self.quality.smoothing)
-        shown = (p.canvas for p in self._panes.values() if p.isVisible() and p.drawing is not None)
+        shown = (p.canvas for p in self._panes.values() if wanted and p.isVisible() and p.drawing)
         given = min((canvas.samples for canvas in shown), default=wanted)
         return given if given < wanted else 0
 

@@ -175,9 +175,7 @@ class _TwoLineLabel(PlainLabel):
     """Two lines for as much text as fits; the tooltip has all of it."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("paneNote")
-        self.setWordWrap(True)
+        super().__init__(objectName="paneNote", wordWrap=True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._parts: Sequence[str] = ()
 
@@ -285,7 +283,6 @@ class Compare(QObject):
 
     @property
     def is_on(self) -> bool:
-        """Whether pictures are compared."""
         return bool(self.pictures)
 
     @property

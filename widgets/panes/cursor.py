@@ -15,7 +15,7 @@ pane is turned. It disappears when the focus leaves the pane, and costs nothing 
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, TypeAlias, cast
+from typing import TypeAlias, cast
 
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
 from PySide6.QtGui import (
@@ -31,15 +31,13 @@ from PySide6.QtWidgets import QApplication, QWidget
 
 from app.model.projection import Vector
 from app.picking.handles import Handle
+from app.scenes.scene import Scene
 from widgets.panes.canvas import ARROWS
 from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
 from widgets.parts.labels import BesideLabel
 from widgets.parts.messages import all_digits, read_text
 from widgets.parts.panel import Changed, ShownData
-
-if TYPE_CHECKING:
-    from app.scenes.scene import Scene
 
 STEP_PX, LONG_STEP_PX = 1.0, 10.0  # pixels that an arrow key drags by, without and with Shift
 _RADIUS_EM = 1.1

@@ -148,8 +148,7 @@ class Pane(QFrame):
         self.hand.left.connect(self._point_at)
         self.fades: Callable[[], bool] = lambda: False
         """Whether labels fade from one place to another; otherwise they jump."""
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self._pass_time)
+        self._clock = Clock(self, self._pass_time)
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
         self._has_changed = True

@@ -82,8 +82,7 @@ class StageStrip(QWidget, Playing):
         self._emitted = ("", "")
         self._rest_s = 0.0
         self._at = self._before = float(NDC)
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self.advance)
+        self._clock = Clock(self, self.advance)
         self.first = WORLD  # the first stop: below 0, one for each of the object's moves
         self._tiles: tuple[Tile, ...] = ()  # the moves in the order in which they are made
 

@@ -1,6 +1,7 @@
 """The clock of everything that plays: stage strip, animation, a scene's settings."""
 
 from abc import abstractmethod
+from collections.abc import Callable
 
 from PySide6.QtCore import QCoreApplication, QElapsedTimer, QObject, Qt, QTimer, Signal
 from PySide6.QtWidgets import QToolButton
@@ -15,7 +16,7 @@ LONGEST_FRAME_S = 0.25
 
 
 class Clock(QObject):
-    """While it runs, reports the elapsed time once per frame.
+    """While it runs, calls `act` with the elapsed time once per frame.
 
     The wait for a frame begins when the previous frame's work is done, so slow frames do not pile
     up.
@@ -23,8 +24,9 @@ class Clock(QObject):
 
     ticked = Signal(float)  # seconds since the last frame, `LONGEST_FRAME_S` at most
 
-    def __init__(self, parent: QObject) -> None:
+    def __init__(self, parent: QObject, act: Callable[[float], object]) -> None:
         super().__init__(parent)
+        self.ticked.connect(act)
         self.running = False
         self._watch = QElapsedTimer()
         precise = Qt.TimerType.PreciseTimer

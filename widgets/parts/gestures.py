@@ -35,9 +35,7 @@ class EscapeKey(QObject):
 
     pressed = Signal()
 
-    def __init__(self, parent: QObject | None = None) -> None:
-        super().__init__(parent)
-        self._watched: QObject | None = None
+    _watched: QObject | None = None
 
     @property
     def is_watched(self) -> bool:

@@ -53,9 +53,9 @@ def fit(owner: QObject) -> None:
             _fit(button)
 
 
-def _fit(button: QAbstractButton) -> None:
-    side = button.fontMetrics().height()
-    button.setIconSize(QSize(side, side))
+def _fit(widget: "QAbstractButton | Combo") -> None:
+    side = widget.fontMetrics().height()
+    widget.setIconSize(QSize(side, side))
 
 
 class _PaintedIcon(QIconEngine):
@@ -126,12 +126,12 @@ class Combo(QComboBox):
         set_tip(self, tip)
         for text, value in options:
             self.addItem(text, value)
-        self._fit()
+        _fit(self)
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)
         if event.type() == QEvent.Type.FontChange:
-            self._fit()
+            _fit(self)
 
     def sizeHint(self) -> QSize:
         return super().sizeHint() + self._more
@@ -143,10 +143,6 @@ class Combo(QComboBox):
     def _more(self) -> QSize:
         """Room between the text and the arrow, for which the style sheet leaves none."""
         return QSize(round(BESIDE * self.fontMetrics().height()), 0)
-
-    def _fit(self) -> None:
-        side = self.fontMetrics().height()
-        self.setIconSize(QSize(side, side))
 
     def paintEvent(self, event: QPaintEvent) -> None:
         super().paintEvent(event)

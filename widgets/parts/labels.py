@@ -17,9 +17,8 @@ class WarningLabel(PlainLabel):
     """Plain text after a warning sign; an empty text has no sign."""
 
     def __init__(self) -> None:
-        super().__init__()
+        super().__init__(wordWrap=True)
         self.is_warning = True  # whether the text is a warning
-        self.setWordWrap(True)
         self._fit_sign()
 
     def set_is_warning(self, warns: bool) -> None:
@@ -67,8 +66,7 @@ class NoteLabel(PlainLabel):
     """A line of text that is elided if there is no room; the tooltip has all of it."""
 
     def __init__(self) -> None:
-        super().__init__()
-        self.setObjectName("paneNote")
+        super().__init__(objectName="paneNote")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
         self._whole = ""
 
@@ -136,9 +134,8 @@ class Balanced(PlainLabel):
     """
 
     def __init__(self, text: str = "", *, name: bool = False) -> None:
-        super().__init__(text)
+        super().__init__(text, wordWrap=True)
         self._is_name = name
-        self.setWordWrap(True)
 
     def paintEvent(self, event: QPaintEvent) -> None:
         # Qt reserves the height of the full width; the same number of lines fits a smaller width.

@@ -16,12 +16,12 @@ from typing import Generic, TypeAlias, TypeVar
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QKeyEvent
-from PySide6.QtWidgets import QFrame, QPushButton, QWidget
+from PySide6.QtWidgets import QFrame, QPushButton
 
 from app.languages import with_comma
 from app.lecture.letters import Letters, in_letters
 from app.model.limits import OTHER_SIDE
-from app.model.parameter import Parameter, read_sections
+from app.model.parameter import Parameter
 from app.model.parameters import TITLES
 from app.model.refusal import REFUSALS, Refusal, format_value
 from widgets.parts.labels import WarningLabel
@@ -48,12 +48,6 @@ class SharedChoice(QObject, Generic[_T]):
 lettering = SharedChoice[Letters]("own")  # the lecture whose letters are used
 all_digits = SharedChoice(False)  # whether numbers are shown with all digits instead of four
 
-
-_NAMES = read_sections(Path(__file__).with_name("content") / "names.md")
-SPACES, FACTORS = _NAMES["Space"].named, _NAMES["Factor"].named
-
-# Refusals of controls only: the text is not a number.
-
 FEW = 4  # significant digits of a displayed number
 
 
@@ -77,22 +71,6 @@ def field_name(field: str) -> str:
 def plane_name(plane: str) -> str:
     """Return the translated name of a plane of the view volume; leave any other text unchanged."""
     return QCoreApplication.translate("Plane", plane)
-
-
-def stage_title(name: str) -> str:
-    """Return ``clip_from_view`` as “clip ← view”, and a factor by its name."""
-    target, between, source = name.partition("_from_")
-    if not between:
-        factor = name.rstrip("0123456789")
-        number = f" {name[len(factor) :]}" if factor != name else ""
-        if factor not in FACTORS:  # shear_xy, mirror_x
-            factor, _, letters = factor.partition("_")
-            number = f" {letters}{number}"
-        if factor not in FACTORS:
-            return name
-        return QCoreApplication.translate("Factor", FACTORS[factor]) + number
-    spaces = (QCoreApplication.translate("Space", SPACES[space]) for space in (target, source))
-    return " ← ".join(spaces)
 
 
 def number_text(value: object) -> str:
@@ -196,8 +174,8 @@ class MessageBar(QFrame):
     that is shown is dismissed.
     """
 
-    def __init__(self, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self) -> None:
+        super().__init__()
         self.setObjectName("messageBar")
         self.setAccessibleName(self.tr("Message"))
         self._text = WarningLabel()

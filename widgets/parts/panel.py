@@ -120,7 +120,6 @@ class ShownData:
 
     @classmethod
     def of(cls, document: Document, scene: Scene) -> "ShownData":
-        """Make the snapshot of a document with its loaded scene."""
         return cls(document, scene, scene.illustration(document.projection, document.settings))
 
     @cached_property

@@ -78,8 +78,7 @@ class PlainLabel(QLabel):
     """A label that shows plain text unless it is a `Markup`."""
 
     def __init__(self, text: str = "", parent: QWidget | None = None, **properties: Any) -> None:
-        super().__init__(parent, **properties)
-        self.setTextFormat(Qt.TextFormat.PlainText)
+        super().__init__(parent, textFormat=Qt.TextFormat.PlainText, **properties)
         if text:
             self.setText(text)
 

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF
+from PySide6.QtCore import QCoreApplication, QLineF, QPointF, QRectF, QSizeF
 from PySide6.QtGui import QColor, QPainter, QPen
 
 from app.document.document import Document
@@ -93,20 +93,16 @@ def exam(name: str, seed: int, exercises: Sequence[Numbered], check: Callable[[]
         pages = paged(exercises, head, width, height)
 
         def paint(number: int, painter: QPainter) -> None:
-            parts = pages[number - 1]
-            painter.save()
+            parts, y = pages[number - 1], 0.0
             room = height - sum(part.height + BETWEEN_STEPS_PT for part in parts) + BETWEEN_STEPS_PT
             if number == 1:
-                head.paint(painter, QRectF(0.0, 0.0, width, head.height))
-                painter.translate(0.0, head.height + BETWEEN_STEPS_PT)
-                room -= head.height + BETWEEN_STEPS_PT
+                _draw(painter, head, 0.0, 0.0)
+                y = head.height + BETWEEN_STEPS_PT
+                room -= y
             for part in parts:
                 high = part.height + room / len(parts)
-                painter.save()
-                part.paint(painter, QRectF(0.0, 0.0, width, high))
-                painter.restore()
-                painter.translate(0.0, high + BETWEEN_STEPS_PT)
-            painter.restore()
+                _draw(painter, part, 0.0, y, QSizeF(width, high))
+                y += high + BETWEEN_STEPS_PT
             paper.foot(painter, left, f"{number} / {len(pages)}", width, height)
 
         for number in range(1, len(pages) + 1):
@@ -321,10 +317,12 @@ def _place_of_answer(question: Asked) -> PageBlock:
     return PageBlock(low, paint)
 
 
-def _draw(painter: QPainter, block: PageBlock, x: float, y: float) -> None:
+def _draw(
+    painter: QPainter, block: PageBlock, x: float, y: float, size: QSizeF | None = None
+) -> None:
     painter.save()
     painter.translate(x, y)
-    block.paint(painter, QRectF(0.0, 0.0, 1e4, block.height))
+    block.paint(painter, QRectF(QPointF(), size or QSizeF(1e4, block.height)))
     painter.restore()
 
 

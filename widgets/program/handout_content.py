@@ -13,6 +13,7 @@ from typing import NamedTuple, TypeAlias
 from app.document.document import Document
 from app.lecture.equation import equation_of, latex_cell
 from app.lecture.notation import matrices
+from app.lecture.titles import stage_title
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.strokes import answer_picture, picture_beside
@@ -20,7 +21,7 @@ from app.lessons.text import escaped
 from widgets.controls.readout import full_sentence, value_text
 from widgets.panels.matrix_panel import note_on
 from widgets.parts.lesson_text import answer_of
-from widgets.parts.messages import of_phenomena, read_text, stage_title
+from widgets.parts.messages import of_phenomena, read_text
 from widgets.parts.typeset import matrix
 
 NOTE_CHARACTERS = 36  # line length of a matrix's note, so that it is not wider than the matrix

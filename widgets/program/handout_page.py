@@ -24,16 +24,7 @@ from app.lessons.text import DISPLAYED, FORMULA, html_of, in_line, readable, spo
 from app.model.formula_text import CLOSE, OPEN, OVER
 from widgets.parts.lesson_text import DISPLAYED_LARGER, LARGER
 from widgets.parts.saving import png_of
-from widgets.program.handout_content import (
-    Content,
-    EquationTables,
-    Heading,
-    PanelNumbers,
-    StepFigure,
-    ToWrite,
-    contents,
-    planned,
-)
+from widgets.program import handout_content
 
 _SLIDE_PX = 1280  # width of a picture of a slide
 _UNITS = 10.0  # of the outlines, to an em
@@ -47,11 +38,11 @@ def handout_page(course: Course, *, answers: bool = True) -> bytes:
     """
     page, lesson = _PhonePage(), course.lesson
     body = [page.text(f"# {lesson.title}")]
-    if answers and (minutes := planned(lesson)):
+    if answers and (minutes := handout_content.planned(lesson)):
         body.append(f"<p>{escaped(minutes)}</p>")
     for place in range(len(lesson.steps)):
         body.append("<section>")
-        body += (page.element(each) for each in contents(course, place, answers))
+        body += (page.element(each) for each in handout_content.contents(course, place, answers))
         body.append("</section>")
     style = STYLE + _STYLE + page.style() + fonts(page.drawings)
     return html(in_line(lesson.title), style, [*page.outlines(), *body])
@@ -65,19 +56,19 @@ class _PhonePage:
         self._depths: set[int] = set()
         self.drawings: list[str] = []
 
-    def element(self, content: Content) -> str:
-        if isinstance(content, Heading):
+    def element(self, content: handout_content.Content) -> str:
+        if isinstance(content, handout_content.Heading):
             return self.text(f"## {content.text}")
-        if isinstance(content, StepFigure):
+        if isinstance(content, handout_content.StepFigure):
             note = f"<aside>{self.text(content.note)}</aside>" if content.note else ""
             return "\n".join([self._figure(content), *map(self.text, content.texts), note])
-        if isinstance(content, EquationTables):
+        if isinstance(content, handout_content.EquationTables):
             return _beside(map(self.text, content.tables))
-        if isinstance(content, PanelNumbers):
+        if isinstance(content, handout_content.PanelNumbers):
             return "\n".join(
                 [*map(self.text, content.texts), _beside(map(_typeset, content.formulas))]
             )
-        if isinstance(content, ToWrite):
+        if isinstance(content, handout_content.ToWrite):
             room = f'placeholder="{said("answer-not-kept")}"'
             return f'<textarea rows="3" aria-label="{said("Your answer")}" {room}></textarea>'
         return self.text(content)
@@ -123,7 +114,7 @@ class _PhonePage:
             f".d{depth}{{vertical-align:{-depth / 100.0:g}em}}" for depth in sorted(self._depths)
         )
 
-    def _figure(self, shown: StepFigure) -> str:
+    def _figure(self, shown: handout_content.StepFigure) -> str:
         document = shown.document
         panes = panes_of(document)
         about = describe(document, scene_of(document), panes)

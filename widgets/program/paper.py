@@ -96,13 +96,7 @@ class PageBlock:
 
 
 def text(
-    text: str,
-    width: float,
-    size: float,
-    *,
-    title: bool = False,
-    left: float = 0.0,
-    kept: bool = False,
+    text: str, width: float, size: float, *, title: bool = False, left: float = 0.0
 ) -> PageBlock:
     document = TextDocument()
     font = words_font()
@@ -116,9 +110,7 @@ def text(
     set_text(document, text, title=title)
     document.setTextWidth(width - left)
     wide = document.idealWidth() + left
-    return PageBlock(
-        document.size().height(), document.drawContents, left, title or kept, wide=wide
-    )
+    return PageBlock(document.size().height(), document.drawContents, left, title, wide=wide)
 
 
 def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageBlock:

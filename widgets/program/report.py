@@ -11,7 +11,7 @@ from types import TracebackType
 from PySide6 import __version__ as pyside_version
 from PySide6.QtCore import QObject, Qt, Signal
 from PySide6.QtGui import QGuiApplication
-from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox, QWidget
+from PySide6.QtWidgets import QApplication, QDialog, QDialogButtonBox
 
 from app import __version__
 from widgets.parts.layouts import in_column
@@ -23,8 +23,8 @@ log = logging.getLogger(__name__)
 class ErrorReport(QDialog):
     """Reports an error without blocking the window; `log_file` is None if there is no log."""
 
-    def __init__(self, log_file: Path | None, parent: QWidget | None = None) -> None:
-        super().__init__(parent)
+    def __init__(self, log_file: Path | None) -> None:
+        super().__init__()
         self.setWindowTitle(self.tr("Something went wrong"))
         self._log_file, self._details = log_file, ""
         self.count = 0  # the errors since the report was closed

@@ -28,7 +28,7 @@ from widgets.parts.icons import Combo, icon, show_icon
 from widgets.parts.messages import file_title, of_phenomena
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.files import Files
-from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, Help, ways_to_press
+from widgets.window.help import FULL_SCREEN_KEY, PLAY_KEY, show_about, show_keys, ways_to_press
 from widgets.window.lesson_card import AGAIN_KEY, BACK_KEY, NEXT_KEY
 from widgets.window.lesson_menu import LessonMenu
 from widgets.window.pictures import Pictures
@@ -110,7 +110,6 @@ class Actions(QObject):
         *,
         files: Files,
         pictures: Pictures,
-        help_: Help,
         slots: Slots,
         panes: Mapping[str, Pane],
         theme: str,
@@ -158,11 +157,12 @@ class Actions(QObject):
             action.triggered.connect(partial(self.theme_chosen.emit, value))
         for value, action in self._choices("language", language, LANGUAGES).items():
             action.triggered.connect(partial(self.language_chosen.emit, value))
-        make("full_screen", self._toggle_full_screen)
-        self.help = make("help", help_.show_keys)
+        full = Qt.WindowState.WindowFullScreen
+        make("full_screen", lambda: window.setWindowState(window.windowState() ^ full))
+        self.help = make("help", partial(show_keys, window))
         self.start_card, self.trades = make("start_card"), make("trades")
-        make("conventions", help_.show_conventions)
-        make("about", help_.show_about)
+        make("conventions", partial(show_about, window, "Conventions"))
+        make("about", partial(show_about, window, "About Frustum Lab"))
         self.play = make("play")
         self.lesson_menu = LessonMenu(window, make, self._submenu)
         self._menu("file")
@@ -310,9 +310,6 @@ class Actions(QObject):
         button.setObjectName("presentButton")  # the style sheet refers to this name
         button.style().unpolish(button)
         button.style().polish(button)
-
-    def _toggle_full_screen(self) -> None:
-        self._window.setWindowState(self._window.windowState() ^ Qt.WindowState.WindowFullScreen)
 
     # -- kept up to date by the window
 

@@ -20,7 +20,7 @@ from PySide6.QtWidgets import (
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
 from app.document.store import Store
-from app.document.view import EVERYTHING
+from app.document.view import EVERYTHING, without_scene
 from app.lessons.lesson import is_lesson
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import BUILT_IN, Scene, load
@@ -192,7 +192,6 @@ class Files(QObject):
         return QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
 
     def note_opened(self, path: Path) -> None:
-        """Note that the current document was opened from a file."""
         self._set_path(self._place(path))
         self._remember(str(path))
 
@@ -212,14 +211,9 @@ class Files(QObject):
 
     def begun(self, name: str) -> Document:
         """Return a built-in scene as it starts, in the present view; a `Refusal` if it cannot."""
-        # Keep what was prepared for a class; drop what concerned the previous scene.
-        view = replace(
-            self._store.look(), large="", panel=None, probes=(), pinned=frozenset(), panes={},
-            slide=(), controls=(), equation="", fixed=None,
-            compare=(), dividers=(),
-        )  # fmt: skip
-        if view.names != EVERYTHING:
-            view = replace(view, names=None)
+        look = self._store.look()
+        names = look.names if look.names == EVERYTHING else None
+        view = replace(without_scene(look), panes={}, fixed=None, names=names)
         return Document(name, self.scene(name).start, self._store.document.extra, view)
 
     def mesh_dialog(self) -> None:

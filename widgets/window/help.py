@@ -5,7 +5,7 @@ import sys
 from functools import partial
 from pathlib import Path
 
-from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt
+from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtGui import QKeySequence
 from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QTextEdit, QWidget
 
@@ -49,47 +49,36 @@ def _shown(text: str) -> str:
     return re.sub(r"\{([^{}]+)\}", key, _tr(text))
 
 
-class Help(QObject):
-    def __init__(self, window: QWidget) -> None:
-        super().__init__(window)
-        self._window = window
-
-    def show_keys(self) -> None:
-        """Show a table of keys and mouse actions, which scrolls on a low screen."""
-        rows = "".join(
-            Markup.of("<tr><td colspan=2><h4>{}</h4></td></tr>", _shown(title))
-            + "".join(
-                Markup.of("<tr><td><b>{}</b></td><td>{}</td></tr>", _shown(keys), _shown(effect))
-                for keys, effect in lines
-            )
-            for title, lines in key_groups().items()
+def show_keys(window: QWidget) -> None:
+    """Show a table of keys and mouse actions, which scrolls on a low screen."""
+    rows = "".join(
+        Markup.of("<tr><td colspan=2><h4>{}</h4></td></tr>", _shown(title))
+        + "".join(
+            Markup.of("<tr><td><b>{}</b></td><td>{}</td></tr>", _shown(keys), _shown(effect))
+            for keys, effect in lines
         )
-        page = QTextEdit(readOnly=True)
-        page.setDocument(TextDocument(page))
-        page.setHtml(f"<table cellpadding=3>{rows}</table>")
-        dialog = QDialog(self._window)
-        dialog.setWindowTitle(self.tr("Keys and mouse"))
-        dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
-        buttons.rejected.connect(dialog.close)
-        in_column(page, buttons, on=dialog)
-        em = page.fontMetrics().height()
-        dialog.resize(
-            QSize(42 * em, 48 * em).boundedTo(self._window.screen().availableSize() * 0.9)
-        )
-        dialog.show()
+        for title, lines in key_groups().items()
+    )
+    page = QTextEdit(readOnly=True)
+    page.setDocument(TextDocument(page))
+    page.setHtml(f"<table cellpadding=3>{rows}</table>")
+    dialog = QDialog(window)
+    dialog.setWindowTitle(QCoreApplication.translate("Help", "Keys and mouse"))
+    dialog.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+    buttons.rejected.connect(dialog.close)
+    in_column(page, buttons, on=dialog)
+    em = page.fontMetrics().height()
+    dialog.resize(QSize(42 * em, 48 * em).boundedTo(window.screen().availableSize() * 0.9))
+    dialog.show()
 
-    def show_conventions(self) -> None:
-        self._show_box("Conventions")
 
-    def show_about(self) -> None:
-        self._show_box("About Frustum Lab", __version__)
-
-    def _show_box(self, heading: str, *values: str) -> None:
-        lines = [_tr(line).format(*values) for line in read_sections(ABOUT)[heading].text]
-        text = Markup("".join(f"<p>{line}</p>" for line in lines))
-        box = message_box(self._window, text, icon=QMessageBox.Icon.NoIcon)
-        box.setWindowTitle(_tr(heading))
-        box.setModal(False)
-        box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
-        box.show()
+def show_about(window: QWidget, heading: str) -> None:
+    """Show one of the other texts, by its heading."""
+    lines = [_tr(line).format(__version__) for line in read_sections(ABOUT)[heading].text]
+    text = Markup("".join(f"<p>{line}</p>" for line in lines))
+    box = message_box(window, text, icon=QMessageBox.Icon.NoIcon)
+    box.setWindowTitle(_tr(heading))
+    box.setModal(False)
+    box.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
+    box.show()

@@ -86,8 +86,7 @@ class Lessons(QObject):
         self._look_from, self._panes = look_from, panes
         self.player: Player | None = None  # the open lesson, as it is played
         self.letters: Letters | None = None  # instead of those that lessons ask for
-        self._clock = Clock(self)
-        self._clock.ticked.connect(self._move)
+        self._clock = Clock(self, self._move)
         self._start = self._end = store.document
         self._part = 1.0
         self._stages = (0.0, 0.0)

@@ -60,7 +60,6 @@ from widgets.window.control_strip import ControlStrip
 from widgets.window.cover_card import CoverCard
 from widgets.window.drawer import Drawer, Panels
 from widgets.window.files import Files
-from widgets.window.help import Help
 from widgets.window.history import History
 from widgets.window.laser import Laser
 from widgets.window.lesson_card import LessonCard
@@ -177,9 +176,8 @@ class MainWindow(QMainWindow):
             self.look.words, settings,
         )  # fmt: skip
         self.menus = Actions(
-            self, files=self.files, pictures=self.pictures, help_=Help(self), slots=self.slots,
-            panes=self.panes, theme=settings.theme, language=settings.language,
-            all_digits=settings.all_digits,
+            self, files=self.files, pictures=self.pictures, slots=self.slots, panes=self.panes,
+            theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
         self.laser = Laser(self)

@@ -24,7 +24,6 @@ from app.document.files import write_bytes_atomically
 from app.lessons.blocks.exercise import LARGEST_SEED
 from app.lessons.practice import (
     MOST,
-    PlacedExercise,
     Sheet,
     Waiting,
     draw_test,
@@ -241,14 +240,13 @@ class Practice(QObject):
         set_tip(overview.review, next_review(waiting))
         overview.review.setEnabled(bool(waiting.due))
         overview.lesson_wanted.connect(lambda course: self._card.open(course.lesson.path))
-        overview.exercise_wanted.connect(self._open)
+        overview.exercise_wanted.connect(
+            lambda placed: self._card.open(placed.course.lesson.path, placed.here.step.name)
+        )
         overview.review_wanted.connect(self.review)
         overview.test_wanted.connect(self.choose_test)
         overview.export_wanted.connect(partial(self.save, attempts))
         overview.show()
-
-    def _open(self, placed: PlacedExercise) -> None:
-        self._card.open(placed.course.lesson.path, placed.here.step.name)
 
     # -- what has come back
 

@@ -22,7 +22,9 @@ SHARES = 1.0 / 3.0, 0.5
 the first hides a name."""
 WIDTHS = 0.2, 0.25, 0.3, 0.45, 0.6, 0.8, 1.0  # largest ones that are tried, in those of the slide
 ALONG = sorted((part / 16.0 for part in range(17)), key=lambda at: abs(at - 0.5), reverse=True)
+INNER = [at for at in ALONG[2:] if at * 8.0 % 1.0 == 0.0]
 PLACES = [*((at, y) for y in (1.0, 0.0) for at in ALONG), *product((0.0, 1.0), ALONG)]
+PLACES += product(INNER, INNER)  # inside a picture, rather than over a side of its frame
 """Where the question may lie, from left to right and from the top; of equal ones the first."""
 LETTERS = (0.036, 0.033, 0.0305)  # sizes of letters, in heights of the screen, the best first
 INK_SHARE = 0.0005  # ink in shares of the slide that makes a place worse

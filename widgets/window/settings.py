@@ -82,10 +82,6 @@ def _valid(value: _T, *conditions: bool) -> _T:
     return value
 
 
-def _flag(text: str) -> bool:
-    return _valid(text == "true", text in ("true", "false"))
-
-
 def _number_in(low: _N, high: _N) -> Callable[[str], _N]:
     def read(text: str) -> _N:
         number = type(low)(text)
@@ -104,10 +100,6 @@ def _bytes(text: str) -> bytes:
         return base64.b64decode(_valid(text, len(text) <= 10_000), validate=True)
     except binascii.Error as error:
         raise ValueError from error
-
-
-def _base64(content: bytes | None) -> str:
-    return base64.b64encode(content or b"").decode("ascii")
 
 
 def _json(text: str, kind: type[_T]) -> _T:
@@ -162,7 +154,10 @@ class _KeptSetting(Generic[_T]):
 
 
 def _kept_flag(key: str, default: _D) -> _KeptSetting[bool | _D]:
-    return _KeptSetting(key, _flag, default, lambda on: "true" if on else "false")
+    def read(text: str) -> bool:
+        return _valid(text == "true", text in ("true", "false"))
+
+    return _KeptSetting(key, read, default, lambda on: "true" if on else "false")
 
 
 def _progress_text(progress: Mapping[str, Progress]) -> str:
@@ -213,7 +208,9 @@ class Settings:
     """Height of the letters in the speaker's notes."""
     export = _KeptSetting[dict[str, Any]]("export", lambda text: _json(text, dict), {}, json.dumps)
     """The last choice in the dialog for pictures."""
-    geometry = _KeptSetting[bytes | None]("geometry", _bytes, None, _base64)
+    geometry = _KeptSetting[bytes | None](
+        "geometry", _bytes, None, lambda content: base64.b64encode(content or b"").decode("ascii")
+    )
     """The window's geometry in Qt's format; None before the first time."""
     recent = _KeptSetting[list[str]]("recent", _paths, [], json.dumps, shared=True)
     """Paths of the files opened or saved by any window, newest first."""

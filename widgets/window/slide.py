@@ -21,7 +21,7 @@ from widgets.window.question import HiddenInk, QuestionOverlay
 from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
-FRAME_PX = 3.0  # half the width of a picture's frame, with what is free beside it
+FRAME_PX = 8.0  # from a picture's frame to what may lie beside it
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 

@@ -70,10 +70,8 @@ class _PictureLabel(PlainLabel):
     """A picture, as large as there is room for."""
 
     def __init__(self, name: str) -> None:
-        super().__init__()
+        super().__init__(accessibleName=name, alignment=Qt.AlignmentFlag.AlignCenter)
         self._image = QImage()
-        self.setAccessibleName(name)
-        self.setAlignment(Qt.AlignmentFlag.AlignCenter)
         self.setMinimumSize(160, 100)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Expanding)
 

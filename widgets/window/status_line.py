@@ -15,14 +15,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.drawings.scene_bounds import bounds_px, predictions
 from app.model.projection import Projection
-from app.precision.levels import (
-    DRAWING_TOLERANCE_PX,
-    LARGEST_TOLERANCE_PX,
-    LEAST_TOLERANCE_PX,
-    Precision,
-    Prediction,
-    precision_for_reading,
-)
+from app.precision import levels
 from app.precision.quality import AUTOMATIC, Quality
 from app.precision.risks import risks
 from app.scenes.scene import Scene
@@ -49,9 +42,9 @@ class StatusLine(QStatusBar):
         super().__init__()
         self._projection: Projection | None = None
         self._scene: Scene | None = None
-        self.tolerance_px = DRAWING_TOLERANCE_PX
-        self._predictions: dict[Precision, Prediction] | None = None
-        self._drawn: Precision = "float32"
+        self.tolerance_px = levels.DRAWING_TOLERANCE_PX
+        self._predictions: dict[levels.Precision, levels.Prediction] | None = None
+        self._drawn: levels.Precision = "float32"
         self._quality = AUTOMATIC
         self.frame_ms = 0.0
         self._risks: list[str] = []
@@ -157,10 +150,13 @@ class StatusLine(QStatusBar):
         self._show_health()
 
     def _show_precisions(
-        self, drawn: Precision, float32_px: float, predictions: dict[Precision, Prediction] | None
+        self,
+        drawn: levels.Precision,
+        float32_px: float,
+        predictions: dict[levels.Precision, levels.Prediction] | None,
     ) -> None:
         """Show the precisions; `float32_px` bounds the error of what float32 draws."""
-        read = precision_for_reading(predictions)
+        read = levels.precision_for_reading(predictions)
         text = WORDS.say("precisions", drawn, read)
         if predictions is not None:
             # Whatever computes the picture, a rasteriser gets float32 in the end.
@@ -175,7 +171,7 @@ class StatusLine(QStatusBar):
     def _fill_menu(self) -> None:
         menu = self.precision.menu()
         menu.clear()
-        read = precision_for_reading(self._predictions)
+        read = levels.precision_for_reading(self._predictions)
         for precision, (px, depth) in (self._predictions or {}).items():
             line = WORDS.say("bound", precision, f"{px:.2g}", f"{depth:.2g}")
             if not math.isfinite(px + depth):
@@ -188,7 +184,7 @@ class StatusLine(QStatusBar):
         frame = "frame", self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.frame_edited, frame))
         text = WORDS.say("px", f"{self.tolerance_px:g}")
-        span = LEAST_TOLERANCE_PX, LARGEST_TOLERANCE_PX
+        span = levels.LEAST_TOLERANCE_PX, levels.LARGEST_TOLERANCE_PX
         tolerance = "tolerance", self.tolerance_px, *span, "px"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
 

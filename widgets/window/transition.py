@@ -9,7 +9,7 @@
 from collections.abc import Callable
 from typing import Any
 
-from PySide6.QtCore import QObject, QRect, Qt
+from PySide6.QtCore import QEvent, QObject, QRect, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPixmap
 from PySide6.QtWidgets import QWidget
 
@@ -44,7 +44,8 @@ class _Old(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setOpacity(self._light)
-        painter.drawPixmap(0, 0, self._picture)
+        painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+        painter.drawPixmap(self.rect(), self._picture)
         painter.end()
 
 
@@ -63,6 +64,13 @@ class Transition(QObject):
         self._poses: dict[str, Any] = {}
         self._picture: QPixmap | None = None
         self._old = _Old(slide)
+        slide.installEventFilter(self)
+
+    def eventFilter(self, _watched: QObject, event: QEvent) -> bool:
+        """Let the old picture be as large as the slide: the strip below it comes and goes."""
+        if event.type() == QEvent.Type.Resize:
+            self._old.resize(self._slide.size())
+        return False
 
     @property
     def is_wanted(self) -> bool:

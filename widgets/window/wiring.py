@@ -36,6 +36,7 @@ def _wire_components(window: Any) -> None:
         (controls.edited, store.set_projection),
         (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.chain.compared, partial(world.request, "former")),
+        (controls.chain.stood, strip.go_to),
         (controls.animation.gesture_started, partial(menus.show_playing, True)),
         (controls.animation.gesture_finished, partial(menus.show_playing, False)),
         (controls.animation.walked, partial(world.request, "walk")),

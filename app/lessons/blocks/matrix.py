@@ -183,7 +183,6 @@ def _flat(rows: Iterable[Sequence[int]]) -> list[int]:
 
 
 def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:
-    """Return the parts with two of them exchanged."""
     swapped = [*parts]
     swapped[one], swapped[other] = parts[other], parts[one]
     return swapped

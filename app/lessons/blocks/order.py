@@ -15,9 +15,15 @@ import numpy as np
 
 from app.document.compare import ComparedPicture
 from app.document.document import Document
+from app.languages import translate
+from app.lecture.copying import latex_called
+from app.lecture.equation import USUAL
+from app.lecture.titles import stage_title
 from app.lecture.typed_matrix import with_matrix
 from app.lecture.wrong_chains import (
     DIVIDE,
+    DIVIDE_XYZ,
+    OF_LENS,
     Factor,
     Factors,
     difference,
@@ -28,16 +34,40 @@ from app.lecture.wrong_chains import (
     written_numbers,
 )
 from app.lessons.blocks.block import Here, State, Trial, Variant, Verdict
-from app.lessons.blocks.question import MODEL, YOURS, MarkedQuestion
+from app.lessons.blocks.question import LETTERS, MODEL, YOURS, MarkedQuestion
 from app.lessons.lines import Body, Items, on_line, refused
 from app.lessons.text import escaped
-from app.model.chain import FROM_OBJECT, Chain, Tile, in_words
+from app.model.chain import FROM_OBJECT, KINDS, Chain, Tile
 from app.model.limits import Array
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 
 OF = {"object": FROM_OBJECT, "view": "view_from_world", "projection": "clip_from_view"}
 """The matrices whose factors may be arranged in a picture of their own."""
 _MADE, _VIEWED = (1.0, 0.0, 0.0, 1.0), (1.0, 1.0, -5.0, 1.0)  # the points of worked solutions
+
+
+_IN_LETTERS = QT_TRANSLATE_NOOP(
+    "Exam", "Write the letters of the tiles as a product: what stands on the right acts first."
+)
+
+
+def tile_parts(text: str) -> tuple[str, str, str]:
+    """Return the part of a tile that stays, its title as Markdown, and its numbers as typed."""
+    kind = max((each for each in KINDS if text.startswith(each)), key=len, default="")
+    if kind:
+        return kind, stage_title(KINDS[kind].factor), text[len(kind) :].strip()
+    if text in (*USUAL, DIVIDE, DIVIDE_XYZ):
+        return text, stage_title(USUAL.get(text, text)), ""
+    name, inverted, _ = text.partition("^-1")
+    return text, f"${latex_called(name)}{'^{-1}' * bool(inverted)}$", ""
+
+
+def _printed(text: str) -> str:
+    """Write a tile for a reader: ``rotation about z 90°``, ``translation (3, 0, 0)``."""
+    kind, title, numbers = tile_parts(text)
+    parts = (group.split(",") for group in escaped(numbers).split())
+    groups = [part[0] if len(part) == 1 else f"({', '.join(part)})" for part in parts]
+    return " ".join([title, *groups]) + "°" * (kind.startswith("rotate") and bool(groups))
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -118,19 +148,45 @@ class OrderQuestion(MarkedQuestion):
         return None
 
     def posed(self) -> str:
-        return "\n".join([self.text, "", *(f"- `{in_words(tile)}`" for tile in self.tiles)])
+        """Return the question with a letter for each tile."""
+        tiles = "\n".join(f"- {letter}: {title}" for letter, title in self._lettered.items())
+        return f"{self.text}\n\n{tiles}\n\n{translate(_IN_LETTERS, 'Exam')}"
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return 1, len(self.tiles)
+
+    @property
+    def _lettered(self) -> dict[str, str]:
+        """The tiles as they are printed, by their letters; a student's numbers are left out."""
+        parts = [(text, *tile_parts(text)) for text in self.tiles]
+        return {
+            letter: title if kind in KINDS and text == Tile(kind, KINDS[kind].neutral).text
+            else _printed(text)
+            for letter, (text, kind, title, _) in zip(LETTERS, parts, strict=False)
+        }  # fmt: skip
+
+    def _letter(self, printed: str) -> str:
+        tiles = self._lettered.items()
+        return next((each for each, tile in tiles if f"{printed} ".startswith(f"{tile} ")), "")
 
     def printed(self, numbers: Sequence[str]) -> str:
-        return " · ".join(map(in_words, numbers))
+        return " · ".join(map(_printed, numbers))
 
     def answer_text(self, here: Here, write: Callable[[float], str]) -> str:
-        return self.printed(self.chain.split("; "))
+        """Return each order of the right tiles that has the right product."""
+        right = self.factors(here)
+        orders = (order for order in permutations(right) if same(effect(order), effect(right)))
+        printed = (self.printed([factor.text for factor in order]) for order in orders)
+        return " = ".join(dict.fromkeys(printed))
 
     def with_answer(self, answer: str, *, others: bool = True) -> str:
-        return f"{self.text}\n\n**{answer}**" if answer else self.text
+        parts = re.split("( · | = )", answer)
+        parts[::2] = [f"{self._letter(part)}: {part}" for part in parts[::2]]
+        return f"{self.text}\n\n**{''.join(parts)}**"
 
     def own_answer(self, typed: str) -> str:
-        return f"**{escaped(self.printed(typed.split('; ')))}**"
+        return f"**{self.printed(typed.split('; '))}**"
 
     def right_sample(self, here: Here) -> str:
         return self.chain
@@ -141,15 +197,16 @@ class OrderQuestion(MarkedQuestion):
             name = mistake(right, wrong) or ""
             if name not in named and (idea := here.idea(name)) is not None:
                 named.add(name)
-                yield idea.title, self.printed([factor.text for factor in wrong])
+                yield idea.title, " · ".join(self._letter(_printed(f.text)) for f in wrong)
 
     def solution(self, here: Here) -> str:
         """Return what each factor makes of a point, from the right."""
-        point = np.array([_VIEWED if self.product == "projection" else _MADE]).T
+        right = self.factors(here)
+        point = np.array([_VIEWED if right[-1].kind.startswith(OF_LENS) else _MADE]).T
         lines = [f"- ${_place(point)}$"]
-        for factor in reversed(self.factors(here)):
+        for factor in reversed(right):
             point = effect((factor,), point)
-            lines.append(f"- {escaped(in_words(factor.text))}: ${_place(point)}$")
+            lines.append(f"- {_printed(factor.text)}: ${_place(point)}$")
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:

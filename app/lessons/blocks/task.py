@@ -11,8 +11,9 @@ from app.lessons.blocks.block import Asked, Here, State, Trial, Verdict, state_i
 from app.lessons.blocks.question import Reply
 from app.lessons.lines import Body, on_line, refused
 from app.lessons.quantities import Condition
+from app.model.limits import check_name
 from app.model.parameters import DISTANCE, EYE, FAR, NEAR, TARGET, WINDOW_SIDES
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS
 
 DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
@@ -150,7 +151,6 @@ def _with_sample(document: Document, assignments: Sequence[str]) -> Document:
     for each in assignments:
         names = each.removeprefix(_PANES) if each.startswith(_PANES) else ""
         for name in filter(None, names.split(",")):
-            if name not in PANES:
-                raise Refusal("view.panes", name, REFUSALS["one-of"], ", ".join(PANES))
+            check_name("view.panes", name, PANES)
             turned[name] = document.projection.camera
     return replace(document, view=replace(document.view, panes=turned))

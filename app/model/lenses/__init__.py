@@ -1,7 +1,5 @@
 """The lenses, one file each; to add one, write its file and add it to `LENSES`."""
 
-from __future__ import annotations
-
 from app.model.lenses.free import FreeMatrix
 from app.model.lenses.frustum import Frustum
 from app.model.lenses.geometry import LENSES
@@ -19,12 +17,5 @@ def kinds() -> tuple[str, ...]:
 
 
 __all__ = [
-    "LENSES",
-    "FreeMatrix",
-    "Frustum",
-    "Lens",
-    "Oblique",
-    "Orthographic",
-    "Perspective",
-    "kinds",
-]
+    "LENSES", "FreeMatrix", "Frustum", "Lens", "Oblique", "Orthographic", "Perspective", "kinds",
+]  # fmt: skip

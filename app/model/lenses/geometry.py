@@ -6,8 +6,6 @@ formulas, in the order of operations that keeps their digits. For a typed matrix
 a near nor a far plane, they all raise a `Refusal`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from fractions import Fraction

@@ -26,6 +26,7 @@ from app.model.limits import (
     Array,
     Cells,
     Keep,
+    check_name,
     finite,
     keep_checked,
     real,
@@ -308,8 +309,7 @@ class Windowed(Lens):
             if low >= high:
                 raise Refusal(name, low, bound, format_value(high))
         self.check_window(left, right, bottom, top)
-        if self.keep not in ("stretch", "x", "y"):
-            raise Refusal("keep", self.keep, REFUSALS["one-of"], "stretch, x, y")
+        check_name("keep", self.keep, ("stretch", "x", "y"))
 
     @property
     def least_window(self) -> float:

@@ -3,8 +3,6 @@
 If you type the matrix of ``near = 1`` you get 1, not 0.9999999999999999.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from fractions import Fraction
 

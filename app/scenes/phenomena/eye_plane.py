@@ -403,7 +403,7 @@ def _ndc_marks(projection: Projection, clip: Array) -> Marks:
         ndc = cut.points_clip[:, :3] / cut.points_clip[:, 3:]
     if not np.isfinite(ndc).all():  # it points at the eye, and ends there
         return Marks()
-    return _ab(ndc, "accent", 2.0)
+    return _ab(ndc)
 
 
 def _image_marks(drawn: EyePlanePictures) -> Marks:
@@ -414,7 +414,7 @@ def _image_marks(drawn: EyePlanePictures) -> Marks:
         marks.append(Polyline(wrong, "u", 1.0))
         marks.append(Text("wrong", wrong.mean(axis=0), "u", text=WORDS["wrong"]))
     if np.isfinite(right).all():
-        marks.append(_ab(right, "accent", 2.0))
+        marks.append(_ab(right))
         marks += [Dot(end, "accent", 1.2) for end in right]
     return Marks.of(*marks)
 
@@ -429,9 +429,9 @@ def _divided_ends(projection: Projection, clip: Array, way: str) -> Marks:
     return Marks.of(*(named(name, place, size=1.2) for name, place, here in each if here))
 
 
-def _ab(ends: Array, colour: str, width: float) -> Marks:
+def _ab(ends: Array) -> Marks:
     """AB, with its name in the middle."""
-    return Marks.of(Polyline(ends, colour, width), Text("AB", ends.mean(axis=0), colour))
+    return Marks.of(Polyline(ends, "accent", 2.0), Text("AB", ends.mean(axis=0), "accent"))
 
 
 def _edges_alone(drawn: EyePlanePictures, way: str, size: tuple[int, int]) -> Marks:

@@ -15,18 +15,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from app.model.lenses.perspective import fov_x_from_fov_y, fov_y_from_focal_length_35mm
 from app.model.limits import vector
 from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
-from app.model.projection import (
-    Array,
-    Camera,
-    Orbit,
-    Perspective,
-    Projection,
-    Vector,
-    fov_x_from_fov_y,
-    fov_y_from_focal_length_35mm,
-)
+from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Vector
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Marks, Polyline, Text
 from app.scenes.phenomena.picture import cut_in_picture, seen_lines, seen_texts

@@ -25,21 +25,11 @@ from numpy.typing import NDArray
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.parameter import Settings, number
 from app.model.projection import Array, Projection
+from app.scenes import shapes
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Aperture, Dot, Mark, Marks, Rendering, Text, plate, segment
 from app.scenes.phenomena.picture import grip_of_plane, section, seen, seen_lines
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Phrase, Reading
-from app.scenes.shapes import (
-    EDGE_RGB,
-    SIDE_RGB,
-    Coloured,
-    box_faces,
-    edges_of,
-    flat,
-    ground_grid,
-    joined,
-    written_number,
-)
 
 WORDS = PhenomenonWords("focus")
 
@@ -95,18 +85,18 @@ _FRONTS = np.array([[(x + side, y, _HALF - z) for side, y in _FRONT] for x, z in
 """World corners of the posts' faces with the numbers, (n, 4, 3)."""
 
 
-def _geometry() -> tuple[Coloured, Coloured]:
+def _geometry() -> tuple[shapes.Coloured, shapes.Coloured]:
     """Posts that bear their distances from the eye in m, side by side in the picture."""
-    faces: list[Coloured] = []
+    faces: list[shapes.Coloured] = []
     boxes = []
     for distance, (x, _) in zip(_POSTS, _POST_PLACES.tolist(), strict=True):
         lower, upper = (x - _HALF, 0.0, -distance - _HALF), (x + _HALF, _HIGH, _HALF - distance)
-        box = box_faces(lower, upper)
-        digits = written_number(distance, (x, 1.1, -distance + 0.155), 0.22)
-        faces += [(box, SIDE_RGB), (digits, flat(EDGE_RGB, len(digits)))]
+        box = shapes.box_faces(lower, upper)
+        digits = shapes.written_number(distance, (x, 1.1, -distance + 0.155), 0.22)
+        faces += [(box, shapes.SIDE_RGB), (digits, shapes.flat(shapes.EDGE_RGB, len(digits)))]
         boxes.append(box)
-    ground = ground_grid((-4.0, -24.0), (8.0, 0.0), (1.0, 1.0), 0.0)
-    return joined(*faces), joined(ground, edges_of(np.concatenate(boxes)))
+    ground = shapes.ground_grid((-4.0, -24.0), (8.0, 0.0), (1.0, 1.0), 0.0)
+    return shapes.joined(*faces), shapes.joined(ground, shapes.edges_of(np.concatenate(boxes)))
 
 
 class _Focused(NamedTuple):

@@ -12,17 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from app.model.lenses.oblique import oblique_angles, receding_of
 from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
 from app.model.parameters import ALPHA, BETA
-from app.model.projection import (
-    Array,
-    Camera,
-    Oblique,
-    Orthographic,
-    Projection,
-    oblique_angles,
-    receding_of,
-)
+from app.model.projection import Array, Camera, Oblique, Orthographic, Projection
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Dot, Mark, Marks, Polyline, Text, segment
 from app.scenes.phenomena.picture import seen_lines, seen_texts, world_from_view

@@ -19,14 +19,7 @@ from app.model.limits import vector
 from app.model.parameter import Settings, number, point
 from app.model.projection import Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
-from app.precision.unprojecting import (
-    THERE,
-    check_pixel,
-    exact_points,
-    float32_pixels,
-    followed,
-    off_there,
-)
+from app.precision import unprojecting
 from app.scenes.phenomena.cheap_arithmetic import enlargement, times_text
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, segment
@@ -49,7 +42,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     place, mesh, eye = np.array(point(settings, "point")), subject.mesh, projection.camera.eye
     edges = letter_f_edges()[0] if mesh is None else mesh.edges[:_MOST_EDGES]
     trace = projection.trace(np.concatenate([place[None], edges.reshape(-1, 3)]))
-    pixels = float32_pixels(trace.image, trace.depth)
+    pixels = unprojecting.float32_pixels(trace.image, trace.depth)
     world: list[Mark] = [segment(eye, place, "muted", 0.75), named("P", place)]
     grips = (Grip("point", place, name="P"),)
     why = _refused(projection, pixels[0].tolist()) if trace.in_front[0] else WORDS.phrase("behind")
@@ -59,8 +52,8 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     rows = np.unique(np.append(0, rows))
     origin, form = origin_away(projection, number(settings, "origin")), str(settings["numbers"])
     try:
-        back = followed(projection, pixels[rows], str(settings["way"]), form, origin)
-        (exact,) = exact_points(projection, pixels[:1], origin)
+        back = unprojecting.followed(projection, pixels[rows], str(settings["way"]), form, origin)
+        (exact,) = unprojecting.exact_points(projection, pixels[:1], origin)
         true = projection.world_from_image(pixels[rows])
     except Refusal:  # the lens is the reason
         why = WORDS.phrase("no-inverse")
@@ -91,7 +84,10 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
             image.append(named("back", moved.image, "u", 1.3, WORDS["back"]))
     away, error, why = math.dist(true[0], eye), float(lengths[0]), WORDS.phrase("no-bound")
     values = float(np.linalg.norm(back.error[:, 0])), error, 100.0 * error / (away or math.nan)
-    there = (off_there(projection, place, trace.ndc[0], each, form, origin) for each in THERE)
+    there = (
+        unprojecting.off_there(projection, place, trace.ndc[0], each, form, origin)
+        for each in unprojecting.THERE
+    )
     units = {"bound": "", "off": "", "share": "%", "one": "px", "two": "px"}
     readings = tuple(
         Reading.or_why(WORDS[name], value, unit, why)
@@ -103,7 +99,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
 def _refused(projection: Projection, pixel: Sequence[float]) -> Phrase | None:
     """Why there is no point for a pixel and a depth."""
     try:
-        check_pixel(projection, pixel)
+        unprojecting.check_pixel(projection, pixel)
     except Refusal as error:
         most = dict(zip("xy", projection.image_size, strict=True)).get(error.field, 1)
         key = "nowhere" if error.bound == REFUSALS["no-point"] else "outside"

@@ -16,16 +16,9 @@ import numpy as np
 from app.model.limits import vector
 from app.model.parameter import CLOSE, ImpliedSettings, Settings, number
 from app.model.projection import Array, Camera, Orbit, Perspective, Projection, Trace
+from app.scenes.phenomena import picture
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
 from app.scenes.phenomena.marks import Grip, Mark, Marks, Polyline, Text, named, plate, segment
-from app.scenes.phenomena.picture import (
-    SIDES,
-    box_edges,
-    cut_in_picture,
-    image_from_clip,
-    rectangle,
-    section,
-)
 from app.scenes.phenomena.words import Curve, Diagram, PhenomenonWords, Reading, broken
 from app.scenes.shapes import SIDE_RGB, Coloured, box_faces, edges_of, ground_grid, joined
 
@@ -95,7 +88,7 @@ def vanishing(projection: Projection) -> tuple[Vanishing, Vanishing, Vanishing]:
 def _pixel(projection: Projection, clip: Array) -> Array | None:
     """The pixel of a clip point whose w is not 0; None beyond float64's range."""
     with np.errstate(over="ignore", invalid="ignore"):
-        pixel = image_from_clip(projection, clip)
+        pixel = picture.image_from_clip(projection, clip)
     return pixel if np.isfinite(pixel).all() else None
 
 
@@ -200,7 +193,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     points = vanishing(projection)
     axis = _AXES.index(str(settings["edge"]))
     point = points[axis]
-    edges = box_edges(subject.lower, subject.upper)
+    edges = picture.box_edges(subject.lower, subject.upper)
     # P runs along the upper edge nearest to the viewer, from C, its nearer end.
     trace = projection.trace(edges)
     w = -trace.view[..., 2]
@@ -285,7 +278,7 @@ def _image_marks(
             ends += [point.clip] * 4
             colours += [_COLOURS[axis]] * 4
     both = np.array([*starts, start_clip]), np.array([*ends, there.clip])
-    *pieces, run = cut_in_picture(projection, *both, SIDES)
+    *pieces, run = picture.cut_in_picture(projection, *both, picture.SIDES)
     drawn = zip(pieces, colours, strict=True)
     marks: list[Mark] = [Polyline(each, colour, 1.0) for each, colour in drawn if each is not None]
     # From C to P, as long as their part of the projective line is in front of the eye.
@@ -314,7 +307,7 @@ def _world_marks(
     eye = np.array(projection.camera.eye)
     longest = _LONGEST * subject.size
     # Of the frustum, whose walls would hide the rays, only the plane is drawn, with the horizon.
-    plane = section(projection, projection.lens.near)
+    plane = picture.section(projection, projection.lens.near)
     marks: list[Mark] = [plate(plane, "near", 1.5, 0.15, name="horizon")]
     for axis, (point, colour) in enumerate(zip(points, _COLOURS, strict=True)):
         if not point.is_finite:
@@ -349,7 +342,7 @@ def _diagram(projection: Projection, points: tuple[Vanishing, ...], edges: Trace
         low, high = np.minimum(low, pixel), np.maximum(high, pixel)
     margin = 0.06 * float((high - low).max())
     low, high = low - margin, high + margin
-    curves = [Curve(rectangle(width, height), "muted", width=1.5, closed=True)]
+    curves = [Curve(picture.rectangle(width, height), "muted", width=1.5, closed=True)]
     image = edges.image
     # A box beside the eye or behind it has edges without a picture.
     if edges.in_front.all() and (np.abs(image) <= beyond).all():

@@ -27,12 +27,10 @@ class _MatrixCellEdit(QLineEdit):
     """A cell with a sign below it is marked; the sign goes when the cell is edited."""
 
     def __init__(self, row: int, column: int) -> None:
-        super().__init__()
+        super().__init__(maxLength=80, alignment=Qt.AlignmentFlag.AlignRight)
         self.row, self.column = row, column
         self.place = self.tr("Row {0}, column {1}").format(row + 1, column + 1)
         self.setAccessibleName(self.place)
-        self.setMaxLength(80)
-        self.setAlignment(Qt.AlignmentFlag.AlignRight)
         self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
         em = self.fontMetrics().height()
         self.setMinimumWidth(3 * em)

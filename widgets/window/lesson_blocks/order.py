@@ -2,16 +2,11 @@
 
 from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
 
-from app.lecture.copying import latex_called
-from app.lecture.equation import USUAL
-from app.lecture.wrong_chains import DIVIDE, DIVIDE_XYZ
-from app.lessons.blocks.order import OrderQuestion
+from app.lessons.blocks.order import OrderQuestion, tile_parts
 from app.lessons.player import PlayedBlock
 from app.lessons.text import spoken_text
-from app.model.chain import KINDS
 from widgets.parts.layouts import FREE, in_row
 from widgets.parts.lesson_text import LessonText
-from widgets.parts.messages import stage_title
 from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.plain import PlainLabel, set_tip
 from widgets.window.lesson_blocks.marked import MarkedAnswerView
@@ -23,17 +18,9 @@ class _TileRow(QWidget):
 
     def __init__(self, text: str) -> None:
         super().__init__()
-        self._head, numbers = text, ""
-        name, inverted, _ = text.partition("^-1")
-        tex = latex_called(name) + "^{-1}" * bool(inverted)
-        title = f"\u200b${tex}$"  # not alone in its line, where it would be centred
-        if text.startswith(tuple(KINDS)):
-            self._head = max((kind for kind in KINDS if text.startswith(kind)), key=len)
-            title, numbers = stage_title(KINDS[self._head].factor), text[len(self._head) :].strip()
-        elif text in USUAL:
-            title = stage_title(USUAL[text])
-        elif text in (DIVIDE, DIVIDE_XYZ):
-            title = self.tr("Divide by w") if text == DIVIDE else self.tr("x, y, z divided by w")
+        self._head, title, numbers = tile_parts(text)
+        if title[0] == "$":
+            title = f"\u200b{title}"  # not alone in its line, where it would be centred
         self.switch = QCheckBox()
         set_tip(self.switch, self.tr("Whether the product has this tile"))
         self.field = QLineEdit(numbers)

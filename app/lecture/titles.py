@@ -1,0 +1,22 @@
+"""What stages and factors are called in words, translated: the page ``content/titles.md``."""
+
+from pathlib import Path
+
+from app.languages import translate
+from app.model.parameter import read_sections
+
+_PAGE = read_sections(Path(__file__).with_name("content") / "titles.md")
+SPACES, FACTORS = _PAGE["Space"].named, _PAGE["Factor"].named
+
+
+def stage_title(name: str) -> str:
+    """Return ``clip_from_view`` as “clip ← view”, and a factor by its name."""
+    target, between, source = name.partition("_from_")
+    if between:
+        return " ← ".join(translate(SPACES[space], "Space") for space in (target, source))
+    factor = name.rstrip("0123456789")
+    number = f" {name[len(factor) :]}" if factor != name else ""
+    if factor not in FACTORS:  # shear_xy, mirror_x
+        factor, _, letters = factor.partition("_")
+        number = f" {letters}{number}"
+    return translate(FACTORS[factor], "Factor") + number if factor in FACTORS else name
