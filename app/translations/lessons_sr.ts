@@ -8550,7 +8550,7 @@
     </message>
     <message>
         <source>An edge runs from the depth {0} to {1}. At {2} of the way on the screen: {3}</source>
-        <translation>Ивица иде од дубине {0} до {1}. На {2} пута на екрану: {3}</translation>
+        <translation>Ивица иде од дубине {0} до {1}. На делу пута {2} на екрану: {3}</translation>
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a straight edge has a linear equation in x and z. Divided by z it is one in x/z, the place on the screen, and 1/z, and that is all.</source>

@@ -449,8 +449,9 @@ def test_an_everyday_step_does_nothing_per_vertex(
         return trace(*args)
 
     monkeypatch.setattr(Projection, "trace", traced)
+    screen = off_screen(200, 150)
     for name, projection in everyday():
-        screen = off_screen(200, 150)
+        screen.clear()
         scene = load(name)
         drawing = kind(screen, scene, WORDS, LIGHT)
         for step in range(5):
@@ -474,10 +475,11 @@ def test_both_precisions_draw_the_same_everyday_picture(kind: Any, off_screen: M
         ("letter-f", replace(letter, camera=inside, lens=Perspective(30, 2.2, 3.0))),
         ("posts", replace(load("posts").start, lens=Perspective(20, 1, math.inf))),
     ]
+    screen = off_screen(500, 400)
     for name, projection in [*everyday(), *within]:
         scene, pictures, used = load(name), [], []
         for tolerance_px in (math.inf, 1e-4):
-            screen = off_screen(500, 400)
+            screen.clear()
             drawing = kind(screen, scene, WORDS, LIGHT, tolerance_px)
             drawing.show_projection(projection)
             pictures.append(screen.pixels())

@@ -1,6 +1,7 @@
 """What holds for every phenomenon: its data, its refusals, and that it never shows a NaN."""
 
 import ast
+import functools
 import inspect
 import math
 import random
@@ -151,8 +152,13 @@ def test_no_projection_and_no_setting_shows_a_nan_or_a_text_without_translation(
                 raise
     assert (followed > 12) == (phenomenon.follow is not Phenomenon.follow)
     words = re.compile(r"(?!arctan|atan|cot|tan|sin|cos)\b[^\W\d_]{3,}")
-    marked_texts = content_texts() | marked(central, oblique, orthographic, context="phenomena")
-    assert not {text for text in shown - marked_texts if words.search(text)}
+    assert not {text for text in shown - marked_texts() if words.search(text)}
+
+
+@functools.cache
+def marked_texts() -> set[str]:
+    """What is translated: read once for all phenomena."""
+    return content_texts() | marked(central, oblique, orthographic, context="phenomena")
 
 
 def bad_values(setting: Parameter) -> list[Any]:

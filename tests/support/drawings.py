@@ -42,6 +42,11 @@ class OffScreen:
         self.window = self.render_window = self._screen.render_window
         self.renderer = self._screen.renderer
 
+    def clear(self) -> None:
+        """Make room for another drawing: a window of its own would compile its shaders anew."""
+        self._screen.clear(*self.window.GetSize())
+        self.renderer = self._screen.renderer
+
     def close(self) -> None:
         self._screen.give_back()
 

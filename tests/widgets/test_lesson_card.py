@@ -228,6 +228,7 @@ right: lens.near=0.4
 """
 
 
+@pytest.mark.undrawn
 def test_the_keys_of_several_questions_are_those_of_the_one_with_the_cursor(
     window: MainWindow, tmp_path: Path
 ) -> None:
@@ -888,6 +889,7 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     assert np.allclose(typed, (960, 360), atol=12.5 * 1280 / width), "where it was clicked"
 
 
+@pytest.mark.undrawn
 def test_a_hidden_card_shows_only_the_lesson_that_opens(
     window: MainWindow, lesson: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -801,6 +801,7 @@ def test_a_bound_is_written_as_all_numbers_are(desk: Desk) -> None:
     assert row.error.endswith("Fog ends at = 10: must be greater than 15.")
 
 
+@pytest.mark.undrawn
 def test_another_scene_is_shown_from_the_top_without_the_search(window: MainWindow) -> None:
     controls = show_scene(window, "planar-shadow").controls
     bar = controls.verticalScrollBar()
@@ -814,6 +815,7 @@ def test_another_scene_is_shown_from_the_top_without_the_search(window: MainWind
     assert bar.value() == 20, "a value does not scroll the dock"
 
 
+@pytest.mark.undrawn
 def test_a_number_that_is_being_typed_does_not_outlive_its_scene(
     window: MainWindow, qtbot: QtBot
 ) -> None:
