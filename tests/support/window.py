@@ -191,7 +191,8 @@ def turn(window: MainWindow, name: str) -> None:
     QTest.qWait(3 * REST_MS)
     assert pane.drawing is not None
     board = pane.drawing.board
-    assert QTest.qWaitFor(lambda: not board.is_restless, PATIENCE_MS)
+    while board.is_restless:
+        QTest.qWait(1)
     settle()
 
 

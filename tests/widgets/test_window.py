@@ -292,7 +292,12 @@ def test_labels_stay_while_a_view_is_turned_and_stand_afresh_after_it(
     assert pane.drawing is not None
     monkeypatch.setattr(pane.drawing.layers, "place_labels", lambda **how: asked.append(how))
     QTest.keyClick(pane.canvas, Qt.Key.Key_Right)
+    assert any(how.get("afresh") for how in asked), "a single change"
+    asked.clear()
+    QTest.mousePress(pane.canvas, LEFT, pos=QPoint(100, 100))
+    QTest.mouseMove(pane.canvas, QPoint(180, 130))
     assert asked and not any(how.get("afresh") for how in asked)
+    QTest.mouseRelease(pane.canvas, LEFT, pos=QPoint(180, 130))
     qtbot.waitUntil(lambda: asked[-1].get("at_rest", False))
 
 
