@@ -202,8 +202,11 @@ class Drawing:
         """What has to be inside the pane and lies outside: names, and by how many pixels."""
         return {}
 
-    def reset_clipping_range(self) -> None:
-        """Adjust the drawing after the pane's camera was moved from outside."""
+    def reset_clipping_range(self, *, afresh: bool = True) -> None:
+        """Adjust the drawing after the pane's camera was moved from outside.
+
+        If not `afresh`, labels stay beside what they name, until the movement ends.
+        """
 
     # -- on the way from one state to another
 

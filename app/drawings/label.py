@@ -177,11 +177,12 @@ class SceneLabel:
         colour: str = "",
         anchor: tuple[int, int] = (0, 0),
         plain: bool = False,
+        visible: bool = True,
     ) -> None:
         self.em = style.font_size
         self._how = {"plain": plain, "one_size": style.one_size}
         self._style, self._anchor = style, anchor
-        self._visible = self._shown = True
+        self._visible, self._shown = visible, True
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0

@@ -98,8 +98,7 @@ class Board:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
             leader = ScreenLines(self._canvas, self._canvas.style.leader, 1, self.renderer)
-            label = self._canvas.label(text, self.renderer, colour=colour)
-            label.set_visible(False)
+            label = self._canvas.label(text, self.renderer, colour=colour, visible=False)
             self._labels[key] = label, leader
         return self._labels[key][0]
 

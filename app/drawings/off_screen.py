@@ -6,6 +6,7 @@ import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from pathlib import Path
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -13,14 +14,23 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401  (without it no window is on
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkLogger, vtkUnsignedCharArray
-from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer, vtkRenderWindow
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkRenderingCore import (
+    vtkActor2D,
+    vtkCamera,
+    vtkPolyDataMapper2D,
+    vtkRenderer,
+    vtkRenderWindow,
+)
 
 from app.languages import said
+from app.model.parameter import read_content
 
 Pixels: TypeAlias = NDArray[np.uint8]
 
 _SMALL_PX = 8, 8
 _WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
+_FXAA = read_content(Path(__file__).with_name("content") / "fxaa.glsl")
 
 
 make_window: Callable[[], Any] | None = None
@@ -58,6 +68,7 @@ class OffScreen:
         self.clear(width, height)
         self.render_window.SetAlphaBitPlanes(1)
         self.render_window.Initialize()  # an X window crashes without it when it is released
+        self._is_quick = False
 
     def clear(self, width: int, height: int) -> None:
         """Return to the first state, in another size, but keep the compiled shaders."""
@@ -73,6 +84,32 @@ class OffScreen:
         self.renderer: Any = vtkRenderer()
         self.renderer.SetActiveCamera(vtkCamera())
         window.AddRenderer(self.renderer)
+
+    def quicken_fxaa(self) -> None:
+        """Draw FXAA by our own shader; for a screen without a drawing.
+
+        A software renderer runs all of VTK's for every pixel, also where it returns early. Ours
+        leaves a loop there, and draws the same in half the time.
+        """
+        if self._is_quick:
+            return
+        self._is_quick, window, size = True, self.render_window, self.render_window.GetSize()
+        window.SetSize(*_SMALL_PX)
+        nothing, mapper = vtkActor2D(), vtkPolyDataMapper2D()  # without a prop VTK smooths nothing
+        mapper.SetInputData(vtkPolyData())
+        nothing.SetMapper(mapper)
+        self.renderer.AddViewProp(nothing)
+        self.renderer.UseFXAAOn()
+        window.Render()
+        program = window.GetShaderCache().GetLastShaderBound()
+        source = "" if program is None else program.GetFragmentShader().GetSource()
+        head, main, _ = source.partition("void main()")
+        if main and "EndpointSearchIterations" in head:
+            program.GetFragmentShader().SetSource(head + _FXAA)
+            program.ReleaseGraphicsResources(window)  # the next picture compiles it
+        self.renderer.UseFXAAOff()
+        self.renderer.RemoveViewProp(nothing)
+        window.SetSize(*size)
 
     def close(self) -> None:
         self.render_window.Finalize()

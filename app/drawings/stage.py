@@ -176,8 +176,7 @@ class StageDrawing(Drawing):
             emphasis.show_names(self.names)
             emphasis.show(self.names.pointed)
         if self.box.placed != before or self.state.probes or not self._marks.is_empty:
-            self.layers.settle()
-            self.layers.place_labels()
+            self._settle()
 
     def spots_of(self, places: Array) -> Array:
         shown = self.own.pane_from_display @ self.state.display_from_ndc
@@ -236,10 +235,15 @@ class StageDrawing(Drawing):
             points = np.concatenate([points, morph.origin_at(stop) + AXES_LENGTH * np.eye(3)])
         return points
 
-    def reset_clipping_range(self) -> None:
+    def reset_clipping_range(self, *, afresh: bool = True) -> None:
         self.own.fit_range()
-        self.layers.settle()
-        self.layers.place_labels(afresh=True)
+        self._settle(afresh=afresh)
+
+    def _settle(self, *, afresh: bool = False) -> None:
+        """Mark and name what is seen, unless a layout will."""
+        if self.state.canvas.is_laid_out:
+            self.layers.settle()
+            self.layers.place_labels(afresh=afresh)
 
     def begin_glide(self, start: Pose) -> None:
         super().begin_glide(start)

@@ -3,6 +3,7 @@
 import gc
 import math
 import weakref
+from contextlib import closing
 from dataclasses import replace
 from typing import Any
 
@@ -16,6 +17,8 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 from app.drawings import WORDS
 from app.drawings.image import ImageDrawing
 from app.drawings.label import LabelActor
+from app.drawings.off_screen import OffScreen as DrawnOffScreen
+from app.drawings.off_screen import pixels_of
 from app.drawings.picture_frame import UNFRAMED
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb
@@ -721,3 +724,25 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
         assert worst <= 0.26, projection
     assert checked > 200
     assert precisions == {"float32"} if tolerance_px > 1.0 else "float64" in precisions
+
+
+# --------------------------------------------------------------------------- smooth pictures
+
+
+@pytest.mark.parametrize("name", ["letter-f", "posts"])
+def test_our_fxaa_draws_what_vtks_own_does(name: str) -> None:
+    pictures = []
+    for fxaa, quick in ((False, False), (True, False), (True, True)):
+        with closing(DrawnOffScreen(410, 330)) as screen:
+            if quick:
+                screen.quicken_fxaa()
+                cache = screen.render_window.GetShaderCache()
+                assert "isFlat" in cache.GetLastShaderBound().GetFragmentShader().GetSource()
+            drawing = WorldDrawing(screen, load(name), WORDS, LIGHT)
+            screen.renderer.SetUseFXAA(fxaa)
+            screen.render_window.Render()
+            pictures.append(pixels_of(screen.render_window).astype(int))
+            drawing.remove()
+    rough, vtks, ours = pictures
+    assert (np.abs(vtks - rough).max(axis=2) > 8).sum() > 500
+    assert np.abs(ours - vtks).max() <= 1

@@ -18,6 +18,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Perspective, Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
+from widgets.panes.pane import REST_MS
 from widgets.parts.clock import Clock
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow
@@ -180,12 +181,17 @@ def edit(window: MainWindow) -> None:
 
 
 def turn(window: MainWindow, name: str) -> None:
-    """Turn a pane with the mouse, and go nearer."""
-    canvas = window.panes[name].canvas
+    """Turn a pane with the mouse, and go nearer; then let the hand rest."""
+    pane = window.panes[name]
+    canvas = pane.canvas
     QTest.mousePress(canvas, LEFT, pos=QPoint(100, 100))
     QTest.mouseMove(canvas, QPoint(180, 130))
     QTest.mouseRelease(canvas, LEFT, pos=QPoint(180, 130))
     QTest.keyClick(canvas, Qt.Key.Key_Plus)
+    QTest.qWait(3 * REST_MS)
+    assert pane.drawing is not None
+    board = pane.drawing.board
+    assert QTest.qWaitFor(lambda: not board.is_restless, PATIENCE_MS)
     settle()
 
 

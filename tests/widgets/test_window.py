@@ -284,6 +284,18 @@ def test_turning_stops_at_the_pole(window: MainWindow) -> None:
         assert y / math.hypot(x, y, z) < math.sin(math.radians(89.1))
 
 
+@pytest.mark.parametrize("name", ["world", "ndc"])
+def test_labels_stay_while_a_view_is_turned_and_stand_afresh_after_it(
+    window: MainWindow, name: str, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    pane, asked = window.panes[name], list[dict[str, bool]]()
+    assert pane.drawing is not None
+    monkeypatch.setattr(pane.drawing.layers, "place_labels", lambda **how: asked.append(how))
+    QTest.keyClick(pane.canvas, Qt.Key.Key_Right)
+    assert asked and not any(how.get("afresh") for how in asked)
+    qtbot.waitUntil(lambda: asked[-1].get("at_rest", False))
+
+
 def test_keys_turn_move_and_zoom_a_pane_that_tab_has_reached(
     window: MainWindow, qtbot: Any
 ) -> None:

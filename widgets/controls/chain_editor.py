@@ -57,11 +57,15 @@ def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, floa
     *turns, move = view_chain(camera.frame, camera.eye).tiles
     if undone:
         for tile in turns:
-            angle = with_comma(written_numbers(tile.numbers[0]))
-            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}\N{DEGREE SIGN}", VIEW
+            angle = f"{_read(tile.numbers[0])}\N{DEGREE SIGN}"
+            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", VIEW
     else:
         yield stage_title("rotation"), VIEW
-    yield f"{stage_title('translation')} {with_comma(written_numbers(move.numbers))}", VIEW / 2.0
+    yield f"{stage_title('translation')} {_read(move.numbers)}", VIEW / 2.0
+
+
+def _read(numbers: object) -> str:
+    return with_comma(written_numbers(numbers)).replace("-", "\N{MINUS SIGN}")
 
 
 class _TileCard(Rows):

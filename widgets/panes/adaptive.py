@@ -26,6 +26,7 @@ from widgets.parts.progress import progress_dialog
 AT_FIRST = 200_000
 """Triangles of a software renderer's first frame, before its speed is known: a million would hold
 the first step of a drag for half a second."""
+_TURNING = 0.6  # of the target, while one pane alone follows the hand
 MANY_TRIANGLES = 10_000  # making coarser versions of a scene with more triangles shows progress
 AT_REST = "FXAA"
 """The automatic smoothing. With OpenGL in software it takes five times as long as the rest."""
@@ -135,6 +136,8 @@ class Adaptive(QObject):
             self._turned.start()
         else:
             self.step(False)
+            for pane in self._panes.values():
+                pane.refit()
 
     def _draw(self, dragging: bool, budget: FrameBudget, panes: Iterable[Pane]) -> None:
         self._end_frame(self._drawn_at)  # if the drag is faster than the screen
@@ -191,7 +194,7 @@ class Adaptive(QObject):
             few = (i for i, level in enumerate(levels) if level.share * cells <= AT_FIRST)
             first = next(few, len(levels) - 1)
         self.budget = FrameBudget(levels, self._target_ms, first)
-        self._of_turning = FrameBudget(levels, self._target_ms, first)
+        self._of_turning = FrameBudget(levels, _TURNING * self._target_ms, first)
 
     def _prepare(self) -> None:
         """Make the coarser versions of the scene before anybody drags."""

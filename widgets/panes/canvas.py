@@ -230,6 +230,7 @@ class RasterCanvas(_Canvas):
         from app.drawings.off_screen import take_screen
 
         screen = take_screen(*self._size_px)
+        screen.quicken_fxaa()
         screen.render_window.SwapBuffersOff()
         return screen
 

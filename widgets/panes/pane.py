@@ -435,7 +435,7 @@ class Pane(QFrame):
     def _view_moved(self) -> None:
         self.glide(1.0)  # the user's hand decides
         if self.drawing is not None:
-            self.drawing.reset_clipping_range()
+            self.drawing.reset_clipping_range(afresh=False)
             if self.requested["fixed"] and not self.drawing.fixed:
                 self.requested["fixed"] = ""
                 self.fixed_left.emit()
