@@ -6,7 +6,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from app import languages
 from app.lessons.blocks.order import OrderQuestion
 from app.lessons.checking import CheckReport
 from app.lessons.course import AtStep, Course, contained
@@ -141,18 +140,6 @@ def test_the_key_has_each_right_order_and_a_sheet_leaves_room_for_numbers() -> N
     }  # fmt: skip
     assert re.search("- .: rotation about z\n", asked.posed() + "\n"), "the student types 0"
     assert r"$M_{\mathrm{pp}}$" in question("order projection: M_z; M_pp; M_persp")[0].posed()
-
-
-def test_paper_and_solutions_name_tiles_in_the_language() -> None:
-    asked, here = question(ORDER)
-    languages.choose("hr")
-    try:
-        assert ": translacija (3, 0, 0)" in asked.posed()
-        assert asked.answer_text(here, str).endswith("skaliranje (2, 1, 1)")
-        assert "- rotacija oko z 90°: " in asked.solution(here)
-    finally:
-        languages.choose("en")
-    assert asked.right_sample(here) == RIGHT
 
 
 @pytest.mark.parametrize(

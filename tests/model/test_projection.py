@@ -24,7 +24,7 @@ from app.model.lenses.perspective import (
     fov_y_from_focal_length_e,
     fov_y_from_window,
 )
-from app.model.limits import OTHER_SIDE, SMALLEST
+from app.model.limits import OTHER_SIDE, SMALLEST, check_name
 from app.model.projection import (
     DEPTH_RANGES,
     LARGEST,
@@ -1319,6 +1319,8 @@ REFUSED: list[tuple[Callable[[], object], str]] = [
     (lambda: fov_y_from_window(0, 1), "top = 0: must be greater than 0."),
     (lambda: fov_y_from_focal_length_e(-2, 1), "e = -2: must be greater than 0."),
     (lambda: fov_y_from_focal_length_35mm(0, 1.5), "focal_length_mm = 0: must be greater than 0."),
+    (lambda: check_name("fixed", "left", ("top", "side"), or_none=True),
+     "fixed = 'left': must be one of top, side, or empty for none."),
 ]  # fmt: skip
 
 
