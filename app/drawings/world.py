@@ -344,6 +344,5 @@ class WorldDrawing(Drawing):
         """Update everything that depends on the model and on the pane's camera."""
         self.layers.follow()
         self.own.fit_range(self.layers.reach(), *self.camera.depths)
-        if self._canvas.is_laid_out:  # otherwise a layout will
-            self.layers.settle()
-            self.layers.place_labels(afresh=afresh)
+        self.layers.settle()
+        self.layers.place_labels(afresh=afresh)

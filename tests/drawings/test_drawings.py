@@ -736,8 +736,6 @@ def test_our_fxaa_draws_what_vtks_own_does(name: str) -> None:
         with closing(DrawnOffScreen(410, 330)) as screen:
             if quick:
                 screen.quicken_fxaa()
-                cache = screen.render_window.GetShaderCache()
-                assert "isFlat" in cache.GetLastShaderBound().GetFragmentShader().GetSource()
             drawing = WorldDrawing(screen, load(name), WORDS, LIGHT)
             screen.renderer.SetUseFXAA(fxaa)
             screen.render_window.Render()
@@ -745,4 +743,4 @@ def test_our_fxaa_draws_what_vtks_own_does(name: str) -> None:
             drawing.remove()
     rough, vtks, ours = pictures
     assert (np.abs(vtks - rough).max(axis=2) > 8).sum() > 500
-    assert np.abs(ours - vtks).max() <= 1
+    assert np.abs(ours - vtks).max() == 1, "rounded otherwise: they are two shaders"
