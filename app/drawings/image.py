@@ -244,7 +244,7 @@ class ImageDrawing(Drawing):
         self._scene.begin_blurring()
         if state.eyes is not None:  # the marks of P move at once, too
             self.refine()
-        if state.canvas.is_laid_out and (state.probes or not self._marks.is_empty):
+        if state.probes or not self._marks.is_empty:
             self.layers.settle()
             self.layers.place_labels()
 

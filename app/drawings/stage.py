@@ -176,7 +176,8 @@ class StageDrawing(Drawing):
             emphasis.show_names(self.names)
             emphasis.show(self.names.pointed)
         if self.box.placed != before or self.state.probes or not self._marks.is_empty:
-            self._settle()
+            self.layers.settle()
+            self.layers.place_labels()
 
     def spots_of(self, places: Array) -> Array:
         shown = self.own.pane_from_display @ self.state.display_from_ndc
@@ -237,13 +238,8 @@ class StageDrawing(Drawing):
 
     def reset_clipping_range(self, *, afresh: bool = True) -> None:
         self.own.fit_range()
-        self._settle(afresh=afresh)
-
-    def _settle(self, *, afresh: bool = False) -> None:
-        """Mark and name what is seen, unless a layout will."""
-        if self.state.canvas.is_laid_out:
-            self.layers.settle()
-            self.layers.place_labels(afresh=afresh)
+        self.layers.settle()
+        self.layers.place_labels(afresh=afresh)
 
     def begin_glide(self, start: Pose) -> None:
         super().begin_glide(start)
