@@ -253,8 +253,10 @@ def test_lost_opengl_resources_are_created_again(opened: Opened, qtbot: QtBot) -
     settle()
     assert not np.array_equal(pixels(window, "image"), before["image"])
     window.store.set_projection(shown)
+    # VTK smooths by its own shader then, which rounds otherwise.
     for name, picture in before.items():  # once its labels have faded in
-        qtbot.waitUntil(lambda n=name, seen=picture: np.array_equal(pixels(window, n), seen))
+        there = picture.astype(int)
+        qtbot.waitUntil(lambda n=name, seen=there: np.abs(pixels(window, n) - seen).max() <= 1)
 
 
 @pytest.mark.parametrize("kind", CANVAS)
