@@ -121,12 +121,16 @@ class Store(QObject):
 
         Only a recovered document is not `saved`: it is in no file of the user's.
         """
+        left, aside = self.origin, self._document
         self._put_aside(document, Origin(document if saved else None, path, is_work=is_work))
         opened = list(dict.fromkeys(step.origin for step in self._undo))[-OPENED_LIMIT:]
         self._undo = [step for step in self._undo if step.origin in opened]
         if self._gestures:
             self._gesture_start = document
-        return self._show(document)
+        is_shown = self._show(document)
+        if is_shown and not left.is_work:  # a lesson is left by this; undo may pass through it
+            left.is_work, left.saved = True, aside
+        return is_shown
 
     def take_steps(self, other: Self) -> None:
         """Take over what undo and redo know in another store, whose document this one has."""

@@ -295,3 +295,14 @@ def test_among_several_gestures_none_is_abandoned(store: Store) -> None:
     assert store.document.projection == seen(50.0)
     store.end_gesture()
     assert undone(store) == [45.0]
+
+
+def test_undo_passes_through_a_lesson_that_another_one_followed(store: Store) -> None:
+    """The step of a lesson is left only by closing it; the one before it is closed by the next."""
+    store.set_projection(seen(50.0))
+    for angle in (20.0, 25.0):
+        lesson = replace(store.document, projection=seen(angle))
+        store.open(lesson, is_work=False)
+        assert not store.can_undo and not store.modified
+    store.origin.is_work = True
+    assert undone(store) == [20.0, 50.0, 45.0]

@@ -169,7 +169,6 @@ def test_a_view_is_changed_by_what_shows_it_and_nothing_else_is_painted(window: 
 # -- from file to file
 
 
-@pytest.mark.undrawn
 def test_a_file_is_opened_over_a_changed_view_and_undo_brings_the_view_back(
     window: MainWindow, prepared: Path, tmp_path: Path
 ) -> None:
@@ -237,7 +236,6 @@ def test_unsaved_work_behind_another_file_is_offered_by_the_next_window(
     assert other.store.document == Document("letter-f", load("letter-f").start)
 
 
-@pytest.mark.undrawn
 def test_another_scene_keeps_the_preparation_and_forgets_what_belongs_to_the_previous_scene(
     window: MainWindow,
 ) -> None:

@@ -10,13 +10,14 @@ from PySide6.QtWidgets import QApplication
 from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
+from app.lecture.titles import stage_title
 from app.lessons.course import contained
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN
 from tests.support.layout import cut, overlapping
 from tests.support.window import MakeWindow, settle, show_scene
-from widgets.parts.messages import TranslatedWords, sentence, stage_title
+from widgets.parts.messages import TranslatedWords, sentence
 from widgets.parts.translator import Translator
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import data_folder
@@ -144,6 +145,7 @@ def test_another_language_offers_no_work_that_is_still_there(
     assert len(list(data_folder().glob("autosave-*.json"))) == 1  # if this one dies
     second.lesson_card.leave()
     while second.store.document.projection.lens.near != 4.0:
+        assert second.store.can_undo
         second.store.undo()
     assert second.store.modified
 

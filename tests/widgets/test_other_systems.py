@@ -97,8 +97,9 @@ def test_what_is_drawn_through_qt_is_the_same(words: str, tmp_path: Path) -> Non
         subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
         with Image.open(out) as picture:
             pictures.append(np.asarray(picture.convert("RGB")))
-    own, through_qt = pictures
-    assert own.std() > 10 and np.array_equal(own, through_qt)
+    own, through_qt = (picture.astype(int) for picture in pictures)
+    assert own.std() > 10
+    assert np.abs(own - through_qt).max() <= 1  # each smooths by a shader of its own
 
 
 def test_without_any_opengl_one_sentence_says_it(monkeypatch: pytest.MonkeyPatch) -> None:

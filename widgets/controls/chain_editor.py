@@ -10,6 +10,7 @@ The tiles stand as in the product, the leftmost at the top: the one at the botto
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
+from textwrap import fill
 
 from PySide6.QtCore import QCoreApplication, Signal
 from PySide6.QtWidgets import QCheckBox, QMenu, QSizePolicy, QToolButton, QWidget
@@ -40,6 +41,7 @@ from widgets.parts.section import GAP_PX, Rows
 from widgets.parts.typeset import TypesetLabel, matrix
 
 _COLUMNS = ("x", "y", "z", "origin")
+_LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
 def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, float]]:
@@ -221,7 +223,7 @@ class ChainEditor(QWidget, RowHolder):
                 self._beyond.addWidget(button)
         self._stops = [stop for _, stop in factors]
         for button, (name, _) in zip(self.beyond, factors, strict=True):
-            button.setText(name)
+            button.setText(fill(name, _LINE_LETTERS))
 
     def set_scene(self, size: float) -> None:
         """Fit the sliders of translations to a scene."""
