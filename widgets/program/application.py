@@ -38,6 +38,7 @@ from PySide6.QtCore import (
     Qt,
     qInstallMessageHandler,
 )
+from PySide6.QtGui import QCursor
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app import __version__, languages, python_packages, strangers
@@ -328,6 +329,10 @@ def _take_screenshot(
     application.processEvents()
     window.messages.hide()  # the window may offer to recover work
     window.status.clearMessage()
+    under = application.widgetAt(QCursor.pos())
+    while under is not None:  # nothing lights up in the picture, wherever the pointer rests
+        application.sendEvent(under, QEvent(QEvent.Type.Leave))
+        under = under.parentWidget()
     application.processEvents()
     png = png_of(window.grab())
     window.close()
