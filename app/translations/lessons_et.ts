@@ -140,7 +140,7 @@
         <translation>Aken paremale viib pildi paremale</translation>
     </message>
     <message>
-        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture's middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
+        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
         <translation>Nii nihutatakse pilti samale poole kui akent. Aken raamib seda, mida te näete: kui selle keskkoht on teljest paremal, paistab telg pildi keskkohast vasakul, kohal {0}. Maatriksis on seal pluss, sest see lahter korrutatakse suurusega {1}, mis on negatiivne.</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>Piksel 100 on kohal 100</translation>
     </message>
     <message>
-        <source>This takes a pixel's number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
+        <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
         <translation>Nii võetakse piksli keskpunkti kohaks piksli number. Piksel {0} ulatub kohast {1} kohani {2}, seega on selle keskpunkt kohal {3}, seega {4}: nelja piksli äärmised keskpunktid on kohtadel {5}, mitte kohtadel {6}.</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>X kohandab x-i</translation>
     </message>
     <message>
-        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture's proportions; variant Y keeps {3} and adjusts {4}.</source>
+        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
         <translation>Nii peetakse tähte selleks koordinaadiks, mis muutub. Variant X *säilitab* {0} ja {1} ning kohandab koordinaati {2}, kuni aknal on pildi proportsioonid; variant Y säilitab {3} ja kohandab {4}.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Lamp on päike</translation>
     </message>
     <message>
-        <source>This takes the lamp's position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
+        <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
         <translation>Nii võetakse lambi asukoht suunaks, mis on kõigil kiirtel ühine. Lambist on igal kiirel oma suund, {0}, ja see kohtab maad kohas {1}; ainult päike on nii kaugel, et kõik kiired on paralleelsed.</translation>
     </message>
     <message>
@@ -384,7 +384,7 @@
         <translation>Pöördmaatriks võtab täpselt tagasi</translation>
     </message>
     <message>
-        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye's coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Nii peetakse paberil olevat pöördmaatriksit arvutis olevaks. Selle lahtrid on ümardatud ja ümardatud on ka iga korrutis. Alguspunktist kaugel on silma koordinaadid suured ja pöördmaatriks korrutab need ümardatud arvude väikese vahega: float32 läheb punktist mööda protsentide võrra selle kaugusest.</translation>
     </message>
     <message>
@@ -392,7 +392,7 @@
         <translation>Enne nihe, siis pööre</translation>
     </message>
     <message>
-        <source>This moves first and then turns. A rotation turns about the world's origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
         <translation>Nii nihutatakse enne ja pööratakse siis. Pööratakse ümber maailma alguspunkti, nii et nihutatud objekt liigub mööda ringjoont kaasa: {0} pöörab seda paigal, {1} viib selle kaarega mujale.</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>Skaleerimine nihet ei muuda</translation>
     </message>
     <message>
-        <source>This moves first and then scales. A scale is about the world's origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
         <translation>Nii nihutatakse enne ja skaleeritakse siis. Skaleeritakse maailma alguspunkti suhtes, nii et korrutatakse ka nihe: kordajaga 2 jõuab nihe 3 võrra kohta 6.</translation>
     </message>
     <message>
@@ -408,7 +408,7 @@
         <translation>Peegel seisab objekti kõrval</translation>
     </message>
     <message>
-        <source>This moves first and then mirrors. The mirror is a plane through the world's origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
         <translation>Nii nihutatakse enne ja peegeldatakse siis. Peegel on tasand läbi maailma alguspunkti, nii et nihe 3 võrra satub teisele poole, kohta {0}.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Skaleerimine ja pööre võivad kohad vahetada</translation>
     </message>
     <message>
-        <source>This turns first and then scales along the world's axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
         <translation>Nii pööratakse enne ja skaleeritakse siis piki maailma telgi. Kui kordajad ei ole võrdsed, kaotab pööratud objekt oma täisnurgad. Kui objekti enne omaenda telgede sihis skaleerida ja siis pöörata, jäävad need alles.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Kaldnihe ja pööre võivad kohad vahetada</translation>
     </message>
     <message>
-        <source>This turns first and then shears along the world's axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
         <translation>Nii pööratakse enne ja tehakse siis kaldnihe piki maailma telgi. Kui kaldnihe teha enne, on kalle objekti enda telgede sihis ja objekt võtab selle pöördudes kaasa.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Vaade tuleb enne objekti</translation>
     </message>
     <message>
-        <source>This puts the view matrix on the right of the object's moves. A point starts in object space: the object's matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
         <translation>Nii pannakse vaatemaatriks objekti teisendustest paremale. Punkt alustab objekti ruumist: objekti maatriks viib selle maailma ja alles siis viib vaatemaatriks selle kaamerani.</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>Enne projitseerida, siis vaadata</translation>
     </message>
     <message>
-        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world's {2}, and {3} is no longer the depth.</source>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
         <translation>Nii projitseeritakse, enne kui punktid on kaamerafreimis. Objektiiv teeb suuruse {0} suurusest {1}, mis on sügavus ainult kaamerafreimis. Maailma punktilt võtab see maailma {2} ja {3} ei ole enam sügavus.</translation>
     </message>
     <message>
@@ -532,7 +532,7 @@
         <translation>Nii pööratakse ümber teise telje. Mis on pöörde teljel, jääb oma kohale: pööre ümber z-telje muudab x-i ja y-it ning säilitab z-i.</translation>
     </message>
     <message>
-        <source>The camera's axes are columns of R</source>
+        <source>The camera&apos;s axes are columns of R</source>
         <translation>Kaamera teljed on R-i veerud</translation>
     </message>
     <message>
@@ -575,7 +575,7 @@
 <context>
     <name>l01-camera-frame</name>
     <message>
-        <source>The camera's own axes</source>
+        <source>The camera&apos;s own axes</source>
         <translation>Kaamera enda teljed</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@
         <translation>Kuhu näitab n?</translation>
     </message>
     <message>
-        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world's {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
+        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
         <translation>Kaameral on kolm ühikvektorit: {0} näitab paremale, {1} üles ja {2} on vaatekiire sihis. Loeng 001 paneb kaamera kohale {3} ja laseb sel vaadata piki maailma {4}-telge; F-täht on 8 ühikut eespool. **Maailm** näitab silma {5}, vaatekiirt sihtpunkti {6} ja ülesvektorit {7}. Vektorit {8} veel ei ole.</translation>
     </message>
     <message>
@@ -607,7 +607,7 @@
         <translation>(0, 0, -1), nagu igal kaameral</translation>
     </message>
     <message>
-        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world's x axis, not along z.</source>
+        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
         <translation>See on suund, milles see vaatab omaenda koordinaatides, pärast vaatemaatriksit. Maailmas vaatab see suunas +x. Vaadake vektorit {0}: see on piki maailma x-telge, mitte piki z-telge.</translation>
     </message>
     <message>
@@ -707,7 +707,7 @@
         <translation>Sama kaamera: silm (2, 3, 6), sihtpunkt alguspunktis. Milline arv on vaatemaatriksi reas 3 ja veerus 4?</translation>
     </message>
     <message>
-        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world's origin, lies on the axis.</source>
+        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
         <translation>Nii pööratakse enne ja nihutatakse siis. Nihe mõjub esimesena, nii et rida {0} korrutab kõiki kolme selle arvu. Vaadake kaamerafreimi: sihtpunkt, maailma alguspunkt, on teljel.</translation>
     </message>
     <message>
@@ -715,7 +715,7 @@
         <translation>Nii pannakse kaamera oma kohale. Vaatemaatriks liigutab maailma, kuni silm on alguspunktis. Vaadake kaamerafreimi: silm on alguspunktis ja sihtpunkt selle ees.</translation>
     </message>
     <message>
-        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world's origin, has a negative z.</source>
+        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
         <translation>Nii võetakse vektoriks {0} vaate suund. Vaadake kaamerafreimi: {1} näitab tahapoole, seega on sihtpunktil, mis on maailma alguspunkt, negatiivne z.</translation>
     </message>
     <message>
@@ -723,7 +723,7 @@
         <translation>Rida 3 on n. Mis saab sellega nihutatud alguspunktist {0}?</translation>
     </message>
     <message>
-        <source>{0}. The world's origin is 7 units in front of the camera, so its z there is {1}.</source>
+        <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
         <translation>{0}. Maailma alguspunkt on kaamerast 7 ühikut eespool, seega on selle z seal {1}.</translation>
     </message>
     <message>
@@ -914,11 +914,11 @@
         <translation>Objektil on omad koordinaadid; {0} viib need maailma. Siin {1}: objekti pööratakse 90° ümber z-telje ja nihutatakse siis 3 võrra piki x-telge. Veeruvektorite puhul mõjub esimesena parempoolne maatriks. Paanis **Maailm** on F-täht veel seal, kus see tehti.</translation>
     </message>
     <message>
-        <source>The object's point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
+        <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
         <translation>Kui kõrgele maapinnast, y-sihis, satub objekti punkt (1, 0, 0) maailmas?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object's point would come there, 4 high.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
         <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: objekti punkt satuks sinna, kõrgusele 4.</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>alguspunkt</translation>
     </message>
     <message>
-        <source>Column 1 says where the object's x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
+        <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Veerg 1 ütleb, kuhu objekti x-telg maailmas näitab: {0}, üles. Veerg 2 on selle y-telg, veerg 3 z-telg ja veerg 4 alguspunkti asukoht. Seega on punkt {1} kohal, mis on veerg 4 pluss veerg 1: {2}. Osutage veerule hiirega, et selle telg paanis **Maailm** esile tõsta.</translation>
     </message>
     <message>
@@ -970,15 +970,15 @@
         <translation>Tähte pööratakse 30° ümber z-telje ja nihutatakse siis 4 võrra piki x-telge: {0}.</translation>
     </message>
     <message>
-        <source>What is x of the object's point (2, 1, 0) in the world?</source>
+        <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
         <translation>Kui suur on objekti punkti (2, 1, 0) x maailmas?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object's point would come then.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Nii nihutatakse enne ja pööratakse siis, mis pöörab ka nihet. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud −30°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
@@ -1018,12 +1018,12 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
         <translation>Ahvatlev on enne nihutada, punktist {0} punkti {1}, ja siis pöörata. Aga pööre ümber maailma alguspunkti pöörab ka nihet: {2} läheb punktiks {3}, kus on sond 1. See on {4}, mida näitab see samm: jaotises *Ahel* on pööre nihkest ülalpool, nii et see mõjub viimasena.</translation>
     </message>
     <message>
         <source>The letter is turned about z by {0} and not moved yet. Its move is in *Chain*, in the dock.</source>
-        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja veel ei ole nihutatud. Selle nihe on külgribal jaotises *Ahel*.</translation>
+        <translation>Tähte on pööratud ümber z-telje nurga {0} võrra ja seda pole veel nihutatud. Selle nihe on külgribal jaotises *Ahel*.</translation>
     </message>
     <message>
         <source>The letter was turned about z by {0}° and then moved by {1} along x. Which product did that?</source>
@@ -1054,11 +1054,11 @@
         <translation>Lohistage lüli selle vasakus servas olevast pidemest või vajutage seal nooleklahve.</translation>
     </message>
     <message>
-        <source>Now the move is turned as well: the letter swings about the world's origin, from {0} to {1}.</source>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
         <translation>Nüüd pööratakse ka nihet: täht läheb kaarega ümber maailma alguspunkti, punktist {0} punkti {1}.</translation>
     </message>
     <message>
-        <source>{0} has the turn on the left, so it acts last, about the world's origin.</source>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
         <translation>Korrutises {0} on pööre vasakul, nii et see mõjub viimasena, ümber maailma alguspunkti.</translation>
     </message>
     <message>
@@ -1070,15 +1070,15 @@
         <translation>Kaameral on omad teljed ja {0} viib maailma nendesse. See võtab kaamera paigutamise tagasi. Tähe punkti {1} jaoks korrutatakse mõlemad maatriksid:</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes?</source>
-        <translation>Milline ahel viib tähe punkti kaamera telgedesse?</translation>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes?</source>
+        <translation>Milline ahel viib tähe punkti kaamera teljestikku?</translation>
     </message>
     <message>
         <source>In which space does the point have its coordinates at first?</source>
         <translation>Millises ruumis on punkti koordinaadid alguses?</translation>
     </message>
     <message>
-        <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Punkt alustab tähe enda ruumist. Pööre ja nihe viivad selle maailma ja vaatemaatriks viib selle sealt kaamerani.</translation>
     </message>
     <message>
@@ -1122,15 +1122,15 @@
         <translation>Harjutus: pööre, siis nihe</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter's own space comes to.</source>
+        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
         <translation>Tähte pööratakse ümber z-telje nurga {0} võrra ja nihutatakse siis piki x-telge: {1}. Punkt 1 on seal, kuhu satub tähe enda ruumi punkt.</translation>
     </message>
     <message>
-        <source>Here {0}, and the move is {1} along x. What is x of the object's point {2} in the world?</source>
+        <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
         <translation>Siin {0} ja nihe on {1} piki x-telge. Kui suur on objekti punkti {2} x maailmas?</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Nii loetakse veergude asemel ridu, nagu oleks tähte pööratud {0}°. Vaadake punkti 1: see on seal, kuhu objekti punkt siis satuks.</translation>
     </message>
     <message>
@@ -1194,7 +1194,7 @@
         <translation>Skaleerimine pärast nihet korrutaks ka nihke.</translation>
     </message>
     <message>
-        <source>{0}: first the scale, along the letter's own axes, then the turn about its own origin, and the move last.</source>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: enne skaleerimine piki tähe enda telgi, siis pööre ümber selle enda alguspunkti ja viimasena nihe.</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>Loengus 003 on horisontaalne nurk {0}, vertikaalne {1} ja proportsioonid {2}, siin {3}. Kaugusel {4} silmast ulatub pilt kohast {5} kohani {6} ja kohast {7} kohani {8}. Järelikult</translation>
     </message>
     <message>
-        <source>With {0}: {1}, so {2} and {3}. The side of the near plane's window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
+        <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
         <translation>Kui {0}: {1}, seega {2} ja {3}. Lähitasandi akna külg on x-sihis {4} ja y-sihis {5}. Külgriba jaotises *Veel objektiivist* on **Horisontaalne FOV** ja **Fookuskaugus e**.</translation>
     </message>
     <message>
@@ -1337,7 +1337,7 @@
         <translation>See on 25 radiaani kootangens, peaaegu neli pööret. Vaadake nurka: 25° on 0.436 radiaani.</translation>
     </message>
     <message>
-        <source>In the triangle between eye, axis and the picture's edge, the angle at the eye is α/2.</source>
+        <source>In the triangle between eye, axis and the picture&apos;s edge, the angle at the eye is α/2.</source>
         <translation>Silma, telje ja pildi serva vahelises kolmnurgas on nurk silma juures α/2.</translation>
     </message>
     <message>
@@ -1433,7 +1433,7 @@
         <translation>Nii võetakse horisontaalse nurga asemel vertikaalne. Vaadake sama vertikaalse nurgaga ruudukujulist pilti: ainult siin on see ka horisontaalne nurk.</translation>
     </message>
     <message>
-        <source>Draw the triangle of the eye, the axis, and the picture's right edge: {0} along the axis, 1 across it.</source>
+        <source>Draw the triangle of the eye, the axis, and the picture&apos;s right edge: {0} along the axis, 1 across it.</source>
         <translation>Joonistage kolmnurk silma, telje ja pildi parema serva vahele: {0} piki telge, 1 sellega risti.</translation>
     </message>
     <message>
@@ -1775,12 +1775,12 @@
         <translation>Tasand nihkub kaugemale</translation>
     </message>
     <message>
-        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P', {1} above the axis. The plane will now move to {2}.</source>
-        <translation>Pilditasand on silma ees kaugusel {0}. P sügavus on 5 ühikut ja see on teljest 2 ühikut kõrgemal. Paanis **Maailm**, vaadatuna *Küljelt*, läheb selle projektsioonikiir silma ja kohtab tasandit punktis P', mis on teljest {1} kõrgemal. Tasand nihkub nüüd kaugusele {2}.</translation>
+        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P&apos;, {1} above the axis. The plane will now move to {2}.</source>
+        <translation>Pilditasand on silma ees kaugusel {0}. P sügavus on 5 ühikut ja see on teljest 2 ühikut kõrgemal. Paanis **Maailm**, vaadatuna *Küljelt*, läheb selle projektsioonikiir silma ja kohtab tasandit punktis P&apos;, mis on teljest {1} kõrgemal. Tasand nihkub nüüd kaugusele {2}.</translation>
     </message>
     <message>
-        <source>How many times as high as before is P' above the axis then?</source>
-        <translation>Mitu korda kõrgemal teljest kui enne on siis P'?</translation>
+        <source>How many times as high as before is P&apos; above the axis then?</source>
+        <translation>Mitu korda kõrgemal teljest kui enne on siis P&apos;?</translation>
     </message>
     <message>
         <source>This measures from the plane to P. The two triangles share the corner at the eye. Look at {0}: from the eye P is 5 deep, wherever the plane is.</source>
@@ -1799,8 +1799,8 @@
         <translation>Kaks sarnast kolmnurka</translation>
     </message>
     <message>
-        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P': {2} and {3}. Both have the same angle at the eye:</source>
-        <translation>Suur kolmnurk ulatub silmast piki telge P sügavuseni ja sealt üles P-ni: selle küljed on {0} ja {1}. Väike ulatub piki telge tasandini ja sealt üles P'-ni: {2} ja {3}. Mõlemal on silma juures sama nurk:</translation>
+        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P&apos;: {2} and {3}. Both have the same angle at the eye:</source>
+        <translation>Suur kolmnurk ulatub silmast piki telge P sügavuseni ja sealt üles P-ni: selle küljed on {0} ja {1}. Väike ulatub piki telge tasandini ja sealt üles P&apos;-ni: {2} ja {3}. Mõlemal on silma juures sama nurk:</translation>
     </message>
     <message>
         <source>P is {0} in camera space. With {1}: {2}. The dock has the numbers and the matrix with {3}. It takes P to {4}; divided by the last number, that is {5}.</source>
@@ -1959,8 +1959,8 @@
         <translation>Rida 4 korda {0} on {1} korda {2}.</translation>
     </message>
     <message>
-        <source>Divided by its last number, it is P': {0}.</source>
-        <translation>Jagatuna viimase arvuga on see P': {0}.</translation>
+        <source>Divided by its last number, it is P&apos;: {0}.</source>
+        <translation>Jagatuna viimase arvuga on see P&apos;: {0}.</translation>
     </message>
     <message>
         <source>Practise: set the plane</source>
@@ -1971,16 +1971,16 @@
         <translation>Tasandi kaugus on {0}. Lohistage seda või sisestage {1} külgribal.</translation>
     </message>
     <message>
-        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P' is {2} above the axis.</source>
-        <translation>P sügavus on {0} ja see on teljest {1} kõrgemal. Jätke see sinna ja nihutage tasandit, kuni kujutis P' on teljest {2} kõrgemal.</translation>
+        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P&apos; is {2} above the axis.</source>
+        <translation>P sügavus on {0} ja see on teljest {1} kõrgemal. Jätke see sinna ja nihutage tasandit, kuni kujutis P&apos; on teljest {2} kõrgemal.</translation>
     </message>
     <message>
-        <source>Your plane is behind the eye. Look at P': it is below the axis.</source>
-        <translation>Teie tasand on silma taga. Vaadake punkti P': see on teljest allpool.</translation>
+        <source>Your plane is behind the eye. Look at P&apos;: it is below the axis.</source>
+        <translation>Teie tasand on silma taga. Vaadake punkti P&apos;: see on teljest allpool.</translation>
     </message>
     <message>
-        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P': it is less than {0} above the axis.</source>
-        <translation>Nii mõõdetakse P sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P': see on teljest vähem kui {0} kõrgemal.</translation>
+        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {0} above the axis.</source>
+        <translation>Nii mõõdetakse P sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P&apos;: see on teljest vähem kui {0} kõrgemal.</translation>
     </message>
 </context>
 <context>
@@ -2027,7 +2027,7 @@
     </message>
     <message>
         <source>Bottom, top and y work the same way. *Matrices* shows the whole matrix as clip ← view. For {0} that cell is 0, as in gluPerspective.</source>
-        <translation>Alumise ja ülemise serva ning y-iga käib kõik samamoodi. *Maatriksid* näitab kogu maatriksit nimega kärperuum ← vaade. Kui {0}, on see lahter 0, nagu gluPerspective'is.</translation>
+        <translation>Alumise ja ülemise serva ning y-iga käib kõik samamoodi. *Maatriksid* näitab kogu maatriksit nimega kärperuum ← vaade. Kui {0}, on see lahter 0, nagu gluPerspective&apos;is.</translation>
     </message>
     <message>
         <source>The axis on the other side</source>
@@ -2038,8 +2038,8 @@
         <translation>Sond 1 on endiselt otse silma ees. Piltide all olevas paneelis *Sond* on selle {0} reas NDC.</translation>
     </message>
     <message>
-        <source>Bring the axis to the right half of the picture, to x' = 0.5.</source>
-        <translation>Viige telg pildi paremasse poolde, kohta x' = 0.5.</translation>
+        <source>Bring the axis to the right half of the picture, to x&apos; = 0.5.</source>
+        <translation>Viige telg pildi paremasse poolde, kohta x&apos; = 0.5.</translation>
     </message>
     <message>
         <source>Which side must the window reach farther to?</source>
@@ -2198,11 +2198,11 @@
         <translation>Silmade vahe on {0}, ekraanitasandi kaugus {1} ja punkti {2} kaugus {3}. Kui palju on ekraanitasandil {5} punktist {4} paremal? Kui see on vasakul, on arv negatiivne.</translation>
     </message>
     <message>
-        <source>The screen's distance is the height</source>
+        <source>The screen&apos;s distance is the height</source>
         <translation>Ekraani kaugus on kõrgus</translation>
     </message>
     <message>
-        <source>This takes the screen's distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
+        <source>This takes the screen&apos;s distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
         <translation>Nii võetakse suure kolmnurga kõrguseks ekraani kaugus. See kolmnurk ulatub punktist {0} silmadeni ja selle kõrgus on {1}. Vaadake mõlemat kolmnurka.</translation>
     </message>
     <message>
@@ -2425,7 +2425,7 @@
         <translation>Harjutus: kui laiaks Y selle teeb?</translation>
     </message>
     <message>
-        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture's proportions require.</source>
+        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
         <translation>Pilt on venitatud. Variant Y säilitab {0} ja teeb akna nii laiaks, kui pildi proportsioonid nõuavad.</translation>
     </message>
     <message>
@@ -2668,8 +2668,8 @@
         <translation>Sondi 1 sügavus on 4 ühikut; lähitasand on 1 ja kaugtasand 9.</translation>
     </message>
     <message>
-        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z' = 0.</source>
-        <translation>Seadke lähi- ja kaugtasand nii, et sond 1, mille sügavus on 4, satub kuubi keskele: z' = 0.</translation>
+        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z&apos; = 0.</source>
+        <translation>Seadke lähi- ja kaugtasand nii, et sond 1, mille sügavus on 4, satub kuubi keskele: z&apos; = 0.</translation>
     </message>
     <message>
         <source>Use 1/z: 1/4 must be halfway between 1/near and 1/far.</source>
@@ -2732,7 +2732,7 @@
         <translation>Lähitasand on {0} ja kaugtasand {1}. Milline PQ punkt satub kuubis kohale {2}? Märkige see.</translation>
     </message>
     <message>
-        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube's middle lies before it.</source>
+        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube&apos;s middle lies before it.</source>
         <translation>See on PQ keskkoht maailmas. Aga {0} muutub koos suurusega {1}, kohe lähitasandi taga kiiresti. Vaadake punkti 1: see on teie märgitud koht ja kuubi keskkoht jääb sellest ettepoole.</translation>
     </message>
     <message>
@@ -2772,7 +2772,7 @@
         <translation>{0}, seega {1} {2} {3}, rohkem kui pool arvust {4}.</translation>
     </message>
     <message>
-        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube's middle is nearer to near than the point is.</source>
+        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube&apos;s middle is nearer to near than the point is.</source>
         <translation>Nii satub punkt maailmas tasandite vahel poolele teele. Aga {0} muutub koos suurusega {1}. Vaadake tasandeid: kuubi keskkoht on lähitasandile lähemal kui punkt.</translation>
     </message>
 </context>
@@ -2799,7 +2799,7 @@
         <translation>See jääb kohale z = −1</translation>
     </message>
     <message>
-        <source>{0} divides every depth by {1}, not only far's. Look at near: it is at −0.111, close to the eye.</source>
+        <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
         <translation>{0} jagab arvuga {1} iga sügavuse, mitte ainult kaugtasandi oma. Vaadake lähitasandit: see on kohal −0.111, silma lähedal.</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Kaks tegurit</translation>
     </message>
     <message>
-        <source>*Matrices* shows the chain in the lecture's letters and highlights the matrix of the strip's stop. {0} divides z by {1}: here {2}.</source>
+        <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
         <translation>*Maatriksid* näitab ahelat loengu tähtedega ja tõstab esile riba peatuse maatriksi. {0} jagab z-i suurusega {1}: siin {2}.</translation>
     </message>
     <message>
@@ -2851,7 +2851,7 @@
         <translation>c</translation>
     </message>
     <message>
-        <source>{0} takes 0 … −1 to OpenGL's −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
         <translation>{0} viib vahemiku 0 … −1 OpenGL-i vahemikku −1 … 1: {1}. Klõpsake kuubi all *Püramiid*, *Risttahukas* ja *NDC*.</translation>
     </message>
     <message>
@@ -2863,11 +2863,11 @@
         <translation>Riba iga peatus on koht ja iga tegur viib ühest järgmisse. Kaamerafreimi punkt {0} läbib need kõik: millega see kohtub esimesena, on paremal, selle kõrval.</translation>
     </message>
     <message>
-        <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
         <translation>Millisest ruumist iga tegur alustab: objektiivi enda nähtavast ruumist, püramiidist või risttahukast?</translation>
     </message>
     <message>
-        <source>{0} starts from the lens's own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation>{0} alustab objektiivi enda nähtavast ruumist, {1} püramiidist ja {2} risttahukast: {3}.</translation>
     </message>
     <message>
@@ -2999,7 +2999,7 @@
         <translation>Harjutus: püramiidist kuubiks</translation>
     </message>
     <message>
-        <source>{0} takes the box, from 0 to {1}, to OpenGL's depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
+        <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
         <translation>{0} viib risttahuka kohast 0 kohani {1} OpenGL-i sügavustele kohast {2} kohani {3}: {4}, ja {5} jääb samaks. Esimesena tuleb {6}.</translation>
     </message>
     <message>
@@ -3095,7 +3095,7 @@
         <translation>Objektiiv vajab punkte kaamerafreimis.</translation>
     </message>
     <message>
-        <source>The view matrix comes first, because the lens's matrices are made for view space.</source>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation>Vaatemaatriks tuleb esimesena, sest objektiivi maatriksid on tehtud kaamerafreimi jaoks.</translation>
     </message>
 </context>
@@ -3190,7 +3190,7 @@
         <translation>Mis on maatriksi kärperuum ← vaade reas 1 ja veerus 4?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye&apos;s axis.</source>
         <translation>Nii nihutatakse risttahuka keskkohta kaugemale välja. Lahter liidetakse suurusele {0}; see peab viima keskkoha {1} kohta {2}. Vaadake ülalt: risttahuka keskkoht on silma teljest paremal.</translation>
     </message>
     <message>
@@ -3238,7 +3238,7 @@
         <translation>Risttahukas ulatub kohast {0} kohani {1}. Mis on maatriksi kärperuum ← vaade reas 1?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The row's last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The row&apos;s last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye&apos;s axis.</source>
         <translation>Nii nihutatakse risttahuka keskkohta kaugemale välja. Rea viimane lahter liidetakse suurusele {0}, seega peab see olema {1}: siis satub keskkoht {2} kohale {3}. Vaadake ülalt: risttahuka keskkoht ei ole silma teljel.</translation>
     </message>
     <message>
@@ -3373,7 +3373,7 @@
         <translation>Seadke objektiiv nii, et {0}, mis tahes suunas.</translation>
     </message>
     <message>
-        <source>The numbers below the scene's controls give the drawn scale.</source>
+        <source>The numbers below the scene&apos;s controls give the drawn scale.</source>
         <translation>Arvud stseeni juhtelementide all annavad joonise mastaabi.</translation>
     </message>
     <message>
@@ -3576,7 +3576,7 @@
         <translation>Risttahuka servad on kolmes suunas. Kui kaamera on otse selle ees, kohtuvad teist eemale suunduvad servad pildi ühes punktis, {0}. See on 1-punkti perspektiiv.</translation>
     </message>
     <message>
-        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box's edges have now?</source>
+        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box&apos;s edges have now?</source>
         <translation>Kaamera jääb horisontaalseks ja käib 30° ümber risttahuka. Mitu koondumispunkti on nüüd risttahuka servadel?</translation>
     </message>
     <message>
@@ -3636,7 +3636,7 @@
         <translation>Tõusunurk 0 kaotab püstservade koondumispunkti. Mis edasi?</translation>
     </message>
     <message>
-        <source>The camera's {0} must be one of the axes.</source>
+        <source>The camera&apos;s {0} must be one of the axes.</source>
         <translation>Kaamera {0} peab olema üks telgedest.</translation>
     </message>
     <message>
@@ -3652,7 +3652,7 @@
         <translation>Siin on kaamera kuubi ees ja vaatab 30° alla.</translation>
     </message>
     <message>
-        <source>How many of the cube's three directions have a vanishing point?</source>
+        <source>How many of the cube&apos;s three directions have a vanishing point?</source>
         <translation>Mitmel kuubi kolmest suunast on koondumispunkt?</translation>
     </message>
     <message>
@@ -3748,7 +3748,7 @@
         <translation>Sirged kohtuvad silma ees, kus z on negatiivne: jagage suurusega {0}, mis on positiivne. Vaadake punkti P, kui {1}: see on jõudnud punkti {2} sellel pool, kuhu servad suunduvad.</translation>
     </message>
     <message>
-        <source>The formula for a point's image, {0}, holds for a direction too.</source>
+        <source>The formula for a point&apos;s image, {0}, holds for a direction too.</source>
         <translation>Punkti kujutise valem {0} kehtib ka suuna kohta.</translation>
     </message>
     <message>
@@ -3760,11 +3760,11 @@
         <translation>Harjutus: leidke punkt</translation>
     </message>
     <message>
-        <source>The grid's lines along z meet in one point of the picture, {0}.</source>
+        <source>The grid&apos;s lines along z meet in one point of the picture, {0}.</source>
         <translation>Ruudustiku z-sihilised jooned kohtuvad pildi ühes punktis, {0}.</translation>
     </message>
     <message>
-        <source>The camera's azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
+        <source>The camera&apos;s azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
         <translation>Kaamera asimuut on {0}°, tõusunurk {1}° ja frustumi nurk {2}°. Märkige {3}.</translation>
     </message>
     <message>
@@ -3867,7 +3867,7 @@
         <translation>Objektiivi w</translation>
     </message>
     <message>
-        <source>Point 1 is at {0} in view space. The last row of the lens's matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
+        <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
         <translation>Punkt 1 on kaamerafreimis {0}. Objektiivi maatriksi viimane rida on {1}, seega {2}, mis on sügavus. Kärperuumis ei ole veel midagi jagatud:</translation>
     </message>
     <message>
@@ -3907,7 +3907,7 @@
         <translation>Kui {0}, ei saa jagada.</translation>
     </message>
     <message>
-        <source>Move the camera, or point 1, until the point's w in clip space is 0, within 0.05.</source>
+        <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
         <translation>Liigutage kaamerat või punkti 1, kuni punkti w on kärperuumis 0, täpsusega 0.05.</translation>
     </message>
     <message>
@@ -3927,7 +3927,7 @@
         <translation>Arvutamine w-ga</translation>
     </message>
     <message>
-        <source>Each question is about a point {0} after the lens's matrix, or about such a matrix.</source>
+        <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
         <translation>Iga küsimus on punkti {0} kohta pärast objektiivi maatriksit või sellise maatriksi kohta.</translation>
     </message>
     <message>
@@ -3963,7 +3963,7 @@
         <translation>Üks miinus jääb üle</translation>
     </message>
     <message>
-        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture's scene: {3} is this length.</source>
+        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
         <translation>{0} annab {1}, mis on positiivne: miinus on mõlemal pool. Vaadake loengu stseenis suurust {2}: {3} on see pikkus.</translation>
     </message>
     <message>
@@ -4015,7 +4015,7 @@
         <translation>Harjutus: jagage</translation>
     </message>
     <message>
-        <source>Point 1 comes out of the lens's matrix as {0}.</source>
+        <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
         <translation>Punkt 1 tuleb objektiivi maatriksist välja kujul {0}.</translation>
     </message>
     <message>
@@ -4095,7 +4095,7 @@
         <translation>Kaamerafreimi ühe suuna sirged jooksevad pildi ühte punkti, milleks on suuna {0} kujutis.</translation>
     </message>
     <message>
-        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line's point at infinity.</source>
+        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
         <translation>Sirge algab kaamerafreimis punktist {0} ja kulgeb suunas {1}. Frustumi nurk on {2}°. Märkige sirge lõpmatuspunkti kujutis.</translation>
     </message>
     <message>
@@ -4147,7 +4147,7 @@
         <translation>Sellised teeb ainult üks jagamine. Kumma järel on {0}?</translation>
     </message>
     <message>
-        <source>The lens's matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
         <translation>Objektiivi maatriks kirjutab jagaja suurusesse {0}, jagamine teeb {1} ja {2} ning viewport teeb neist pikslid.</translation>
     </message>
     <message>
@@ -4206,7 +4206,7 @@
         <translation>Viewport-teisendus</translation>
     </message>
     <message>
-        <source>where {0} and {1} are the image's width and height. Point 1 has {2} and {3}:</source>
+        <source>where {0} and {1} are the image&apos;s width and height. Point 1 has {2} and {3}:</source>
         <translation>kus {0} ja {1} on pildi laius ja kõrgus. Punktil 1 on {2} ja {3}:</translation>
     </message>
     <message>
@@ -4234,8 +4234,8 @@
         <translation>NDC-s peab see sattuma kohale {0}.</translation>
     </message>
     <message>
-        <source>(0, 0) is the upper left corner of the picture: x' is −1 there, and y' is 1.</source>
-        <translation>(0, 0) on pildi ülemine vasak nurk: seal on x' −1 ja y' 1.</translation>
+        <source>(0, 0) is the upper left corner of the picture: x&apos; is −1 there, and y&apos; is 1.</source>
+        <translation>(0, 0) on pildi ülemine vasak nurk: seal on x&apos; −1 ja y&apos; 1.</translation>
     </message>
     <message>
         <source>By the formula</source>
@@ -4370,7 +4370,7 @@
         <translation>Kus on {0} ja kus {1}?</translation>
     </message>
     <message>
-        <source>{0} and {1}, where {2} and {3} are the image's width and height.</source>
+        <source>{0} and {1}, where {2} and {3} are the image&apos;s width and height.</source>
         <translation>{0} ja {1}, kus {2} ja {3} on pildi laius ja kõrgus.</translation>
     </message>
     <message>
@@ -4573,7 +4573,7 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>"Its {0} is between −1 and 1, so it is in the picture": that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
+        <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
         <translation>„Selle {0} on −1 ja 1 vahel, seega on see pildil“: see on ahvatlev, sest pärast jagamist ei ole enam muud kontrolli. Aga jagamine on kaotanud {1} märgi. Silma taga olev punkt näeb siis välja nagu ees olev, tagurpidi ja teisel pool. Seepärast kärpige enne jagamist, tingimusega {2}; lähitasand eemaldab kõik, mille {3} ei ole positiivne.</translation>
     </message>
     <message>
@@ -4680,8 +4680,8 @@
         <translation>0.5-st −0.5-ni, ühest teiseni</translation>
     </message>
     <message>
-        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A' ja B': joon, mis neid ühendab, on vale.</translation>
+        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -4692,8 +4692,8 @@
         <translation>Ainult 0.5: B on kaamera taga ega loe</translation>
     </message>
     <message>
-        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A' and leaves the picture on the right.</source>
-        <translation>A on ainult üks ots. See pool lõigust AB, mis on A ja tasandi {0} vahel, on kaamera ees ja selle igal punktil on kujutis. Vaadake pilti: kujutis algab punktist A' ja väljub pildilt paremalt.</translation>
+        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
+        <translation>A on ainult üks ots. See pool lõigust AB, mis on A ja tasandi {0} vahel, on kaamera ees ja selle igal punktil on kujutis. Vaadake pilti: kujutis algab punktist A&apos; ja väljub pildilt paremalt.</translation>
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
@@ -4708,7 +4708,7 @@
         <translation>Loeng 004 lõikab lõigu enne jagamist läbi kohal {0}:</translation>
     </message>
     <message>
-        <source>The scene's controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world's {3}, so in camera space they are {4} and {5}.</source>
+        <source>The scene&apos;s controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world&apos;s {3}, so in camera space they are {4} and {5}.</source>
         <translation>Stseeni juhtelementides on A ja B maailma koordinaatides, {0} ja {1}; silm on kohal {2} ja vaatab maailma suunas {3}, seega on need kaamerafreimis {4} ja {5}.</translation>
     </message>
     <message>
@@ -4776,8 +4776,8 @@
         <translation>Millise {0} juures on lõikekoha kujutis, kui {1}?</translation>
     </message>
     <message>
-        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Nii jagatakse B-d, mis on kaamera taga. Kujutis on ainult sellel osal, mis on kohast {0} eespool, ja see lõpeb lõikekohas. Vaadake punkte A' ja B': joon, mis neid ühendab, on vale.</translation>
+        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Nii jagatakse B-d, mis on kaamera taga. Kujutis on ainult sellel osal, mis on kohast {0} eespool, ja see lõpeb lõikekohas. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>The side is wrong: at the cut {0} is positive, so {1} has the sign of x. Look at the image: it leaves the picture on the right.</source>
@@ -4816,8 +4816,8 @@
         <translation>Tagasi ennustuse juurde</translation>
     </message>
     <message>
-        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A' and B' draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation>Kaks otsa, kaks kujutist ja nende vahel joon: iga kaamera ees olev lõik joonistatakse nii, seega on see ahvatlev ka siin. Aga lõik läbib tasandi {0} ja sellel punktil kujutist ei ole. Kujutis läheb ühel pool lõpmatusse ja peegeldatud ülejääk tuleb teiselt poolt tagasi. A' ja B' ühendamine joonistab täpselt selle osa sirgest, mis *ei ole* AB kujutis. Seepärast enne lõigake, siis jagage.</translation>
+        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
+        <translation>Kaks otsa, kaks kujutist ja nende vahel joon: iga kaamera ees olev lõik joonistatakse nii, seega on see ahvatlev ka siin. Aga lõik läbib tasandi {0} ja sellel punktil kujutist ei ole. Kujutis läheb ühel pool lõpmatusse ja peegeldatud ülejääk tuleb teiselt poolt tagasi. A&apos; ja B&apos; ühendamine joonistab täpselt selle osa sirgest, mis *ei ole* AB kujutis. Seepärast enne lõigake, siis jagage.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
@@ -4852,32 +4852,32 @@
         <translation>Harjutus: õige tükk</translation>
     </message>
     <message>
-        <source>A is in front of the camera, B behind it. The picture joins their images A' and B', as the division alone does.</source>
-        <translation>A on kaamera ees, B selle taga. Pildil on nende kujutised A' ja B' ühendatud, nagu teeb jagamine üksi.</translation>
+        <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
+        <translation>A on kaamera ees, B selle taga. Pildil on nende kujutised A&apos; ja B&apos; ühendatud, nagu teeb jagamine üksi.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
         <translation>Märkige, kus AB õige kujutis pildilt väljub.</translation>
     </message>
     <message>
-        <source>This is B', the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation>See on B', kaamera taga oleva punkti peegeldatud kujutis. Õige kujutis ei jõua kunagi sinna. Vaadake maailma: B on tasandi {0} taga.</translation>
+        <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
+        <translation>See on B&apos;, kaamera taga oleva punkti peegeldatud kujutis. Õige kujutis ei jõua kunagi sinna. Vaadake maailma: B on tasandi {0} taga.</translation>
     </message>
     <message>
-        <source>Through B' and on</source>
-        <translation>Läbi B' ja edasi</translation>
+        <source>Through B&apos; and on</source>
+        <translation>Läbi B&apos; ja edasi</translation>
     </message>
     <message>
-        <source>This goes from A' through B' and on. B' is mirrored, so the right image starts at A' in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation>Nii minnakse A'-st läbi B' ja edasi. B' on peegeldatud, seega läheb õige kujutis A'-st vastassuunas. Vaadake maailma: teel A-st tasandini {0} väljub serv püramiidist ühelt poolt.</translation>
+        <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
+        <translation>Nii minnakse A&apos;-st läbi B&apos; ja edasi. B&apos; on peegeldatud, seega läheb õige kujutis A&apos;-st vastassuunas. Vaadake maailma: teel A-st tasandini {0} väljub serv püramiidist ühelt poolt.</translation>
     </message>
     <message>
-        <source>It lies on the same line. On which side of A'?</source>
-        <translation>See on samal sirgel. Kummal pool punkti A'?</translation>
+        <source>It lies on the same line. On which side of A&apos;?</source>
+        <translation>See on samal sirgel. Kummal pool punkti A&apos;?</translation>
     </message>
     <message>
-        <source>It starts at A' and goes away from B'. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>See algab punktist A' ja läheb punktist B' eemale. Suurustes {0} ja {1} on {2}, {3} ja pildi serv on kohal {4}.</translation>
+        <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
+        <translation>See algab punktist A&apos; ja läheb punktist B&apos; eemale. Suurustes {0} ja {1} on {2}, {3} ja pildi serv on kohal {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4911,7 +4911,7 @@
         <translation>Pool vahemikust kadunud</translation>
     </message>
     <message>
-        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene's numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
+        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
         <translation>Sügavuspuhver hoiab iga piksli jaoks üht koodi, siin 16-bitist. Pind 2 on pinna 1 taga. Kus mõlemad saavad sama koodi, näete seda, mis joonistati viimasena; sellest on triibud kaldtee kaugemas otsas. Stseeni arvud ütlevad, kui suur peab vahe sihtpunkti juures, 20 ühiku kaugusel, olema, et seda kindlasti eristataks.</translation>
     </message>
     <message>
@@ -5003,15 +5003,15 @@
         <translation>Nii jaotatakse salvestatud arvud lähitasandist kaugtasandini ühtlaselt. Need muutuvad koos kauguse pöördarvuga, kohe lähitasandi taga kiiresti ja enne kaugtasandit peaaegu üldse mitte. Vaadake kuubis punkti 1 kaugusega 10: see on kaugtasandi lähedal.</translation>
     </message>
     <message>
-        <source>The buffer holds z'</source>
-        <translation>Puhvris on z'</translation>
+        <source>The buffer holds z&apos;</source>
+        <translation>Puhvris on z&apos;</translation>
     </message>
     <message>
         <source>This is the depth from −1 to 1 of NDC. The buffer begins with 0 at near: add 1, then halve. Look at point 1, 10 away, in the cube: its {0} is your number.</source>
         <translation>See on NDC sügavus −1-st 1-ni. Puhver algab lähitasandil 0-ga: liitke 1 ja võtke pool. Vaadake kuubis punkti 1 kaugusega 10: teie arv on selle {0}.</translation>
     </message>
     <message>
-        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane's. Look at point 1, 10 away, in the cube: it lies before far.</source>
+        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1, 10 away, in the cube: it lies before far.</source>
         <translation>Siin on jäänud ära jagamine kaugusega 10. Ükski salvestatud arv ei ole suurem kui 1, mis on kaugtasandi oma. Vaadake kuubis punkti 1 kaugusega 10: see on kaugtasandi ees.</translation>
     </message>
     <message>
@@ -5031,7 +5031,7 @@
         <translation>Nii on vahe igal kaugusel ühesugune. See oleks nii, kui koodid oleksid jaotatud ühtlaselt, aga enamik neist on kohe lähitasandi taga; kaugusel {0} on vahe võrdeline suurusega {1}. Vaadake triipe, kui lähitasand = 0.1: need algavad kaugel ja laienevad koos kaugusega.</translation>
     </message>
     <message>
-        <source>The gap grows with {0}: it is a little more than four times the scene's number for the target, at the distance 20.</source>
+        <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
         <translation>Vahe kasvab nagu {0}: see on natuke rohkem kui neli korda stseeni arv sihtpunkti jaoks, mille kaugus on 20.</translation>
     </message>
     <message>
@@ -5059,7 +5059,7 @@
         <translation>See on NDC sügavus −1-st 1-ni. Puhver algab lähitasandil 0-ga: liitke 1 ja võtke pool. Vaadake kuubis punkti 1: teie arv on selle {0}.</translation>
     </message>
     <message>
-        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane's. Look at point 1 in the cube: it lies before far.</source>
+        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1 in the cube: it lies before far.</source>
         <translation>Siin on jäänud ära jagamine suurusega {0}. Ükski salvestatud arv ei ole suurem kui 1, mis on kaugtasandi oma. Vaadake kuubis punkti 1: see on kaugtasandi ees.</translation>
     </message>
     <message>
@@ -5154,7 +5154,7 @@
         <translation>Seal on näha *serva* keskkohta, pildil nelja viiendiku peal. Küsitakse pildil poolel teel olevat. Vaadake kaht märki: maailmas poolel teel on kaugem märk.</translation>
     </message>
     <message>
-        <source>The last of the scene's numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
+        <source>The last of the scene&apos;s numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
         <translation>Viimane stseeni arvudest ütleb 20 %. Kaugemad osad joonistatakse lühemana, nii et neli viiendikku servast jagavad selle pildi kaugemat poolt.</translation>
     </message>
     <message>
@@ -5353,7 +5353,7 @@
         <translation>kohal 3, nagu enne</translation>
     </message>
     <message>
-        <source>This takes the three numbers for a direction that all rays share, as the sun's are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun's. Look at the ray: it begins at the lamp.</source>
+        <source>This takes the three numbers for a direction that all rays share, as the sun&apos;s are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun&apos;s. Look at the ray: it begins at the lamp.</source>
         <translation>Nii võetakse need kolm arvu suunaks, mis on kõigil kiirtel ühine, nagu päikesel. Lambil on need asukoht: selle kiir läbi punkti {0} algab sellest kohast ja on laugem kui päikese oma. Vaadake kiirt: see algab lambist.</translation>
     </message>
     <message>
@@ -5381,7 +5381,7 @@
         <translation>Vari on projektsioon: valgusallikas {0} on selle keskpunkt ja maa selle pilditasand. Kiir punktist {1} läbi punkti {2} kohtab tasandit {3} punktis</translation>
     </message>
     <message>
-        <source>With {0} that is {1}, as the scene's numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
+        <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
         <translation>Kui {0}, on see {1}, nagu ütlevad stseeni arvud. Maatriksina on see {2} tasandiga {3} ja F joonistatakse maatriksiga {4} veel kord, ühe värviga. Päikese {5} puhul {6} ja kiired on paralleelsed.</translation>
     </message>
     <message>
@@ -5413,7 +5413,7 @@
         <translation>Näete varju, mille heidab *päike* suunast {0}. Kus oleks suuruses {1} punkti {2} vari, kui punktis {3} oleks *lamp*?</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
         <translation>See on päikese vari, mida te näete. Lambi kiirel on teine suund: lambist punktini {0} läheb see 7.5 paremale ja 3 alla. Vaadake kiirt: see algab lambist.</translation>
     </message>
     <message>
@@ -5421,7 +5421,7 @@
         <translation>{0} on punktist {1} 7.5 võrra paremal ja 3 võrra allpool. Kui palju on maani?</translation>
     </message>
     <message>
-        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp's matrix in row 1, column 1, {2}?</source>
+        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp&apos;s matrix in row 1, column 1, {2}?</source>
         <translation>Tasand läheb alla kohani {0}, seega {1}. Mis on lambi maatriksi reas 1 ja veerus 1: {2}?</translation>
     </message>
     <message>
@@ -5437,11 +5437,11 @@
         <translation>Tagasi lambi juurde</translation>
     </message>
     <message>
-        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun's numbers are a direction, the same for every point of the F. The lamp's numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
+        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
         <translation>Päikesel ja lambil olid samad kolm arvu, nii et ahvatlev oli jätta vari samaks. Aga päikese arvud on suund, F-i iga punkti jaoks sama. Lambi arvud on asukoht ja kiire suund on {0}: mida kõrgem on punkt, seda laugem on kiir ja seda pikem vari. Muutke sätet *Valguse liik* ja jälgige F-i ülemist otsa, siis alumist.</translation>
     </message>
     <message>
-        <source>Practise: a lamp's shadow</source>
+        <source>Practise: a lamp&apos;s shadow</source>
         <translation>Harjutus: lambi vari</translation>
     </message>
     <message>
@@ -5453,7 +5453,7 @@
         <translation>Lamp on kohal {0} ja {1} kohal {2}. Millise {3} juures on punkti {4} vari?</translation>
     </message>
     <message>
-        <source>This takes the lamp's place for the sun's direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun's ray through {2}: it has another direction.</source>
+        <source>This takes the lamp&apos;s place for the sun&apos;s direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun&apos;s ray through {2}: it has another direction.</source>
         <translation>Nii võetakse päikese suunaks lambi asukoht. Kiir läbi punkti {0} algab lambist: selle suund on {1}. Vaadake päikese kiirt läbi punkti {2}: sellel on teine suund.</translation>
     </message>
     <message>
@@ -5513,7 +5513,7 @@
         <translation>Siis lahutage {0} korda {1}.</translation>
     </message>
     <message>
-        <source>The first cell is the lamp's height above the plane.</source>
+        <source>The first cell is the lamp&apos;s height above the plane.</source>
         <translation>Esimene lahter on lambi kõrgus tasandist.</translation>
     </message>
     <message>
@@ -5529,7 +5529,7 @@
         <translation>Näete päikese varju suunast {0}. Märkige, kus on punkti 1, {1}, vari, kui punktis {2} on *lamp*.</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
         <translation>See on päikese vari, mida te näete. Lambi kiir läbi punkti {0} algab kohast {1}: selle suund on {2}. Vaadake küljelt: iga kiir algab lambist.</translation>
     </message>
     <message>
@@ -5648,7 +5648,7 @@
         <translation>Nurk on suurus</translation>
     </message>
     <message>
-        <source>This takes the angle of view for the size. On the film the statue's height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
+        <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
         <translation>Nii võetakse suuruseks vaatenurk. Filmil on kuju kõrgus võrdeline fookuskauguse ja kauguse suhtega {0}; nurk ei ole võrdeline suurusega {1}. Vaadake kaht fotot: 105 mm on 3.62 korda 29 mm ja 3.62 korda kaugemalt on pea kõrgus sama.</translation>
     </message>
     <message>
@@ -5680,7 +5680,7 @@
         <translation>Tagasi pea juurde</translation>
     </message>
     <message>
-        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target's. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
+        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
         <translation>Ahvatlev on öelda, et midagi ei muutu, sest pea säilitab oma suuruse ja suum on selleks tehtud. Aga suum säilitab suurused ainult ühel sügavusel, sihtpunkti omal. Selle ees ja taga on suurused võrdelised *omaenda* kauguse pöördarvuga ja kõndimine on seda muutnud. Nii on lähedalt tehtud portreel suur nina iga objektiiviga: perspektiivi määrab kaugus; objektiiv valib sellest ainult osa.</translation>
     </message>
     <message>
@@ -5807,8 +5807,8 @@
         <translation>Film jätab ülemise üles</translation>
     </message>
     <message>
-        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P', behind the eye: it is below the axis.</source>
-        <translation>Nii jäetakse alles ees oleva tasandi märk. Valgus läheb sirgelt läbi silma, nii et mis on selle ees teljest kõrgemal, on selle taga teljest allpool. Vaadake punkti P' silma taga: see on teljest allpool.</translation>
+        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P&apos;, behind the eye: it is below the axis.</source>
+        <translation>Nii jäetakse alles ees oleva tasandi märk. Valgus läheb sirgelt läbi silma, nii et mis on selle ees teljest kõrgemal, on selle taga teljest allpool. Vaadake punkti P&apos; silma taga: see on teljest allpool.</translation>
     </message>
     <message>
         <source>at −1.03: below the axis</source>
@@ -5819,8 +5819,8 @@
         <translation>seda ei ole: valgus ei lähe tagurpidi</translation>
     </message>
     <message>
-        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P'.</source>
-        <translation>Valgus läheb silmast sirgelt läbi ja kohtab selle taga olevat tasandit. Vaadake projektsioonikiirt: see läheb läbi silma punkti P'.</translation>
+        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P&apos;.</source>
+        <translation>Valgus läheb silmast sirgelt läbi ja kohtab selle taga olevat tasandit. Vaadake projektsioonikiirt: see läheb läbi silma punkti P&apos;.</translation>
     </message>
     <message>
         <source>The projector goes on through the eye, and crosses the axis there.</source>
@@ -5835,7 +5835,7 @@
         <translation>Pimedas kastis tuleb valgus läbi ava, mis on projektsiooni keskpunkt. Kui asja kõrgus on {0} ja see on avast kaugusel {1} eespool, on selle kujutise kõrgus</translation>
     </message>
     <message>
-        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture's synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
+        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture&apos;s synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
         <translation>filmil, mis on avast {0} tagapool. Siin {1}, {2} ja {3}: {4}. Miinus pöörab kujutise tagurpidi ning vahetab vasaku ja parema. Loengu sünteetilise kaamera film on keskpunkti ees samal kaugusel. Seal on kujutise kõrgus {5}: sama suur ja püstine.</translation>
     </message>
     <message>
@@ -5863,7 +5863,7 @@
         <translation>Valemi järgi</translation>
     </message>
     <message>
-        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Noole kõrgus on 5 ja see on avast 9 eespool. Film läheb avast 6 tahapoole. Kui kõrge, märgiga arvuna, on noole kujutis filmil?</translation>
     </message>
     <message>
@@ -5871,7 +5871,7 @@
         <translation>See on kujutis filmil, mis on ava ees. Ava taga on valgus telge lõiganud, nii et märk muutub. Vaadake mõlemat filmi: nool on püsti ainult ees oleval.</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
+        <source>This measures the arrow&apos;s distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
         <translation>Nii mõõdetakse noole kaugust filmist, {0}. Kaks kolmnurka kohtuvad avas: mõõtke mõlemat kaugust sealt. Vaadake ava: mõlemad kolmnurgad algavad seal.</translation>
     </message>
     <message>
@@ -5887,7 +5887,7 @@
         <translation>Kui kaugel ava taga peab film olema, et kujutise kõrgus oleks kolmandik noole kõrgusest?</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, which is 9 and the film's own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
+        <source>This measures the arrow&apos;s distance from the film, which is 9 and the film&apos;s own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
         <translation>Nii mõõdetakse noole kaugust filmist, mis on 9 pluss filmi enda kaugus. Kaks kolmnurka kohtuvad avas: mõõtke mõlemat kaugust sealt. Vaadake filmi, mis on avast 4.5 tagapool: kujutis on noolest poole madalam.</translation>
     </message>
     <message>
@@ -5911,7 +5911,7 @@
         <translation>Nool kõrgusega {0} seisab pimeda kasti ava ees.</translation>
     </message>
     <message>
-        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Nool on avast {0} eespool, film {1} tagapool. Kui kõrge, märgiga arvuna, on noole kujutis filmil?</translation>
     </message>
     <message>
@@ -5979,12 +5979,12 @@
         <translation>{0}, kus {1}</translation>
     </message>
     <message>
-        <source>In front of the eye the image is upright. Look at P': it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
-        <translation>Silma ees on kujutis püstine. Vaadake punkti P': see on teljest kõrgemal. Tasand peab olema silma taga, negatiivse {0} juures.</translation>
+        <source>In front of the eye the image is upright. Look at P&apos;: it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
+        <translation>Silma ees on kujutis püstine. Vaadake punkti P&apos;: see on teljest kõrgemal. Tasand peab olema silma taga, negatiivse {0} juures.</translation>
     </message>
     <message>
-        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P': it is less than {1} times as far from the axis as {2}.</source>
-        <translation>Nii mõõdetakse punkti {0} sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P': see on teljest vähem kui {1} korda nii kaugel kui {2}.</translation>
+        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
+        <translation>Nii mõõdetakse punkti {0} sügavust tasandist. Mõlemad kolmnurgad algavad silmast. Vaadake punkti P&apos;: see on teljest vähem kui {1} korda nii kaugel kui {2}.</translation>
     </message>
 </context>
 <context>
@@ -6146,7 +6146,7 @@
         <translation>Harjutus: vektor v</translation>
     </message>
     <message>
-        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera's {4}, the second row of the view matrix without its last number?</source>
+        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera&apos;s {4}, the second row of the view matrix without its last number?</source>
         <translation>Silm on kohal {0}, sihtpunkt kohal {1}, ülesvektor on {2}, seega {3}. Milline on kaamera {4}, vaatemaatriksi teine rida ilma viimase arvuta?</translation>
     </message>
     <message>
@@ -6373,7 +6373,7 @@
         <translation>Vaatate alleed ülalt; igas reas on puud 6 vahega.</translation>
     </message>
     <message>
-        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera's way, mark the last tree whose trunk is then drawn.</source>
+        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera&apos;s way, mark the last tree whose trunk is then drawn.</source>
         <translation>Kaugtasand viiakse {0} võrra kaugemale, kohast {1} kohani {2}. Märkige reas, mis on kaamera teest kaugemal, viimane puu, mille tüvi siis joonistatakse.</translation>
     </message>
     <message>
@@ -6444,7 +6444,7 @@
         <translation>Ainult seal joonistatakse punktid punktidena, aga kettaid kuni {0} peetakse punktideks. Vaadake ülalt: terav vahemik jätkub fookuse taga.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene's numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
         <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga ainult see, mis on 5 m kaugusel: 6 m kaugusel olev on kaugemast piirist 2 mm tagapool.</translation>
     </message>
     <message>
@@ -6631,7 +6631,7 @@
         <translation>Rohkem kohti kui piksleid</translation>
     </message>
     <message>
-        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene's longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
+        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene&apos;s longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
         <translation>16-bitisel koordinaadil on 65 536 kohta. Siin on need jaotatud üle stseeni pikima külje, 8 ühiku, ja pildi laius on 320 pikslit. Iga nool paanis **Pilt** osutab sellest kohast, kuhu tipp kuulub, selle poole, kuhu see joonistatakse, suurendatud 10 000 korda. Külgriba ütleb, kui suur on pildi tipu viga kõige rohkem: 0.002 pikslit.</translation>
     </message>
     <message>
@@ -6735,7 +6735,7 @@
         <translation>Alguspunktist kaugel</translation>
     </message>
     <message>
-        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world's origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
+        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world&apos;s origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
         <translation>Nüüd on tipud ja aritmeetika float32, umbes 7 kümnendnumbrit. Maailma alguspunkt viiakse 1 000 000 ühiku kaugusele ja kõik muu jääb oma kohale: kaamera ja F on naabrid, kaugel väljas. Nende koordinaadid on nüüd umbes 1 000 000 ja maatriks lahutab need teineteisest.</translation>
     </message>
     <message>
@@ -6783,7 +6783,7 @@
         <translation>8 bitti võtab 3 baiti tipu kohta. Millised teised võtavad vähem kui 5?</translation>
     </message>
     <message>
-        <source>12 bits: 4.5 bytes instead of float32's 12, and nobody sees the difference in a picture of 320 by 240.</source>
+        <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
         <translation>12 bitti: float32 12 baidi asemel 4.5 baiti, ja keegi ei näe vahet pildil, mis on 320 korda 240.</translation>
     </message>
     <message>
@@ -6839,7 +6839,7 @@
         <translation>Harjutus: alguspunktist kaugel</translation>
     </message>
     <message>
-        <source>A float32 has 24 significant bits. The world's origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
+        <source>A float32 has 24 significant bits. The world&apos;s origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
         <translation>float32-l on 24 tüvebitti. Maailma alguspunkt on piki x-telge kaugele viidud, nii et F-i koordinaadid on umbes sama suured kui alguspunkti kaugus.</translation>
     </message>
     <message>
@@ -7010,7 +7010,7 @@
         <translation>Liiga väike samm</translation>
     </message>
     <message>
-        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye's x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
+        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye&apos;s x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
         <translation>Silm liigub paremale, iga kaadriga 1 mm. Ühik on 1 m ja koordinaatide alguspunkt on 50 km kaugusel: silma x on 30 000. Paanis **Pilt** on igal kaadril ülalt alla oma joon: kui palju on P kõrvale liikunud, sujuva tee kõrval.</translation>
     </message>
     <message>
@@ -7134,7 +7134,7 @@
         <translation>float32-l on 24 bitti. {0} ja {1} vahel on selle arvude vahe {2} ja vaikselt edasi nihkuv silm hüppab nii palju korraga.</translation>
     </message>
     <message>
-        <source>The eye's x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
+        <source>The eye&apos;s x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
         <translation>Silma x on {0} m ja {1} m vahel, mis on 2 astmed, ja silm liigub piki x-telge. Mitu pikslit hüppab tipp sügavusel {2} m korraga? Pildi kõrgus on 1080 pikslit ja frustumi nurk 40°.</translation>
     </message>
     <message>
@@ -7177,7 +7177,7 @@
         <translation>Põrand seina taga</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall's foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
+        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
         <translation>Logaritmilisel sügavusel jätkub numbrikohti igale kaugusele. Siin arvutatakse see igas tipus, sest seal on see odav, ja põrand on lähedalt kaugele ühes tükis. Paanis **Pilt** näete seina alusmüüri, mis on põrandast allpool: põrand joonistatakse selle taha. Külgriba ütleb, kui suur on viga: kuni 3.53 korda liiga kaugele.</translation>
     </message>
     <message>
@@ -7369,7 +7369,7 @@
         <translation>Pildilt tagasi</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world's origin is 1 unit from the eye.</source>
+        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world&apos;s origin is 1 unit from the eye.</source>
         <translation>Piksel ja selle sügavus viivad tagasi punktini P: korrutage {0} pöördmaatriksiga. Kõik on float32 ja maailma alguspunkt on silmast 1 ühiku kaugusel.</translation>
     </message>
     <message>
@@ -7381,7 +7381,7 @@
         <translation>Samas kohas: pöördmaatriks võtab tagasi, mida maatriks tegi</translation>
     </message>
     <message>
-        <source>On paper it does. Here each product is rounded, and the eye's coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
+        <source>On paper it does. Here each product is rounded, and the eye&apos;s coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
         <translation>Paberil võtab. Siin ümardatakse iga korrutis ja silma koordinaadid on 100 000: need peidavad need paar ühikut, mida te otsite. Vaadake punkti P ja tagasi tulnud punkti.</translation>
     </message>
     <message>
@@ -7389,7 +7389,7 @@
         <translation>Kümnemiljondiku oma kaugusest: float32 hoiab seitset numbrit</translation>
     </message>
     <message>
-        <source>The seven digits belong to the coordinates, near 100 000. What is left of P's distance, 8.3 units, has two. Look at P and at the point that came back.</source>
+        <source>The seven digits belong to the coordinates, near 100 000. What is left of P&apos;s distance, 8.3 units, has two. Look at P and at the point that came back.</source>
         <translation>Seitse numbrit kuuluvad koordinaatidele, mis on 100 000 lähedal. P kaugusele, 8.3 ühikut, jääb neid kaks. Vaadake punkti P ja tagasi tulnud punkti.</translation>
     </message>
     <message>
@@ -7397,7 +7397,7 @@
         <translation>Mõne protsendi oma kaugusest</translation>
     </message>
     <message>
-        <source>The inverse multiplies the eye's coordinates with {0}, a small difference of rounded numbers.</source>
+        <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
         <translation>Pöördmaatriks korrutab silma koordinaate suurusega {0}, mis on ümardatud arvude väike vahe.</translation>
     </message>
     <message>
@@ -7516,8 +7516,8 @@
         <translation>Kaamera ees olev punkt {0} satub silmast kaugusel {1} olevale tasandile:</translation>
     </message>
     <message>
-        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P' now?</source>
-        <translation>P sügavus on 5. Tasand nihkub kohast d = 1 kohta d = 2. Mitu korda kõrgemal on nüüd P'?</translation>
+        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
+        <translation>P sügavus on 5. Tasand nihkub kohast d = 1 kohta d = 2. Mitu korda kõrgemal on nüüd P&apos;?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
@@ -7528,8 +7528,8 @@
         <translation>Mõlemal kolmnurgal on nurk silma juures ja sealt mõõdetuna on P sügavus 5.</translation>
     </message>
     <message>
-        <source>World from the side: name the two triangles first, eye to P and eye to P'. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation>Maailm küljelt: nimetage enne kaks kolmnurka, silmast P-ni ja silmast P'-ni. Lugege pildilt -z = 5, y = 2 ja {0}. Laske klassil hääletada, siis laske mudelil liikuda. Pärast lohistage Tasandi kaugust d kuni alla 0: camera obscura film, ja pilt pöördub ümber. See tuletati kursusel juba varem; ärge siia pikemalt jääge.</translation>
+        <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
+        <translation>Maailm küljelt: nimetage enne kaks kolmnurka, silmast P-ni ja silmast P&apos;-ni. Lugege pildilt -z = 5, y = 2 ja {0}. Laske klassil hääletada, siis laske mudelil liikuda. Pärast lohistage Tasandi kaugust d kuni alla 0: camera obscura film, ja pilt pöördub ümber. See tuletati kursusel juba varem; ärge siia pikemalt jääge.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
@@ -7564,8 +7564,8 @@
         <translation>jagatud</translation>
     </message>
     <message>
-        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w' = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation>Küsige, millega veel võib korrutada: mis tahes λ-ga peale 0. Seega võib viimane rida sama hästi olla 0 0 -1 0, ükskõik mis d on, ja w' = -z on sügavus ise. Aknas on -z = 5 külgribal ja pikkusena pildi all. Kõigil loengu hilisematel maatriksitel on see viimane rida.</translation>
+        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
+        <translation>Küsige, millega veel võib korrutada: mis tahes λ-ga peale 0. Seega võib viimane rida sama hästi olla 0 0 -1 0, ükskõik mis d on, ja w&apos; = -z on sügavus ise. Aknas on -z = 5 külgribal ja pikkusena pildi all. Kõigil loengu hilisematel maatriksitel on see viimane rida.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
@@ -7616,8 +7616,8 @@
         <translation>{0} ja {1}.</translation>
     </message>
     <message>
-        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w'. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation>Tuletage (6) tahvlil rida-realt. Nipp on korrutada teine murd avaldisega -z/-z, nii et kõigel on üks nimetaja: sellest saab w'. Selle märk pöördub kaasa. Siis hääletus: paljud ütlevad +0.5, sest aken läheb paremale. Pärast seda lohistage välju Vasak ja Parem ning jälgige paanis Pilt sondi 1.</translation>
+        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
+        <translation>Tuletage (6) tahvlil rida-realt. Nipp on korrutada teine murd avaldisega -z/-z, nii et kõigel on üks nimetaja: sellest saab w&apos;. Selle märk pöördub kaasa. Siis hääletus: paljud ütlevad +0.5, sest aken läheb paremale. Pärast seda lohistage välju Vasak ja Parem ning jälgige paanis Pilt sondi 1.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
@@ -7628,7 +7628,7 @@
         <translation>Kui {0}, oleks kolmas homogeenne arv {1} (9)-(11): maatriksit ei ole.</translation>
     </message>
     <message>
-        <source>P comes nearer, to a third of Q's depth. What does {0} make of PQ?</source>
+        <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
         <translation>P tuleb lähemale, kolmandikule Q sügavusest. Mille teeb {0} lõigust PQ?</translation>
     </message>
     <message>
@@ -7636,8 +7636,8 @@
         <translation>Sirge lõigu</translation>
     </message>
     <message>
-        <source>x and y are divided by {0}, z' is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x ja y jagatakse suurusega {0}, z' mitte. Vaadake kaart P ja Q vahel: sirge on ainult {1}.</translation>
+        <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
+        <translation>x ja y jagatakse suurusega {0}, z&apos; mitte. Vaadake kaart P ja Q vahel: sirge on ainult {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7656,7 +7656,7 @@
         <translation>Mida sügavuspuhver z-iga teeb</translation>
     </message>
     <message>
-        <source>Between a triangle's corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
+        <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
         <translation>Kolmnurga nurkade vahel interpoleeritakse {0} pikslite kaupa ühtlaselt ja väiksem väärtus võidab. Kui sirged on kõverad või koode on liiga vähe, joonistatakse vale pind.</translation>
     </message>
     <message>
@@ -7672,7 +7672,7 @@
         <translation>Kui küljel {1} on {0} bitti, on koordinaadi viga kuni {2}: pikslites seda rohkem, mida lähemal.</translation>
     </message>
     <message>
-        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson "How many bits does a picture need?".</source>
+        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
         <translation>Sügavused ei ole ainsad väheste bittidega arvud. 8 bitti koordinaadi kohta: 3 baiti tipu kohta ja viga kuni 0.5 pikslit pildil, mis on 320 korda 240. Nooled on vigadest 50 korda pikemad. Valige 12 ja 16 bitti: iga bitt teeb vea poole väiksemaks. Siis tooge kaugus pooleks: iga viga on kaks korda pikem. Mitmest bitist piisab, sõltub sellest, kus te seisate; õppetund „Mitu bitti pilt vajab?“.</translation>
     </message>
     <message>
@@ -7684,8 +7684,8 @@
         <translation>Ka suurusega {0} jagatuna jääb {1} homogeensetes koordinaatides lineaarseks (12). Lähitasand peab sattuma kohale -1, kaugtasand kohale 1:</translation>
     </message>
     <message>
-        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z' = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation>Lahendage tahvlil kaks võrrandit: {0} ja {1}. Siis NDC: postide vahe on paanis Maailm 6, aga kuubis tihenevad need kaugtasandi poole. Kui lähitasand on 9 ja kaugtasand 41, on kuubi keskkoht, z' = 0, ainult sügavusel 14.8. Järjekord säilib ja sirged jäävad sirgeks; rohkemat sügavuspuhver ei vaja.</translation>
+        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
+        <translation>Lahendage tahvlil kaks võrrandit: {0} ja {1}. Siis NDC: postide vahe on paanis Maailm 6, aga kuubis tihenevad need kaugtasandi poole. Kui lähitasand on 9 ja kaugtasand 41, on kuubi keskkoht, z&apos; = 0, ainult sügavusel 14.8. Järjekord säilib ja sirged jäävad sirgeks; rohkemat sügavuspuhver ei vaja.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
@@ -7771,7 +7771,7 @@
         <translation>Nähtav ruum</translation>
     </message>
     <message>
-        <source>Only what lies in a volume is drawn: the eye's cone, the pyramid round it, or a box, the view from very far away.</source>
+        <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
         <translation>Joonistatakse ainult see, mis on teatud ruumis: silma koonuses, selle ümber olevas püramiidis või risttahukas, mis on vaade väga kaugelt.</translation>
     </message>
     <message>
@@ -7799,7 +7799,7 @@
         <translation>Tegelikul kaameral on teravustamiskaugus ning selle ees ja taga teravussügavus. Sünteetilisel kaameral ei ole kumbagi: kõik on terav.</translation>
     </message>
     <message>
-        <source>The camera's parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
         <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel teravustamiskaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 5 m peale: terav 4.720 kuni 5.316 m, kontuuriga post. Lohistage teravustamiskaugus 10 m peale; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@
         <translation>Kaks korda kaugemal, poole madalam: {0}.</translation>
     </message>
     <message>
-        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera's position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
+        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
         <translation>Valgus ristub avas, nii et pilt filmil on tagurpidi ja vasak on paremal; maalikunstnikud kasutasid seda. Võrrelge mõlemat filmi: võrdse suurusega, erineb ainult märk. Projektsiooni keskpunkt on ava; meil on see kaamera positsioon P ja tasand on selle ja objekti vahel. Hääletage, siis näidake; lohistage ka d-d.</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@
         <translation>Mis on peast 20 cm tagapool, paistab 30 cm kauguselt 0.6 ja 108.6 cm kauguselt 0.84 korda nii suur kui pea.</translation>
     </message>
     <message>
-        <source>The lecture's cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings "Distance, relative to the preset": drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
         <translation>Loengu kass. Suuruse määrab F jagatud D-ga: 105/29 korda 30 cm on 108.6 cm. Hääletage, siis on mõlemad pildid olemas. C toob esile sätte „Kaugus, valmisväärtuse suhtes“: lohistage seda, et saada dolly zoom, kus nina ja kõrvad liiguvad pea suhtes. Jälle 1 × juures valige sättes Vaataja 105 mm 360 cm kauguselt ja võtke linnuke sättelt Suurenda ära: 0.30 korda nii suur, 166 px. Perspektiiv tuleb ainult kaugusest.</translation>
     </message>
     <message>
@@ -8003,7 +8003,7 @@
         <translation>See vaatab suunas {0}. Et viia see alguspunkti, vaatega suunas {1}, nihutage maailma {2} võrra, siis pöörake seda ümber telje {3} nurga {4} võrra.</translation>
     </message>
     <message>
-        <source>Which is this camera's {0}?</source>
+        <source>Which is this camera&apos;s {0}?</source>
         <translation>Milline on selle kaamera {0}?</translation>
     </message>
     <message>
@@ -8027,7 +8027,7 @@
         <translation>{0}, {1} on {2} ilma oma komponendita telje {3} sihis, normeeritud, ja {4}.</translation>
     </message>
     <message>
-        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture's: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
+        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
         <translation>Kaamerafreim ehitab selle samm-sammult: w, u, v. Programm võtab enne u vektorkorrutisest üles × w ja siis v vektorkorrutisest w × u; see on sama v mis loengus: ülesvektor miinus selle projektsioon w-le, normeeritud. R-i veerud on u, v, w; kaamerat liigutab pöördteisendus, ja see on transponeeritud maatriks: u, v, w ridadena.</translation>
     </message>
     <message>
@@ -8122,7 +8122,7 @@
         <translation>Projektsioonikiired on paralleelsed: x ja y ei sõltu z-ist.</translation>
     </message>
     <message>
-        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene's View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
+        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
         <translation>Alustage risttahukast ja nimetage selle kuus tasandit: left, right, top, bottom, near, far. Minge üks kord stseeni sättega Nähtav ruum püramiidi juurde tagasi ja laske klassil öelda, millised katsepunktid tulevad ja lähevad: B mahub risttahukasse, C mitte. Siis küsimus, käetõstmisega. Postid joonistatakse ühekõrgustena; nende numbrid ütlevad, kumb on kumb. Muutke lähi- ja kaugtasandit: muutub see, mida lõigatakse, mitte ükski suurus.</translation>
     </message>
     <message>
@@ -8134,8 +8134,8 @@
         <translation>Pügamisristtahukast saab {0}. z jäetakse alles, sest see otsustab, mis mida varjab.</translation>
     </message>
     <message>
-        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z' is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation>Kirjutage tahvlile {0}: nihutage keskkoht kohta 0, siis skaleerige. Valige paneelis Maatriksid lahtritesse Valemid: korrutises on mõlemad liikmed. {1} ja {2} on selles loengus negatiivsed ja z' on lähitasandil 1. Kus on risttahuka keskkoht? Kohal {3}, nii et F on keskkohast vasakul. Punktid satuvad ekraanile teisendusega {4}.</translation>
+        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
+        <translation>Kirjutage tahvlile {0}: nihutage keskkoht kohta 0, siis skaleerige. Valige paneelis Maatriksid lahtritesse Valemid: korrutises on mõlemad liikmed. {1} ja {2} on selles loengus negatiivsed ja z&apos; on lähitasandil 1. Kus on risttahuka keskkoht? Kohal {3}, nii et F on keskkohast vasakul. Punktid satuvad ekraanile teisendusega {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
@@ -8146,8 +8146,8 @@
         <translation>{0}. Küljelt vaadatuna on sama suurustega {1} ja {2}: {3}.</translation>
     </message>
     <message>
-        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x'. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation>Ülalt: kaamera on vasakul, lähitasand on joon kohal 5 ja peenikesed jooned on projektsioonikiired. Nurk kohal x joonistatakse kohale x'. Need on paralleelsed, aga lõikavad lähitasandit nurga {0} all: ühik selle taga satub ühiku võrra edasi piki u-telge. Seda teeb kaldnihe H; lähitasandi punktid jäävad paigale. Pöörake α-t: 90° juures on projektsioonikiired lähitasandiga risti. Kui mõlemad nurgad on 90°, on H 1 ja joonis ortograafiline.</translation>
+        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
+        <translation>Ülalt: kaamera on vasakul, lähitasand on joon kohal 5 ja peenikesed jooned on projektsioonikiired. Nurk kohal x joonistatakse kohale x&apos;. Need on paralleelsed, aga lõikavad lähitasandit nurga {0} all: ühik selle taga satub ühiku võrra edasi piki u-telge. Seda teeb kaldnihe H; lähitasandi punktid jäävad paigale. Pöörake α-t: 90° juures on projektsioonikiired lähitasandiga risti. Kui mõlemad nurgad on 90°, on H 1 ja joonis ortograafiline.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
@@ -8158,7 +8158,7 @@
         <translation>{0} teeb pügamisrööptahukast risttahuka ja annab objektile kaldnihke; selle kujutis jääb samaks. Ülejäänu on teada: {1}.</translation>
     </message>
     <message>
-        <source>A cavalier's projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
+        <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
         <translation>Cavalier-joonise projektsioonikiired lõikavad pilti 45° all. Millise nurga all lõikavad seda cabinet-joonise omad, mille mastaap on 1/2?</translation>
     </message>
     <message>
@@ -8190,7 +8190,7 @@
         <translation>Film on ava taga, seega on kujutis tagurpidi. Meie paneme tasandi projektsiooni keskpunkti ette.</translation>
     </message>
     <message>
-        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene's controls: equal but for the sign.</source>
+        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
         <translation>Jälgige sirget F-i ülemisest otsast läbi ava: filmile satub see alla. Tegelikul kaameral on seal objektiiv ja sama geomeetria. Meie oma tasand on keskpunkti ees: sama suur, püstine. Nihutage filmi: kõrgus muutub kaasa. Lugege mõlemad kõrgused stseeni juhtelementide alt: võrdsed, kui märk välja arvata.</translation>
     </message>
     <message>
@@ -8234,8 +8234,8 @@
         <translation>Sirge: iga samm säilitab sirgeid</translation>
     </message>
     <message>
-        <source>x and y are divided by z, z' is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation>x ja y jagatakse z-iga, z' mitte: see samm ei säilita sirgeid. Vaadake kaart P ja Q vahel.</translation>
+        <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
+        <translation>x ja y jagatakse z-iga, z&apos; mitte: see samm ei säilita sirgeid. Vaadake kaart P ja Q vahel.</translation>
     </message>
     <message>
         <source>Bent</source>
@@ -8246,7 +8246,7 @@
         <translation>Ainult siis, kui {0}, muutuvad kõik kolm koos suurusega 1/z.</translation>
     </message>
     <message>
-        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture's signs. Near is 1, far is −1: two equations for A and B.</source>
+        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
         <translation>Laske neil hääletada, enne kui kuupi näha on. Siis näidake: kaar, selle kõõl ja kõrvalekalle protsentides pikkusest. Sirge joon selle kõrval on A + B/z. Lohistage P-d silma poole ja kaar kasvab. Miks see loeb? Mis on otste vahel, interpoleeritakse, ja sirgeid kärbitakse nagu sirgeid. Kui B &lt; 0, säilib selle loengu märkidega sügavuste järjekord. Lähitasand on 1, kaugtasand −1: kaks võrrandit A ja B jaoks.</translation>
     </message>
     <message>
@@ -8258,8 +8258,8 @@
         <translation>{0} ja viimane rida on {1}.</translation>
     </message>
     <message>
-        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL's matrix is this one times −1 with z' reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation>{0} on lineaarne: maatriks. Seega säilitab see sirgeid. Vaadake paneelis Maatriksid maatriksit kärperuum ← vaade Valemitena: nendes tähtedes on w z, silma ees negatiivne. OpenGL-i maatriks on see siin korda −1 ja ümber pööratud z'-ga, sest seal on tasandid positiivsed kaugused. Arvud: {1}, {2}, {3}.</translation>
+        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
+        <translation>{0} on lineaarne: maatriks. Seega säilitab see sirgeid. Vaadake paneelis Maatriksid maatriksit kärperuum ← vaade Valemitena: nendes tähtedes on w z, silma ees negatiivne. OpenGL-i maatriks on see siin korda −1 ja ümber pööratud z&apos;-ga, sest seal on tasandid positiivsed kaugused. Arvud: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
@@ -8270,8 +8270,8 @@
         <translation>Aken ei ole keskel: {0} teeb kaldus frustumi enne sirgeks.</translation>
     </message>
     <message>
-        <source>A wall of screens, or an eye beside the middle of its screen. Drag "Eye right of the middle": the picture on the window stays right for that eye. H again, with cotangents from the window's middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window's middle, which must come to x' = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation>Ekraanidest sein või silm oma ekraani keskkoha kõrval. Lohistage sätet „Silm keskkohast paremal“: pilt aknal jääb selle silma jaoks õigeks. Jälle H, kootangensid akna keskkoha järgi. Loengu näpuviga: kui w = z, on kolmandas veerus miinus, {0}. Kontrollige seda akna keskkoha punktiga, mis peab sattuma kohale x' = 0. glFrustum võtab kuus arvu, gluPerspective neli.</translation>
+        <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
+        <translation>Ekraanidest sein või silm oma ekraani keskkoha kõrval. Lohistage sätet „Silm keskkohast paremal“: pilt aknal jääb selle silma jaoks õigeks. Jälle H, kootangensid akna keskkoha järgi. Loengu näpuviga: kui w = z, on kolmandas veerus miinus, {0}. Kontrollige seda akna keskkoha punktiga, mis peab sattuma kohale x&apos; = 0. glFrustum võtab kuus arvu, gluPerspective neli.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8294,7 +8294,7 @@
         <translation>{0}, siis {1}</translation>
     </message>
     <message>
-        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen's, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen's origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
+        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
         <translation>Üks punkt läbi kõigi etappide, rida-realt: maailm, vaade, kärperuum, jagamine, NDC, pikslid. Laius ja kõrgus on ekraani omad, pikslites; loeng kirjutab w ja h, aga siin on w neljas koordinaat. Ekraani alguspunkt on ülemine vasak nurk, sellest 1 - y. Lohistage punkt 1 pildil ülemisse vasakusse nurka ja lugege selle rida NDC: −1 ja 1. See oli tippude teisendus; kärpimine ja rasterdamine tulevad pärast seda.</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@
         <translation>Tippudele täispikslid, tekstuurile ei mingit jagamist: kiire ja kohe näha.</translation>
     </message>
     <message>
-        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square's diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
+        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
         <translation>Pilt nimega odav: tipud täispikslitel, 1/w väikesest tabelist, a/z asemel a. Nooled osutavad sealt, kuhu tipp kuulub, sinna, kuhu see joonistatakse, 20 korda pikemana. Pöörake kaamerat aeglaselt sättega Asimuut: tipud hüppavad ja ruudud murduvad iga ruudu diagonaalil. Teine pilt on täpne. Ühegi tipu viga ei ole suurem kui pool pikslit kõrvale ja pool pikslit alla; näha on see, et naabrid hüppavad eri hetkedel.</translation>
     </message>
     <message>
@@ -8349,7 +8349,7 @@
         <translation>Objekti ruumis asi tehakse, maailmas see paigutatakse ja kaamerafreimist seda vaadatakse.</translation>
     </message>
     <message>
-        <source>World: the grid's middle is the world's origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera's. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
+        <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
         <translation>Maailm: ruudustiku keskkoht on maailma alguspunkt; väikesed teljed F-i juures on selle omad, nihutatud 3 piki x-telge ja -1 piki z-telge ning pööratud ümber y-telje; u, v, n silma juures on kaamera omad. Igal kolmest küsimusest, tegemine, paigutamine, vaatamine, on oma ruum, et igaühele saaks vastata ilma teisteta. Kõik kolm on paremakäelised. Haarake F selle enda alguspunktist ja liigutage seda.</translation>
     </message>
     <message>
@@ -8357,7 +8357,7 @@
         <translation>Veerud on teljed</translation>
     </message>
     <message>
-        <source>Columns 1 to 3 of {0} are the object's axes, as the world sees them; column 4 is its origin:</source>
+        <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
         <translation>Maatriksi {0} veerud 1 kuni 3 on objekti teljed nii, nagu maailm neid näeb; veerg 4 on selle alguspunkt:</translation>
     </message>
     <message>
@@ -8373,7 +8373,7 @@
         <translation>Veerg 1 on (0, 1, 0), veerg 4 on (3, 0, 0) ja kokku on need (3, 1, 0).</translation>
     </message>
     <message>
-        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world's x, times the coordinate. Read by columns it says more: column 1 is where the object's x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
+        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
         <translation>Korrutise rida x on tahvlil olev summa: kui kaugele iga objekti telg maailma x-sihis ulatub, korda koordinaat. Veergude kaupa lugedes ütleb see rohkem: veerg 1 on see, kuhu objekti x-telg näitab. Pärast hääletust avage Maatriksid ja käige läbi maatriksi maailm ← objekt veerud; telg süttib paanis Maailm. Siis pöörake objekti käsitsi, selle rõngast.</translation>
     </message>
     <message>
@@ -8389,7 +8389,7 @@
         <translation>Vahetage kaks maatriksit omavahel: {0}. Kus on täht siis?</translation>
     </message>
     <message>
-        <source>Elsewhere: it is turned and moved along the camera's axes</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
         <translation>Mujal: seda pööratakse ja nihutatakse piki kaamera telgi</translation>
     </message>
     <message>
@@ -8409,7 +8409,7 @@
         <translation>Esimesena mõjub parempoolne maatriks. Vaade viib tähe kaamerani ja siis liigutatakse seda piki telge {0}, ümber silma.</translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera's axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage etapiriba liugurit Objektist Vaateni: peatuses Ry on tähte pööratud, peatuses Maailm on see oma kohal ning Maailmast Vaateni liigub kõik ja millegi koht ülejäänu suhtes ei muutu. Vaatemaatriksi read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Siis küsige, mida teeb vahetatud korrutis. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@
         <translation>NDC</translation>
     </message>
     <message>
-        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel's; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube's z runs away from the reader: NDC is left-handed, the camera's space right-handed. Drag probe 1 in Image.</source>
+        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
         <translation>Kaks sammu: maatriks ja jagamine, mida ükski maatriks teha ei saa. w on 5, punkti sügavus. Tabel on paneelist Sond; NDC näitab punkti kuubis. Jaotusmaterjal nimetab kärperuumiks kuupi; siin on kärperuum see, mis on enne jagamist. Kuubi z on suunatud lugejast eemale: NDC on vasakukäeline, kaamerafreim paremakäeline. Lohistage paanis Pilt sondi 1.</translation>
     </message>
     <message>
@@ -8489,8 +8489,8 @@
         <translation>Sarnaste kolmnurkade järgi, kui tasand on kohal {0}:</translation>
     </message>
     <message>
-        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P' is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P' kõrgus on 0.8. Mõlemad koordinaadid on võrdelised suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
+        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
+        <translation>Maailm küljelt: tasand on lähitasand, d = n = 2. P sügavus on 5 ja kõrgus 2, P&apos; kõrgus on 0.8. Mõlemad koordinaadid on võrdelised suurusega 1/(-z), seega {0}, pikkus pildi all, ja viimane rida on 0 0 -1 0. Miinus on seal sellepärast, et nähtaval on negatiivne z. Ülalt vaadates on x-iga samamoodi.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
@@ -8554,7 +8554,7 @@
     </message>
     <message>
         <source>Image: halfway along the marked edge on the screen, and halfway along it in the world, are two places. The first is only 30 % of the way from the nearer end. On the board: depths 2 and 8, t = 1/2, so 1/z = (1/2 + 1/8)/2 and z = 3.2, not 5. Why: a straight edge has a linear equation in x and z. Divided by z it is one in x/z, the place on the screen, and 1/z, and that is all.</source>
-        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimene on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirgel serval on lineaarne võrrand x ja z suhtes. Kui see jagada z-iga, on see lineaarne x/z, ekraanikoha, ja 1/z suhtes, ja see ongi kõik.</translation>
+        <translation>Pilt: ekraanil poolel teel mööda märgitud serva ja maailmas poolel teel on kaks eri kohta. Esimeseni on lähemast otsast ainult 30 % teest. Tahvlil: sügavused 2 ja 8, t = 1/2, seega 1/z = (1/2 + 1/8)/2 ja z = 3.2, mitte 5. Miks: sirgel serval on lineaarne võrrand x ja z suhtes. Kui see jagada z-iga, on see lineaarne x/z, ekraanikoha, ja 1/z suhtes, ja see ongi kõik.</translation>
     </message>
     <message>
         <source>Attributes: a/z</source>
@@ -8577,7 +8577,7 @@
         <translation>Risttahukast saab kuup ilma jagamata: skaleerige arvudega {0} ja {1} ning nihutage keskkoht kohta 0.</translation>
     </message>
     <message>
-        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum's matrix, in step 10.</source>
+        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
         <translation>Risttahukas on igal sügavusel ühelaiune: w on 1. Jaotusmaterjali esimeses lahtris on 2n/(r - l), mis on näpuviga: siin ei viida midagi lähitasandile, seega ei ole n-i. Nihked on nüüd veerus 4, mitte veerus 3, sest neid ei korrutata z-iga. Võrrelge frustumi maatriksiga sammus 10.</translation>
     </message>
     <message>
@@ -8600,7 +8600,7 @@
         <translation>Kaamera F-tähe jaoks</translation>
     </message>
     <message>
-        <source>The camera's axes</source>
+        <source>The camera&apos;s axes</source>
         <translation>Kaamera teljed</translation>
     </message>
     <message>
@@ -8616,7 +8616,7 @@
         <translation>{0} ja {1}, seega {2}.</translation>
     </message>
     <message>
-        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn "Up from view" towards the end of its slider: |V × n| goes to 0, and U with it.</source>
+        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
         <translation>Ehitage see paneelis Kaamerafreim samm-sammult: silm ja sihtpunkt, siis N, n, U, u, v. N näitab tahapoole, sihtpunktist silma: kaamera vaatab suunas {0}. Kolm ühikvektorit, igaüks teistega risti, paremakäeliselt. Peatuge enne v-d ja laske neil hääletada: n on (0, 9, 3) jagatud oma pikkusega, 9.49. Siis näidake v-d: see kaldub V-st kaugele. Mis siis, kui V on N-iga paralleelne? Pöörake „Üles, nurk vaatega“ liuguri otsa poole: |V × n| läheneb nullile 0 ja U koos sellega.</translation>
     </message>
     <message>
@@ -8628,7 +8628,7 @@
         <translation>Kaamera on kohal {0} ja sellel on {1}. See peab seisma alguspunktis nii, et need on piki telgi {2}.</translation>
     </message>
     <message>
-        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera's. Ask for two moves that bring them together, and in which order.</source>
+        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
         <translation>x, y ja z kuuluvad maailmale ja seisavad järgmises kahes sammus paigal; u, v ja n on kaamera omad. Küsige kaht liigutust, mis viivad need kokku, ja mis järjekorras.</translation>
     </message>
     <message>
@@ -8648,7 +8648,7 @@
         <translation>Siis R</translation>
     </message>
     <message>
-        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture's {3}.</source>
+        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
         <translation>{0} pöörab ümber alguspunkti, kuni {1} on piki telgi {2}, mis loengus on {3}.</translation>
     </message>
     <message>
@@ -8660,19 +8660,19 @@
         <translation>R korda P</translation>
     </message>
     <message>
-        <source>{0}, from the world's system (GKS) to the camera's (KSK); {1} acts first.</source>
+        <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
         <translation>{0}, maailma süsteemist (GKS) kaamera omasse (KSK); {1} mõjub esimesena.</translation>
     </message>
     <message>
-        <source>{0}, {1}. Which number is in row 3 of {2}'s last column?</source>
+        <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
         <translation>{0}, {1}. Milline arv on maatriksi {2} viimase veeru reas 3?</translation>
     </message>
     <message>
-        <source>−8: the eye's z with a minus</source>
+        <source>−8: the eye&apos;s z with a minus</source>
         <translation>−8: silma z miinusega</translation>
     </message>
     <message>
-        <source>8: the eye's z</source>
+        <source>8: the eye&apos;s z</source>
         <translation>8: silma z</translation>
     </message>
     <message>
@@ -8680,7 +8680,7 @@
         <translation>{0}. {1} mõjub esimesena, nii et {2} pöörab ka nihet.</translation>
     </message>
     <message>
-        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world's system, KSK the camera's.</source>
+        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
         <translation>Korrutage see tahvlil läbi: viimane veerg on miinus silm piki telgi u, v ja n. Teises järjekorras oleks viimane veerg miinus silm. Kõiki objekte liigutatakse, kaamera seisab pärast paigal; objektide paiknemine üksteise suhtes ei muutu. GKS on maailma süsteem, KSK kaamera oma.</translation>
     </message>
     <message>
@@ -8692,7 +8692,7 @@
         <translation>Kaamera taga oleval punktil on {0}. Lähemal punktil on suurem (vähem negatiivne) z. Siin on punktil 1 −7.5, punktil 2 −12 ja punktil 3 2.</translation>
     </message>
     <message>
-        <source>Three points, and their z in the camera's system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world's coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
+        <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
         <translation>Kolm punkti ja nende z kaamera süsteemis (need on paneelis Sond). Milline on kaamera taga? Milline varjab millist? Kumbki küsimus on üks võrdlus. Maailma koordinaatides vajavad samad küsimused iga kord kaamerat. Projektsiooni tasand on nüüd z-teljega risti ja ortograafiline projektsioon on: jätke z ära. Perspektiiv on üks jagamine lisaks.</translation>
     </message>
     <message>
@@ -8704,7 +8704,7 @@
         <translation>Kaheksa kuupi xz-tasandil, joonistatud ortograafilise projektsiooniga: {0}</translation>
     </message>
     <message>
-        <source>This is the exercise's class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
+        <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
         <translation>See on ülesande klass Ortho: iga ruudustiku joon ja iga kuubi serv läheb läbi R P ja z unustatakse. Paralleelsed servad jäävad paralleelseks: näidake kolme neist. Pöörake asimuuti: täht pöördub, miski ei kasva ega kahane kaugusega. Ülesanne tahab ainult jooni; siin on tahud täidetud, et oleks näha, mis on ees.</translation>
     </message>
     <message>
@@ -8736,7 +8736,7 @@
         <translation>alla vaadates</translation>
     </message>
     <message>
-        <source>In Animation choose Look: level, and play: the eye's height and the target's go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
+        <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
         <translation>Valige jaotises Animatsioon Vaade: horisontaalselt ja esitage: silma ja sihtpunkti kõrgus käivad koos. Püstservad on nüüd püsti, igal kõrgusel; Maailm näitab mõlemat kaamerat. Valige jälle sihtpunkti: need koonduvad. Siis avage Veel kaamerast ja tehke ülesvektoriks 1, 1, 0: pilt pöördub, F mitte. Loeb ainult V suund ja sellestki ainult see osa, mis on n-iga risti.</translation>
     </message>
     <message>
@@ -8796,7 +8796,7 @@
         <translation>Kohal {0} katkev sirge</translation>
     </message>
     <message>
-        <source>The projection takes the point at {0} to infinity, and the line's point at infinity to a finite point: the image is a line in two pieces.</source>
+        <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
         <translation>Projektsioon viib kohal {0} oleva punkti lõpmatusse ja sirge lõpmatuspunkti lõplikku punkti: kujutis on kahes tükis sirge.</translation>
     </message>
     <message>
@@ -8816,8 +8816,8 @@
         <translation>{0} kasvab z = 0 lähenedes tõkestamatult.</translation>
     </message>
     <message>
-        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A' and B' takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges' vanishing point. One sentence of the lecture says "plane of projection" where it means z = 0.</source>
-        <translation>AB on sirge ja läbib tasandi z = 0; pool sellest on kaamera taga. Hääletage, siis näidake: roosa on kujutis, oranž see, mida joonistab naiivne programm; katkendlik on kujutiseta tükk. Projektiivgeomeetrias on sirge ring, mille sulgeb selle lõpmatuspunkt: avage selleks Selgitus ja diagrammid. A' ja B' ühendamine võtab vale kaare. Ja ühte punkti läbiv sirgete kimp? F-il on palju paralleelseid servi; nende valed osad läbivad kõik servade koondumispunkti. Ühes loengu lauses on „projektsiooni tasand“ seal, kus mõeldud on z = 0.</translation>
+        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
+        <translation>AB on sirge ja läbib tasandi z = 0; pool sellest on kaamera taga. Hääletage, siis näidake: roosa on kujutis, oranž see, mida joonistab naiivne programm; katkendlik on kujutiseta tükk. Projektiivgeomeetrias on sirge ring, mille sulgeb selle lõpmatuspunkt: avage selleks Selgitus ja diagrammid. A&apos; ja B&apos; ühendamine võtab vale kaare. Ja ühte punkti läbiv sirgete kimp? F-il on palju paralleelseid servi; nende valed osad läbivad kõik servade koondumispunkti. Ühes loengu lauses on „projektsiooni tasand“ seal, kus mõeldud on z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
@@ -8844,7 +8844,7 @@
         <translation>4 B taga</translation>
     </message>
     <message>
-        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene's controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
+        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
         <translation>Alguses on see juhtum 1, mõlemad otsad ees. Lohistage B tasandi z = 0 taha: juhtum 4. Lohistage ka A taha: juhtum 2, midagi ei joonistata. B jälle ette: juhtum 3. Arv stseeni juhtelementide all nimetab iga kord juhtumi. Ülesande programm peab viimast punkti kaamera koordinaatides, {0}, meeles hoidma ka seal, kus midagi ei joonistatud.</translation>
     </message>
     <message>
@@ -8856,7 +8856,7 @@
         <translation>{0} ja taga oleva otsa asemele tuleb sirge punkt kohal {1}.</translation>
     </message>
     <message>
-        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; "More numbers" has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
+        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
         <translation>Mitte kohal 0, kus jagada ei saa, vaid natuke selle ees. Kolm pilti: jagatud ilma lõiketa, lõigatud kohal z = −0.01, kärbitud. Katkendlik on AB kujutiseta tükk. Lõige jätab alles kogu AB, mis on tasandi ees, ja selle kujutis jookseb raamist välja. Kärpimine jätab alles selle, mis on püramiidis, ja kujutis lõpeb raamil. Pildil need peaaegu ei erine: erinevus on pildi kõrval või ülimalt mõni piksel; jaotises „Veel arve“ on see kui osa, mille lõige ära jätab. Kärpimine homogeensetes koordinaatides sellist arvu ei vaja: see jätab enne jagamist alles {0} kuni {1}. Sellega on ülesanne lahendatud: kõndige F-i sisse.</translation>
     </message>
 </context>
@@ -8903,7 +8903,7 @@
         <translation>Tasanditel nihutab lohistamine lähi- või kaugtasandit. Klaviatuuriga: Tab paanile Maailm, siis nooled. Maja selle pealkirjas toob esimese vaate tagasi.</translation>
     </message>
     <message>
-        <source>Only your own view has turned. The image is the camera's.</source>
+        <source>Only your own view has turned. The image is the camera&apos;s.</source>
         <translation>Pöördunud on ainult teie enda vaade. Pilt on kaamera oma.</translation>
     </message>
     <message>
@@ -8939,7 +8939,7 @@
         <translation>Minge ribal tagasi mõne varasema peatuse juurde ja, kui soovite, jälle edasi.</translation>
     </message>
     <message>
-        <source>Drag the strip's slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
+        <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
         <translation>Lohistage riba liugurit vasakule või vajutage *Vaade*, *Püramiid* või *Risttahukas*; kui fookus on sellel, liigutavad seda nooleklahvid.</translation>
     </message>
     <message>

@@ -140,7 +140,7 @@
         <translation>Prozor udesno pomiče sliku udesno</translation>
     </message>
     <message>
-        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture's middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
+        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
         <translation>Ovo pomiče sliku na istu stranu kao prozor. Prozor uokviruje ono što vidite: ako mu je sredina desno od osi, os se pojavljuje lijevo od sredine slike, u {0}. Matrica ondje ima plus jer se ta ćelija množi s {1}, što je negativno.</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>Piksel 100 je na 100</translation>
     </message>
     <message>
-        <source>This takes a pixel's number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
+        <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
         <translation>Ovo uzima broj piksela kao položaj njegova središta. Piksel {0} seže od {1} do {2}, pa mu je središte na {3}, i {4}: vanjska središta četiriju piksela su u {5}, a ne u {6}.</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>X podešava x</translation>
     </message>
     <message>
-        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture's proportions; variant Y keeps {3} and adjusts {4}.</source>
+        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
         <translation>Ovo uzima slovo kao koordinatu koja se mijenja. Varijanta X *zadržava* {0} i {1} i podešava {2} dok prozor ne dobije proporcije slike; varijanta Y zadržava {3} i podešava {4}.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Svjetiljka je sunce</translation>
     </message>
     <message>
-        <source>This takes the lamp's position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
+        <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
         <translation>Ovo uzima položaj svjetiljke kao smjer koji dijele sve zrake. Iz svjetiljke svaka zraka ima vlastiti smjer, {0}, i siječe tlo u {1}; samo je sunce tako daleko da su sve zrake paralelne.</translation>
     </message>
     <message>
@@ -384,7 +384,7 @@
         <translation>Inverz poništava egzaktno</translation>
     </message>
     <message>
-        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye's coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Ovo uzima inverz s papira kao onaj u računalu. Njegove su ćelije zaokružene, a tako i svaki umnožak. Daleko od ishodišta koordinate kamere su velike, i inverz ih množi malom razlikom zaokruženih brojeva: float32 promašuje točku za postotke njezine udaljenosti.</translation>
     </message>
     <message>
@@ -392,7 +392,7 @@
         <translation>Najprije pomak, zatim okret</translation>
     </message>
     <message>
-        <source>This moves first and then turns. A rotation turns about the world's origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
         <translation>Ovo najprije pomiče, a zatim okreće. Rotacija okreće oko ishodišta svijeta, pa pomaknuti objekt nosi po kružnici: {0} okreće ga na njegovu mjestu, a {1} ga vodi ukrug.</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>Skaliranje ne dira pomak</translation>
     </message>
     <message>
-        <source>This moves first and then scales. A scale is about the world's origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
         <translation>Ovo najprije pomiče, a zatim skalira. Skaliranje polazi od ishodišta svijeta, pa množi i pomak: uz faktor 2 pomak za 3 završava na 6.</translation>
     </message>
     <message>
@@ -408,7 +408,7 @@
         <translation>Zrcalo stoji pokraj objekta</translation>
     </message>
     <message>
-        <source>This moves first and then mirrors. The mirror is a plane through the world's origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
         <translation>Ovo najprije pomiče, a zatim zrcali. Zrcalo je ravnina kroz ishodište svijeta, pa pomak za 3 prebacuje na drugu stranu, u {0}.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Skaliranje i okret smiju zamijeniti mjesta</translation>
     </message>
     <message>
-        <source>This turns first and then scales along the world's axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
         <translation>Ovo najprije okreće, a zatim skalira duž osi svijeta. Uz nejednake faktore okrenuti objekt gubi prave kutove. Ako se najprije skalira, duž vlastitih osi, a zatim okrene, zadržava ih.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Smicanje i okret smiju zamijeniti mjesta</translation>
     </message>
     <message>
-        <source>This turns first and then shears along the world's axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
         <translation>Ovo najprije okreće, a zatim primjenjuje smicanje duž osi svijeta. Ako se smicanje primijeni prvo, nagib objekta ide duž njegovih vlastitih osi i okreće se s njim.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Pogled dolazi prije objekta</translation>
     </message>
     <message>
-        <source>This puts the view matrix on the right of the object's moves. A point starts in object space: the object's matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
         <translation>Ovo stavlja matricu pogleda desno od pomicanja objekta. Točka počinje u koordinatnom sustavu objekta: matrica objekta prebacuje je u svijet, i tek je zatim matrica pogleda prebacuje u koordinatni sustav kamere.</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>Najprije projicirati, zatim gledati</translation>
     </message>
     <message>
-        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world's {2}, and {3} is no longer the depth.</source>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
         <translation>Ovo projicira prije nego što su točke u koordinatnom sustavu kamere. Objektiv čini {0} od {1}, a to je dubina samo u koordinatnom sustavu kamere. Od točke svijeta uzima njezin globalni {2}, pa {3} više nije dubina.</translation>
     </message>
     <message>
@@ -532,7 +532,7 @@
         <translation>Ovo okreće oko druge osi. Što leži na osi rotacije, ostaje gdje jest: okret oko z mijenja x i y, a zadržava z.</translation>
     </message>
     <message>
-        <source>The camera's axes are columns of R</source>
+        <source>The camera&apos;s axes are columns of R</source>
         <translation>Osi kamere su stupci od R</translation>
     </message>
     <message>
@@ -575,7 +575,7 @@
 <context>
     <name>l01-camera-frame</name>
     <message>
-        <source>The camera's own axes</source>
+        <source>The camera&apos;s own axes</source>
         <translation>Vlastite osi kamere</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@
         <translation>Kamo pokazuje n?</translation>
     </message>
     <message>
-        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world's {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
+        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
         <translation>Kamera nosi tri jedinična vektora: {0} udesno, {1} gore i {2} duž smjera gledanja. Predavanje 001 stavlja kameru u {3}, s pogledom duž globalne osi {4}; slovo F stoji 8 jedinica ispred. **Svijet** pokazuje položaj kamere {5}, smjer gledanja do cilja {6} i smjer prema gore {7}. {8} još nije tu.</translation>
     </message>
     <message>
@@ -607,7 +607,7 @@
         <translation>(0, 0, -1), kao kod svake kamere</translation>
     </message>
     <message>
-        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world's x axis, not along z.</source>
+        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
         <translation>To je smjer u kojem gleda u vlastitim koordinatama, nakon matrice pogleda. U svijetu gleda duž +x. Pogledajte {0}: leži duž globalne osi x, a ne duž z.</translation>
     </message>
     <message>
@@ -707,7 +707,7 @@
         <translation>Ista kamera: položaj (2, 3, 6), cilj u ishodištu. Koji broj stoji u retku 3, stupcu 4 matrice pogleda?</translation>
     </message>
     <message>
-        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world's origin, lies on the axis.</source>
+        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
         <translation>Ovo najprije rotira, a zatim pomiče. Pomak djeluje prvi, pa redak {0} množi sva tri njegova broja. Pogledajte koordinatni sustav kamere: cilj, ishodište svijeta, leži na osi.</translation>
     </message>
     <message>
@@ -715,7 +715,7 @@
         <translation>Ovo stavlja kameru na njezino mjesto. Matrica pogleda pomiče svijet dok kamera ne bude u ishodištu. Pogledajte koordinatni sustav kamere: kamera je u ishodištu, a cilj ispred nje.</translation>
     </message>
     <message>
-        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world's origin, has a negative z.</source>
+        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
         <translation>Ovo uzima smjer gledanja kao {0}. Pogledajte koordinatni sustav kamere: {1} pokazuje unatrag, pa cilj, ishodište svijeta, ima negativan z.</translation>
     </message>
     <message>
@@ -723,7 +723,7 @@
         <translation>Redak 3 je n. Što čini od pomaknutog ishodišta, {0}?</translation>
     </message>
     <message>
-        <source>{0}. The world's origin is 7 units in front of the camera, so its z there is {1}.</source>
+        <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
         <translation>{0}. Ishodište svijeta je 7 jedinica ispred kamere, pa je njegov z ondje {1}.</translation>
     </message>
     <message>
@@ -914,11 +914,11 @@
         <translation>Objekt ima vlastite koordinate; {0} ih prebacuje u svijet. Ovdje je {1}: objekt se okreće za 90° oko z, zatim pomiče za 3 duž x. Kod vektora stupaca prva djeluje matrica zdesna. U oknu **Svijet** slovo F još stoji ondje gdje je napravljeno.</translation>
     </message>
     <message>
-        <source>The object's point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
+        <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
         <translation>Točka objekta (1, 0, 0): koliko visoko iznad tla, po y, završava u svijetu?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object's point would come there, 4 high.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
         <translation>Ovo najprije pomiče, a zatim okreće, čime okreće i pomak. Pogledajte točku 1: onamo bi došla točka objekta, na visinu 4.</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>ishodište</translation>
     </message>
     <message>
-        <source>Column 1 says where the object's x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
+        <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Stupac 1 kaže kamo u svijetu pokazuje os x objekta: {0}, gore. Stupac 2 je njegova os y, stupac 3 os z, a stupac 4 položaj njegova ishodišta. Zato točka {1} leži u stupcu 4 plus stupac 1: {2}. Pokažite mišem na stupac da istaknete njegovu os u oknu **Svijet**.</translation>
     </message>
     <message>
@@ -970,15 +970,15 @@
         <translation>Slovo se okreće za 30° oko z, a zatim pomiče za 4 duž x: {0}.</translation>
     </message>
     <message>
-        <source>What is x of the object's point (2, 1, 0) in the world?</source>
+        <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
         <translation>Koliki je x točke objekta (2, 1, 0) u svijetu?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object's point would come then.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Ovo najprije pomiče, a zatim okreće, čime okreće i pomak. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Ovo čita retke kao stupce, kao da je slovo okrenuto za −30°. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
@@ -1018,7 +1018,7 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
         <translation>Primamljivo je najprije pomaknuti, od {0} do {1}, a zatim rotirati. Ali rotacija oko ishodišta svijeta rotira i pomak: {2} dolazi u {3}, gdje je sonda 1. To je {4}, što ovaj korak i pokazuje: u odjeljku *Lanac* rotacija stoji iznad pomaka, pa djeluje posljednja.</translation>
     </message>
     <message>
@@ -1054,11 +1054,11 @@
         <translation>Povucite pločicu za ručicu lijevo od nje ili ondje pritišćite strelice.</translation>
     </message>
     <message>
-        <source>Now the move is turned as well: the letter swings about the world's origin, from {0} to {1}.</source>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
         <translation>Sada se okreće i pomak: slovo ide ukrug oko ishodišta svijeta, od {0} do {1}.</translation>
     </message>
     <message>
-        <source>{0} has the turn on the left, so it acts last, about the world's origin.</source>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
         <translation>{0} ima okret slijeva, pa on djeluje posljednji, oko ishodišta svijeta.</translation>
     </message>
     <message>
@@ -1070,7 +1070,7 @@
         <translation>Kamera ima vlastite osi, a {0} svijet prebacuje na njih. Ona poništava postavljanje kamere. Točka {1} slova množi se objema matricama:</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes?</source>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes?</source>
         <translation>Koji lanac točku slova prebacuje na osi kamere?</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@
         <translation>U kojem koordinatnom sustavu točka na početku ima koordinate?</translation>
     </message>
     <message>
-        <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Točka počinje u vlastitom koordinatnom sustavu slova. Okret i pomak prebacuju je u svijet, a odande je matrica pogleda prebacuje u koordinatni sustav kamere.</translation>
     </message>
     <message>
@@ -1122,15 +1122,15 @@
         <translation>Vježba: okret, zatim pomak</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter's own space comes to.</source>
+        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
         <translation>Slovo se okreće oko z za {0}, zatim pomiče duž x: {1}. Točka 1 je ondje kamo dođe točka iz vlastitog koordinatnog sustava slova.</translation>
     </message>
     <message>
-        <source>Here {0}, and the move is {1} along x. What is x of the object's point {2} in the world?</source>
+        <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
         <translation>Ovdje je {0}, a pomak je {1} duž x. Koliki je x točke objekta {2} u svijetu?</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Ovo čita retke kao stupce, kao da je slovo okrenuto za {0}°. Pogledajte točku 1: ondje je kamo bi tada došla točka objekta.</translation>
     </message>
     <message>
@@ -1194,7 +1194,7 @@
         <translation>Skaliranje nakon pomaka množilo bi i pomak.</translation>
     </message>
     <message>
-        <source>{0}: first the scale, along the letter's own axes, then the turn about its own origin, and the move last.</source>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: najprije skaliranje, duž vlastitih osi slova, zatim okret oko njegova ishodišta, a pomak posljednji.</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>Predavanje 003 označava horizontalni kut s {0}, vertikalni s {1}, a proporcije s {2}, ovdje {3}. Na udaljenosti {4} od kamere slika seže od {5} do {6} i od {7} do {8}. Dakle</translation>
     </message>
     <message>
-        <source>With {0}: {1}, so {2} and {3}. The side of the near plane's window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
+        <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
         <translation>Uz {0} je {1}, pa je {2} i {3}. Rub prozora na bliskoj ravnini je {4} po x i {5} po y. Na bočnoj ploči *Više o objektivu* sadrži **Horizontalno vidno polje** i **Žarišna duljina e**.</translation>
     </message>
     <message>
@@ -1337,7 +1337,7 @@
         <translation>Ovo je kotangens od 25 radijana, gotovo četiri okreta. Pogledajte kut: 25° je 0.436 radijana.</translation>
     </message>
     <message>
-        <source>In the triangle between eye, axis and the picture's edge, the angle at the eye is α/2.</source>
+        <source>In the triangle between eye, axis and the picture&apos;s edge, the angle at the eye is α/2.</source>
         <translation>U trokutu između kamere, osi i ruba slike kut kod kamere je α/2.</translation>
     </message>
     <message>
@@ -1433,7 +1433,7 @@
         <translation>Ovo uzima vertikalni kut umjesto horizontalnog. Pogledajte kvadratnu sliku s istim vertikalnim kutom: samo je ovdje on ujedno horizontalni.</translation>
     </message>
     <message>
-        <source>Draw the triangle of the eye, the axis, and the picture's right edge: {0} along the axis, 1 across it.</source>
+        <source>Draw the triangle of the eye, the axis, and the picture&apos;s right edge: {0} along the axis, 1 across it.</source>
         <translation>Nacrtajte trokut između kamere, osi i desnog ruba slike: {0} duž osi, 1 poprijeko.</translation>
     </message>
     <message>
@@ -1775,12 +1775,12 @@
         <translation>Ravnina se odmiče</translation>
     </message>
     <message>
-        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P', {1} above the axis. The plane will now move to {2}.</source>
-        <translation>Ravnina slike stoji na udaljenosti {0} ispred kamere. P je na dubini od 5 jedinica i 2 jedinice iznad osi. U oknu **Svijet**, *Sa strane*, njezina zraka projiciranja ide do kamere i siječe ravninu u P', {1} iznad osi. Ravnina će se sada pomaknuti na {2}.</translation>
+        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P&apos;, {1} above the axis. The plane will now move to {2}.</source>
+        <translation>Ravnina slike stoji na udaljenosti {0} ispred kamere. P je na dubini od 5 jedinica i 2 jedinice iznad osi. U oknu **Svijet**, *Sa strane*, njezina zraka projiciranja ide do kamere i siječe ravninu u P&apos;, {1} iznad osi. Ravnina će se sada pomaknuti na {2}.</translation>
     </message>
     <message>
-        <source>How many times as high as before is P' above the axis then?</source>
-        <translation>Koliko je puta P' tada viša iznad osi nego prije?</translation>
+        <source>How many times as high as before is P&apos; above the axis then?</source>
+        <translation>Koliko je puta P&apos; tada viša iznad osi nego prije?</translation>
     </message>
     <message>
         <source>This measures from the plane to P. The two triangles share the corner at the eye. Look at {0}: from the eye P is 5 deep, wherever the plane is.</source>
@@ -1799,8 +1799,8 @@
         <translation>Dva slična trokuta</translation>
     </message>
     <message>
-        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P': {2} and {3}. Both have the same angle at the eye:</source>
-        <translation>Veliki trokut ide od kamere duž osi do dubine točke P, pa gore do P: stranice su mu {0} i {1}. Mali ide duž osi do ravnine, pa gore do P': {2} i {3}. Oba imaju isti kut kod kamere:</translation>
+        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P&apos;: {2} and {3}. Both have the same angle at the eye:</source>
+        <translation>Veliki trokut ide od kamere duž osi do dubine točke P, pa gore do P: stranice su mu {0} i {1}. Mali ide duž osi do ravnine, pa gore do P&apos;: {2} i {3}. Oba imaju isti kut kod kamere:</translation>
     </message>
     <message>
         <source>P is {0} in camera space. With {1}: {2}. The dock has the numbers and the matrix with {3}. It takes P to {4}; divided by the last number, that is {5}.</source>
@@ -1959,8 +1959,8 @@
         <translation>Redak 4 puta {0} je {1} puta {2}.</translation>
     </message>
     <message>
-        <source>Divided by its last number, it is P': {0}.</source>
-        <translation>Podijeljeno posljednjim brojem to je P': {0}.</translation>
+        <source>Divided by its last number, it is P&apos;: {0}.</source>
+        <translation>Podijeljeno posljednjim brojem to je P&apos;: {0}.</translation>
     </message>
     <message>
         <source>Practise: set the plane</source>
@@ -1971,16 +1971,16 @@
         <translation>Ravnina je na {0}. Povucite je ili na bočnoj ploči upišite {1}.</translation>
     </message>
     <message>
-        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P' is {2} above the axis.</source>
-        <translation>P je na dubini {0} i {1} iznad osi. Ostavite je ondje i pomičite ravninu dok slika P' ne bude {2} iznad osi.</translation>
+        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P&apos; is {2} above the axis.</source>
+        <translation>P je na dubini {0} i {1} iznad osi. Ostavite je ondje i pomičite ravninu dok slika P&apos; ne bude {2} iznad osi.</translation>
     </message>
     <message>
-        <source>Your plane is behind the eye. Look at P': it is below the axis.</source>
-        <translation>Vaša ravnina je iza kamere. Pogledajte P': ispod osi je.</translation>
+        <source>Your plane is behind the eye. Look at P&apos;: it is below the axis.</source>
+        <translation>Vaša ravnina je iza kamere. Pogledajte P&apos;: ispod osi je.</translation>
     </message>
     <message>
-        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P': it is less than {0} above the axis.</source>
-        <translation>Ovo mjeri dubinu točke P od ravnine. Oba trokuta počinju kod kamere. Pogledajte P': manje je od {0} iznad osi.</translation>
+        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {0} above the axis.</source>
+        <translation>Ovo mjeri dubinu točke P od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: manje je od {0} iznad osi.</translation>
     </message>
 </context>
 <context>
@@ -2038,8 +2038,8 @@
         <translation>Sonda 1 je i dalje ravno ispred kamere. *Sonda*, ispod slika, ima njezin {0} u retku NDC.</translation>
     </message>
     <message>
-        <source>Bring the axis to the right half of the picture, to x' = 0.5.</source>
-        <translation>Dovedite os na desnu polovicu slike, u x' = 0.5.</translation>
+        <source>Bring the axis to the right half of the picture, to x&apos; = 0.5.</source>
+        <translation>Dovedite os na desnu polovicu slike, u x&apos; = 0.5.</translation>
     </message>
     <message>
         <source>Which side must the window reach farther to?</source>
@@ -2198,11 +2198,11 @@
         <translation>Oči su razmaknute {0}, ravnina ekrana je na {1}, a {2} na {3}. Koliko je desno od {4} slika {5}, u ravnini ekrana? Ako je lijevo, broj je negativan.</translation>
     </message>
     <message>
-        <source>The screen's distance is the height</source>
+        <source>The screen&apos;s distance is the height</source>
         <translation>Udaljenost ekrana je visina</translation>
     </message>
     <message>
-        <source>This takes the screen's distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
+        <source>This takes the screen&apos;s distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
         <translation>Ovo uzima udaljenost ekrana kao visinu velikog trokuta. On seže od {0} do očiju, i visina mu je {1}. Pogledajte oba trokuta.</translation>
     </message>
     <message>
@@ -2425,7 +2425,7 @@
         <translation>Vježba: koliko ga širokim čini Y?</translation>
     </message>
     <message>
-        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture's proportions require.</source>
+        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
         <translation>Slika je rastegnuta. Varijanta Y zadržava {0}, a prozor čini onoliko širokim koliko traže proporcije slike.</translation>
     </message>
     <message>
@@ -2668,8 +2668,8 @@
         <translation>Sonda 1 je na dubini od 4 jedinice; bliska ravnina je na 1, daleka na 9.</translation>
     </message>
     <message>
-        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z' = 0.</source>
-        <translation>Postavite blisku i daleku ravninu tako da sonda 1, na dubini 4, dođe u sredinu kocke: z' = 0.</translation>
+        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z&apos; = 0.</source>
+        <translation>Postavite blisku i daleku ravninu tako da sonda 1, na dubini 4, dođe u sredinu kocke: z&apos; = 0.</translation>
     </message>
     <message>
         <source>Use 1/z: 1/4 must be halfway between 1/near and 1/far.</source>
@@ -2732,7 +2732,7 @@
         <translation>Bliska ravnina je na {0}, daleka na {1}. Koja točka dužine PQ dolazi u {2} u kocki? Označite je.</translation>
     </message>
     <message>
-        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube's middle lies before it.</source>
+        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube&apos;s middle lies before it.</source>
         <translation>To je sredina dužine PQ u svijetu. Ali {0} se mijenja s {1}, brzo odmah iza bliske ravnine. Pogledajte točku 1: to je mjesto koje ste označili, a sredina kocke leži ispred njega.</translation>
     </message>
     <message>
@@ -2772,7 +2772,7 @@
         <translation>{0}, pa je {1} {2} {3}, više od polovice od {4}.</translation>
     </message>
     <message>
-        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube's middle is nearer to near than the point is.</source>
+        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube&apos;s middle is nearer to near than the point is.</source>
         <translation>Ovo stavlja točku na pola puta između ravnina u svijetu. Ali {0} se mijenja s {1}. Pogledajte ravnine: sredina kocke bliža je bliskoj ravnini nego točka.</translation>
     </message>
 </context>
@@ -2799,7 +2799,7 @@
         <translation>Ostaje na z = −1</translation>
     </message>
     <message>
-        <source>{0} divides every depth by {1}, not only far's. Look at near: it is at −0.111, close to the eye.</source>
+        <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
         <translation>{0} dijeli svaku dubinu s {1}, a ne samo dubinu daleke ravnine. Pogledajte blisku ravninu: na −0.111 je, blizu kamere.</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Dva faktora</translation>
     </message>
     <message>
-        <source>*Matrices* shows the chain in the lecture's letters and highlights the matrix of the strip's stop. {0} divides z by {1}: here {2}.</source>
+        <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
         <translation>*Matrice* pokazuju lanac slovima predavanja i ističu matricu postaje na kojoj je traka. {0} dijeli z s {1}: ovdje je {2}.</translation>
     </message>
     <message>
@@ -2851,7 +2851,7 @@
         <translation>c</translation>
     </message>
     <message>
-        <source>{0} takes 0 … −1 to OpenGL's −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
         <translation>{0} prebacuje 0 … −1 u OpenGL-ov −1 … 1: {1}. Kliknite *Piramida*, *Kvadar* i *NDC* ispod kocke.</translation>
     </message>
     <message>
@@ -2863,11 +2863,11 @@
         <translation>Svaka postaja trake je mjesto, a svaki faktor vodi s jednog mjesta na sljedeće. Točka {0} koordinatnog sustava kamere prolazi kroz sva: ono na što najprije naiđe stoji zdesna, do nje.</translation>
     </message>
     <message>
-        <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
         <translation>Od kojeg volumena polazi svaki faktor: od vlastitog volumena objektiva, od piramide ili od kvadra?</translation>
     </message>
     <message>
-        <source>{0} starts from the lens's own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation>{0} polazi od vlastitog volumena objektiva, {1} od piramide, a {2} od kvadra: {3}.</translation>
     </message>
     <message>
@@ -2999,7 +2999,7 @@
         <translation>Vježba: od piramide do kocke</translation>
     </message>
     <message>
-        <source>{0} takes the box, from 0 to {1}, to OpenGL's depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
+        <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
         <translation>{0} prebacuje kvadar, od 0 do {1}, na OpenGL-ove dubine od {2} do {3}: {4}, a {5} ostaje. Prva djeluje {6}.</translation>
     </message>
     <message>
@@ -3095,7 +3095,7 @@
         <translation>Objektivu trebaju točke u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
-        <source>The view matrix comes first, because the lens's matrices are made for view space.</source>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation>Matrica pogleda dolazi prva, jer su matrice objektiva načinjene za koordinatni sustav kamere.</translation>
     </message>
 </context>
@@ -3190,7 +3190,7 @@
         <translation>Što je u retku 1, stupcu 4 matrice odsijecanje ← kamera?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye&apos;s axis.</source>
         <translation>Ovo pomiče sredinu kvadra još dalje. Ćelija se pribraja izrazu {0}; mora sredinu, {1}, prebaciti u {2}. Pogledajte odozgo: sredina kvadra je desno od osi kamere.</translation>
     </message>
     <message>
@@ -3238,7 +3238,7 @@
         <translation>Kvadar seže od {0} do {1}. Što je u retku 1 matrice odsijecanje ← kamera?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The row's last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The row&apos;s last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye&apos;s axis.</source>
         <translation>Ovo pomiče sredinu kvadra još dalje. Posljednja ćelija retka pribraja se izrazu {0}, pa mora biti {1}: tada sredina, {2}, dolazi u {3}. Pogledajte odozgo: sredina kvadra nije na osi kamere.</translation>
     </message>
     <message>
@@ -3373,7 +3373,7 @@
         <translation>Postavite objektiv tako da bude {0}, u bilo kojem smjeru.</translation>
     </message>
     <message>
-        <source>The numbers below the scene's controls give the drawn scale.</source>
+        <source>The numbers below the scene&apos;s controls give the drawn scale.</source>
         <translation>Brojevi ispod kontrola scene daju nacrtano mjerilo.</translation>
     </message>
     <message>
@@ -3576,7 +3576,7 @@
         <translation>Kvadar ima bridove u tri smjera. Kad je kamera točno pred njim, bridovi koji vode od vas sijeku se u jednoj točki slike, {0}. To je perspektiva s 1 nedogledom.</translation>
     </message>
     <message>
-        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box's edges have now?</source>
+        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box&apos;s edges have now?</source>
         <translation>Kamera ostaje horizontalna i obilazi kvadar za 30°. Koliko nedogleda sada imaju bridovi kvadra?</translation>
     </message>
     <message>
@@ -3636,7 +3636,7 @@
         <translation>Elevacija 0 uklanja nedogled uspravnih bridova. Što dalje?</translation>
     </message>
     <message>
-        <source>The camera's {0} must be one of the axes.</source>
+        <source>The camera&apos;s {0} must be one of the axes.</source>
         <translation>{0} kamere mora biti jedna od osi.</translation>
     </message>
     <message>
@@ -3652,7 +3652,7 @@
         <translation>Ovdje kamera stoji pred kockom i gleda dolje za 30°.</translation>
     </message>
     <message>
-        <source>How many of the cube's three directions have a vanishing point?</source>
+        <source>How many of the cube&apos;s three directions have a vanishing point?</source>
         <translation>Koliko od tri smjera kocke ima nedogled?</translation>
     </message>
     <message>
@@ -3748,7 +3748,7 @@
         <translation>Pravci se sijeku ispred kamere, gdje je z negativan: dijelite s {0}, što je pozitivno. Pogledajte P kod {1}: stigla je u {2} na onoj strani na koju bridovi vode.</translation>
     </message>
     <message>
-        <source>The formula for a point's image, {0}, holds for a direction too.</source>
+        <source>The formula for a point&apos;s image, {0}, holds for a direction too.</source>
         <translation>Formula za sliku točke, {0}, vrijedi i za smjer.</translation>
     </message>
     <message>
@@ -3760,11 +3760,11 @@
         <translation>Vježba: nađite točku</translation>
     </message>
     <message>
-        <source>The grid's lines along z meet in one point of the picture, {0}.</source>
+        <source>The grid&apos;s lines along z meet in one point of the picture, {0}.</source>
         <translation>Linije rešetke duž z sijeku se u jednoj točki slike, {0}.</translation>
     </message>
     <message>
-        <source>The camera's azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
+        <source>The camera&apos;s azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
         <translation>Azimut kamere je {0}°, elevacija {1}°, a vidno polje {2}°. Označite {3}.</translation>
     </message>
     <message>
@@ -3867,7 +3867,7 @@
         <translation>w objektiva</translation>
     </message>
     <message>
-        <source>Point 1 is at {0} in view space. The last row of the lens's matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
+        <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
         <translation>Točka 1 je u {0} u koordinatnom sustavu kamere. Posljednji redak matrice objektiva je {1}, pa je {2}, dubina. U prostoru odsijecanja još ništa nije podijeljeno:</translation>
     </message>
     <message>
@@ -3907,7 +3907,7 @@
         <translation>Ako je {0}, dijeljenje nije moguće.</translation>
     </message>
     <message>
-        <source>Move the camera, or point 1, until the point's w in clip space is 0, within 0.05.</source>
+        <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
         <translation>Pomičite kameru ili točku 1 dok w točke u prostoru odsijecanja ne bude 0, do na 0.05.</translation>
     </message>
     <message>
@@ -3927,7 +3927,7 @@
         <translation>Računanje s w</translation>
     </message>
     <message>
-        <source>Each question is about a point {0} after the lens's matrix, or about such a matrix.</source>
+        <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
         <translation>Svako se pitanje tiče točke {0} nakon matrice objektiva ili takve matrice.</translation>
     </message>
     <message>
@@ -3963,7 +3963,7 @@
         <translation>Jedan je minus preostao</translation>
     </message>
     <message>
-        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture's scene: {3} is this length.</source>
+        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
         <translation>{0} daje {1}, što je pozitivno: obje strane imaju minus. Pogledajte {2} u sceni predavanja: {3} je ta duljina.</translation>
     </message>
     <message>
@@ -4015,7 +4015,7 @@
         <translation>Vježba: podijelite</translation>
     </message>
     <message>
-        <source>Point 1 comes out of the lens's matrix as {0}.</source>
+        <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
         <translation>Točka 1 izlazi iz matrice objektiva kao {0}.</translation>
     </message>
     <message>
@@ -4095,7 +4095,7 @@
         <translation>Pravci jednog smjera koordinatnog sustava kamere idu prema jednoj točki slike: slici od {0}.</translation>
     </message>
     <message>
-        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line's point at infinity.</source>
+        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
         <translation>Pravac počinje u {0} u koordinatnom sustavu kamere i ide duž {1}. Vidno polje je {2}°. Označite sliku beskonačno daleke točke pravca.</translation>
     </message>
     <message>
@@ -4147,7 +4147,7 @@
         <translation>Daje ih samo jedno dijeljenje. Nakon kojeg ostaje {0}?</translation>
     </message>
     <message>
-        <source>The lens's matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
         <translation>Matrica objektiva upisuje djelitelj u {0}, dijeljenje daje {1} i {2}, a prozor prikaza od njih čini piksele.</translation>
     </message>
     <message>
@@ -4206,7 +4206,7 @@
         <translation>Transformacija u prozor prikaza</translation>
     </message>
     <message>
-        <source>where {0} and {1} are the image's width and height. Point 1 has {2} and {3}:</source>
+        <source>where {0} and {1} are the image&apos;s width and height. Point 1 has {2} and {3}:</source>
         <translation>gdje su {0} i {1} širina i visina slike. Točka 1 ima {2} i {3}:</translation>
     </message>
     <message>
@@ -4234,8 +4234,8 @@
         <translation>U NDC mora doći u {0}.</translation>
     </message>
     <message>
-        <source>(0, 0) is the upper left corner of the picture: x' is −1 there, and y' is 1.</source>
-        <translation>(0, 0) je gornji lijevi kut slike: ondje je x' jednak −1, a y' jednak 1.</translation>
+        <source>(0, 0) is the upper left corner of the picture: x&apos; is −1 there, and y&apos; is 1.</source>
+        <translation>(0, 0) je gornji lijevi kut slike: ondje je x&apos; jednak −1, a y&apos; jednak 1.</translation>
     </message>
     <message>
         <source>By the formula</source>
@@ -4370,7 +4370,7 @@
         <translation>Gdje je {0}, a gdje {1}?</translation>
     </message>
     <message>
-        <source>{0} and {1}, where {2} and {3} are the image's width and height.</source>
+        <source>{0} and {1}, where {2} and {3} are the image&apos;s width and height.</source>
         <translation>{0} i {1}, gdje su {2} i {3} širina i visina slike.</translation>
     </message>
     <message>
@@ -4573,7 +4573,7 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>"Its {0} is between −1 and 1, so it is in the picture": that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
+        <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
         <translation>„Njezin {0} je između −1 i 1, dakle na slici je”: to je primamljivo, jer nakon dijeljenja drugog ispita više nema. Ali dijeljenje je izgubilo predznak od {1}. Točka iza kamere tada izgleda kao ona ispred nje, naopačke i na drugoj strani. Zato odsijecajte prije dijeljenja, po {2}; bliska ravnina uklanja sve što nema pozitivan {3}.</translation>
     </message>
     <message>
@@ -4680,8 +4680,8 @@
         <translation>Od 0.5 do −0.5, put od jedne do druge</translation>
     </message>
     <message>
-        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Ovo dijeli oba kraja i spaja rezultate. B je iza kamere, pa je njezina slika zrcaljena. Na putu od A {0} ide u 0, a {1} preko svake granice: slika ide kroz beskonačnost, a ne od 0.5 do −0.5. Pogledajte A' i B': crta koja ih spaja je pogrešna.</translation>
+        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Ovo dijeli oba kraja i spaja rezultate. B je iza kamere, pa je njezina slika zrcaljena. Na putu od A {0} ide u 0, a {1} preko svake granice: slika ide kroz beskonačnost, a ne od 0.5 do −0.5. Pogledajte A&apos; i B&apos;: crta koja ih spaja je pogrešna.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -4692,8 +4692,8 @@
         <translation>Samo 0.5: B je iza kamere i ne računa se</translation>
     </message>
     <message>
-        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A' and leaves the picture on the right.</source>
-        <translation>A je samo jedan kraj. Polovica dužine AB između A i ravnine {0} je ispred kamere, i svaka njezina točka ima sliku. Pogledajte sliku: počinje u A' i izlazi iz slike desno.</translation>
+        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
+        <translation>A je samo jedan kraj. Polovica dužine AB između A i ravnine {0} je ispred kamere, i svaka njezina točka ima sliku. Pogledajte sliku: počinje u A&apos; i izlazi iz slike desno.</translation>
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
@@ -4708,7 +4708,7 @@
         <translation>Predavanje 004 odsijeca dužinu kod {0} prije dijeljenja:</translation>
     </message>
     <message>
-        <source>The scene's controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world's {3}, so in camera space they are {4} and {5}.</source>
+        <source>The scene&apos;s controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world&apos;s {3}, so in camera space they are {4} and {5}.</source>
         <translation>Kontrole scene imaju A i B u globalnim koordinatama, {0} i {1}; kamera je u {2} i gleda duž globalne osi {3}, pa su u koordinatnom sustavu kamere {4} i {5}.</translation>
     </message>
     <message>
@@ -4776,8 +4776,8 @@
         <translation>U kojem je {0} slika mjesta odsijecanja, uz {1}?</translation>
     </message>
     <message>
-        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Ovo dijeli B, koja je iza kamere. Sliku ima samo dio ispred {0}, i završava na mjestu odsijecanja. Pogledajte A' i B': crta koja ih spaja je pogrešna.</translation>
+        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Ovo dijeli B, koja je iza kamere. Sliku ima samo dio ispred {0}, i završava na mjestu odsijecanja. Pogledajte A&apos; i B&apos;: crta koja ih spaja je pogrešna.</translation>
     </message>
     <message>
         <source>The side is wrong: at the cut {0} is positive, so {1} has the sign of x. Look at the image: it leaves the picture on the right.</source>
@@ -4816,8 +4816,8 @@
         <translation>Natrag na predviđanje</translation>
     </message>
     <message>
-        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A' and B' draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je primamljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A' i B' crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
+        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
+        <translation>Dva kraja, dvije slike i crta između njih: tako se crta svaka dužina ispred kamere, pa je primamljivo i ovdje. Ali dužina siječe ravninu {0}, a ta točka nema sliku. Slika na jednoj strani odlazi u beskonačnost, a zrcaljeni ostatak vraća se s druge. Spajanje A&apos; i B&apos; crta upravo onaj dio pravca koji *nije* slika dužine AB. Zato najprije odsijecite, zatim dijelite.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
@@ -4852,32 +4852,32 @@
         <translation>Vježba: pravi komad</translation>
     </message>
     <message>
-        <source>A is in front of the camera, B behind it. The picture joins their images A' and B', as the division alone does.</source>
-        <translation>A je ispred kamere, B iza nje. Slika spaja njihove slike A' i B', kao što to čini samo dijeljenje.</translation>
+        <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
+        <translation>A je ispred kamere, B iza nje. Slika spaja njihove slike A&apos; i B&apos;, kao što to čini samo dijeljenje.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
         <translation>Označite gdje prava slika dužine AB izlazi iz slike.</translation>
     </message>
     <message>
-        <source>This is B', the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation>To je B', zrcaljena slika točke iza kamere. Prava slika onamo nikad ne dolazi. Pogledajte svijet: B je iza ravnine {0}.</translation>
+        <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
+        <translation>To je B&apos;, zrcaljena slika točke iza kamere. Prava slika onamo nikad ne dolazi. Pogledajte svijet: B je iza ravnine {0}.</translation>
     </message>
     <message>
-        <source>Through B' and on</source>
-        <translation>Kroz B' i dalje</translation>
+        <source>Through B&apos; and on</source>
+        <translation>Kroz B&apos; i dalje</translation>
     </message>
     <message>
-        <source>This goes from A' through B' and on. B' is mirrored, so the right image starts at A' in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation>Ovo ide od A' kroz B' i dalje. B' je zrcaljena, pa prava slika počinje u A' u suprotnom smjeru. Pogledajte svijet: na putu od A do ravnine {0} brid izlazi iz piramide na jednoj strani.</translation>
+        <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
+        <translation>Ovo ide od A&apos; kroz B&apos; i dalje. B&apos; je zrcaljena, pa prava slika počinje u A&apos; u suprotnom smjeru. Pogledajte svijet: na putu od A do ravnine {0} brid izlazi iz piramide na jednoj strani.</translation>
     </message>
     <message>
-        <source>It lies on the same line. On which side of A'?</source>
-        <translation>Leži na istom pravcu. Na kojoj strani od A'?</translation>
+        <source>It lies on the same line. On which side of A&apos;?</source>
+        <translation>Leži na istom pravcu. Na kojoj strani od A&apos;?</translation>
     </message>
     <message>
-        <source>It starts at A' and goes away from B'. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Počinje u A' i udaljava se od B'. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
+        <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
+        <translation>Počinje u A&apos; i udaljava se od B&apos;. U {0} i {1} je {2}, {3}, a rub slike je u {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4911,7 +4911,7 @@
         <translation>Upola manji raspon</translation>
     </message>
     <message>
-        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene's numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
+        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
         <translation>Spremnik dubine čuva po jedan kod za svaki piksel, ovdje od 16 bitova. Ploha 2 leži iza plohe 1. Gdje obje dobiju isti kod, vidite onu koja je nacrtana posljednja; otud pruge na dalekom kraju kosine. Brojevi scene kažu koliko velik razmak kod cilja, na udaljenosti od 20 jedinica, sigurno razlikuje.</translation>
     </message>
     <message>
@@ -5003,15 +5003,15 @@
         <translation>Ovo raspoređuje spremljene brojeve jednoliko od bliske do daleke ravnine. Oni se mijenjaju s jedan kroz udaljenost, brzo odmah iza bliske ravnine, a gotovo nikako pred dalekom. Pogledajte točku 1, na 10, u kocki: blizu je daleke ravnine.</translation>
     </message>
     <message>
-        <source>The buffer holds z'</source>
-        <translation>Spremnik sadrži z'</translation>
+        <source>The buffer holds z&apos;</source>
+        <translation>Spremnik sadrži z&apos;</translation>
     </message>
     <message>
         <source>This is the depth from −1 to 1 of NDC. The buffer begins with 0 at near: add 1, then halve. Look at point 1, 10 away, in the cube: its {0} is your number.</source>
         <translation>Ovo je dubina od −1 do 1 iz NDC. Spremnik počinje s 0 na bliskoj ravnini: dodajte 1, zatim prepolovite. Pogledajte točku 1, na 10, u kocki: njezin {0} je vaš broj.</translation>
     </message>
     <message>
-        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane's. Look at point 1, 10 away, in the cube: it lies before far.</source>
+        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1, 10 away, in the cube: it lies before far.</source>
         <translation>Ovo izostavlja dijeljenje s udaljenošću 10. Nijedan spremljeni broj nije veći od 1, što je broj daleke ravnine. Pogledajte točku 1, na 10, u kocki: leži ispred daleke ravnine.</translation>
     </message>
     <message>
@@ -5031,7 +5031,7 @@
         <translation>Ovo čini razmak jednakim na svakoj udaljenosti. Bio bi takav kad bi kodovi bili raspoređeni jednoliko, ali većina ih leži odmah iza bliske ravnine; na udaljenosti {0} razmak je proporcionalan s {1}. Pogledajte pruge s bliskom ravninom na 0.1: počinju daleko i s udaljenošću se šire.</translation>
     </message>
     <message>
-        <source>The gap grows with {0}: it is a little more than four times the scene's number for the target, at the distance 20.</source>
+        <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
         <translation>Razmak raste s {0}: malo je više od četiri puta veći od broja scene za cilj, na udaljenosti 20.</translation>
     </message>
     <message>
@@ -5059,7 +5059,7 @@
         <translation>Ovo je dubina od −1 do 1 iz NDC. Spremnik počinje s 0 na bliskoj ravnini: dodajte 1, zatim prepolovite. Pogledajte točku 1 u kocki: njezin {0} je vaš broj.</translation>
     </message>
     <message>
-        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane's. Look at point 1 in the cube: it lies before far.</source>
+        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1 in the cube: it lies before far.</source>
         <translation>Ovo izostavlja dijeljenje s {0}. Nijedan spremljeni broj nije veći od 1, što je broj daleke ravnine. Pogledajte točku 1 u kocki: leži ispred daleke ravnine.</translation>
     </message>
     <message>
@@ -5154,7 +5154,7 @@
         <translation>Ondje se vidi sredina *brida*, na četiri petine puta na slici. Pita se za polovicu na slici. Pogledajte dvije oznake: polovica u svijetu je ona dalja.</translation>
     </message>
     <message>
-        <source>The last of the scene's numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
+        <source>The last of the scene&apos;s numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
         <translation>Posljednji broj scene kaže 20 %. Daleki se dijelovi crtaju kraće, pa četiri petine brida dijele dalju polovicu njegove slike.</translation>
     </message>
     <message>
@@ -5353,7 +5353,7 @@
         <translation>u 3, kao prije</translation>
     </message>
     <message>
-        <source>This takes the three numbers for a direction that all rays share, as the sun's are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun's. Look at the ray: it begins at the lamp.</source>
+        <source>This takes the three numbers for a direction that all rays share, as the sun&apos;s are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun&apos;s. Look at the ray: it begins at the lamp.</source>
         <translation>Ovo uzima tri broja kao smjer koji dijele sve zrake, kao kod sunca. Kod svjetiljke oni su mjesto: njezina zraka kroz {0} polazi s tog mjesta, položitije od sunčeve. Pogledajte zraku: počinje u svjetiljci.</translation>
     </message>
     <message>
@@ -5381,7 +5381,7 @@
         <translation>Sjena je projekcija: svjetlo {0} je njezin centar, a tlo ravnina slike. Zraka iz {1} kroz {2} siječe {3} u</translation>
     </message>
     <message>
-        <source>With {0} that is {1}, as the scene's numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
+        <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
         <translation>Uz {0} to je {1}, kako kažu brojevi scene. Kao matrica to je {2} s ravninom {3}, a F se crta još jednom pod {4}, u jednoj boji. Za sunce {5} ima {6} i zrake su paralelne.</translation>
     </message>
     <message>
@@ -5413,7 +5413,7 @@
         <translation>Vidite sjenu koju baca *sunce* iz smjera {0}. Gdje bi, po {1}, bila sjena točke {2} uz *svjetiljku* u točki {3}?</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
         <translation>To je sunčeva sjena, ona koju vidite. Zraka svjetiljke ima drugi smjer: od svjetiljke do {0} ide 7.5 udesno i 3 dolje. Pogledajte zraku: počinje u svjetiljci.</translation>
     </message>
     <message>
@@ -5421,7 +5421,7 @@
         <translation>{0} je 7.5 desno od {1} i 3 ispod. Koliko je dolje tlo?</translation>
     </message>
     <message>
-        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp's matrix in row 1, column 1, {2}?</source>
+        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp&apos;s matrix in row 1, column 1, {2}?</source>
         <translation>Ravnina se spušta na {0}, pa je {1}. Koja je ćelija matrice svjetiljke u retku 1, stupcu 1, {2}?</translation>
     </message>
     <message>
@@ -5437,11 +5437,11 @@
         <translation>Natrag na svjetiljku</translation>
     </message>
     <message>
-        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun's numbers are a direction, the same for every point of the F. The lamp's numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
+        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
         <translation>Sunce i svjetiljka imali su ista tri broja, pa je bilo primamljivo sjenu ostaviti na mjestu. Ali brojevi sunca su smjer, isti za svaku točku slova F. Brojevi svjetiljke su položaj, a smjer zrake je {0}: što je točka viša, to je zraka položitija i sjena dulja. Promijenite *Vrsta svjetla* i promatrajte vrh slova F, zatim njegovo podnožje.</translation>
     </message>
     <message>
-        <source>Practise: a lamp's shadow</source>
+        <source>Practise: a lamp&apos;s shadow</source>
         <translation>Vježba: sjena svjetiljke</translation>
     </message>
     <message>
@@ -5453,7 +5453,7 @@
         <translation>Svjetiljka je u {0}, a {1} u {2}. U kojem je {3} sjena točke {4}?</translation>
     </message>
     <message>
-        <source>This takes the lamp's place for the sun's direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun's ray through {2}: it has another direction.</source>
+        <source>This takes the lamp&apos;s place for the sun&apos;s direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun&apos;s ray through {2}: it has another direction.</source>
         <translation>Ovo uzima mjesto svjetiljke kao smjer sunca. Zraka kroz {0} počinje u svjetiljci: smjer joj je {1}. Pogledajte sunčevu zraku kroz {2}: ima drugi smjer.</translation>
     </message>
     <message>
@@ -5513,7 +5513,7 @@
         <translation>Zatim oduzmite {0} puta {1}.</translation>
     </message>
     <message>
-        <source>The first cell is the lamp's height above the plane.</source>
+        <source>The first cell is the lamp&apos;s height above the plane.</source>
         <translation>Prva ćelija je visina svjetiljke iznad ravnine.</translation>
     </message>
     <message>
@@ -5529,7 +5529,7 @@
         <translation>Vidite sjenu sunca u smjeru {0}. Označite gdje je sjena točke 1, {1}, uz *svjetiljku* u točki {2}.</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
         <translation>To je sunčeva sjena, ona koju vidite. Zraka svjetiljke kroz {0} počinje u {1}: smjer joj je {2}. Pogledajte sa strane: svaka zraka počinje u svjetiljci.</translation>
     </message>
     <message>
@@ -5648,7 +5648,7 @@
         <translation>Kut je veličina</translation>
     </message>
     <message>
-        <source>This takes the angle of view for the size. On the film the statue's height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
+        <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
         <translation>Ovo uzima vidni kut kao veličinu. Na filmu je visina kipa proporcionalna omjeru žarišne duljine i udaljenosti, {0}; kut nije proporcionalan s {1}. Pogledajte dvije fotografije: 105 mm je 3.62 puta 29 mm, a s 3.62 puta veće udaljenosti glava je jednako visoka.</translation>
     </message>
     <message>
@@ -5680,7 +5680,7 @@
         <translation>Natrag na glavu</translation>
     </message>
     <message>
-        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target's. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
+        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
         <translation>Primamljivo je reći da se ništa ne mijenja, jer glava zadržava veličinu, a zum je tome i namijenjen. Ali zum čuva veličine samo na jednoj dubini, dubini cilja. Ispred njega i iza njega veličine su proporcionalne s jedan kroz *svoju* udaljenost, a hodanje ju je promijenilo. Zato portret izbliza ima velik nos uz svaki objektiv: udaljenost određuje perspektivu; objektiv samo bira njezin dio.</translation>
     </message>
     <message>
@@ -5807,8 +5807,8 @@
         <translation>Na filmu gore ostaje gore</translation>
     </message>
     <message>
-        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P', behind the eye: it is below the axis.</source>
-        <translation>Ovo zadržava predznak ravnine ispred. Svjetlo ide ravno kroz kameru, pa je ono što je ispred nje iznad osi, iza nje ispod osi. Pogledajte P', iza kamere: ispod osi je.</translation>
+        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P&apos;, behind the eye: it is below the axis.</source>
+        <translation>Ovo zadržava predznak ravnine ispred. Svjetlo ide ravno kroz kameru, pa je ono što je ispred nje iznad osi, iza nje ispod osi. Pogledajte P&apos;, iza kamere: ispod osi je.</translation>
     </message>
     <message>
         <source>at −1.03: below the axis</source>
@@ -5819,8 +5819,8 @@
         <translation>nema je: svjetlo ne ide unatrag</translation>
     </message>
     <message>
-        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P'.</source>
-        <translation>Ono ide ravno dalje kroz kameru i nailazi na ravninu iza nje. Pogledajte zraku projiciranja: ide kroz kameru do P'.</translation>
+        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P&apos;.</source>
+        <translation>Ono ide ravno dalje kroz kameru i nailazi na ravninu iza nje. Pogledajte zraku projiciranja: ide kroz kameru do P&apos;.</translation>
     </message>
     <message>
         <source>The projector goes on through the eye, and crosses the axis there.</source>
@@ -5835,7 +5835,7 @@
         <translation>U mračnoj kutiji svjetlo prolazi kroz rupicu, centar projekcije. Slika stvari visine {0} na udaljenosti {1} ispred rupice ima visinu</translation>
     </message>
     <message>
-        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture's synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
+        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture&apos;s synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
         <translation>na filmu, {0} iza rupice. Ovdje je {1}, {2} i {3}: {4}. Minus okreće sliku naopačke i zamjenjuje lijevo i desno. Sintetička kamera iz predavanja ima film na istoj udaljenosti ispred centra. Ondje je slika visoka {5}: jednako velika, i uspravna.</translation>
     </message>
     <message>
@@ -5863,7 +5863,7 @@
         <translation>Po formuli</translation>
     </message>
     <message>
-        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Strelica je visoka 5 i stoji 9 ispred rupice. Film se pomiče na 6 iza rupice. Kolika je visina slike strelice na filmu, s predznakom?</translation>
     </message>
     <message>
@@ -5871,7 +5871,7 @@
         <translation>To je slika na filmu ispred rupice. Iza rupice svjetlo je prešlo os, pa se predznak mijenja. Pogledajte oba filma: samo je na onome ispred strelica uspravna.</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
+        <source>This measures the arrow&apos;s distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
         <translation>Ovo mjeri udaljenost strelice od filma, {0}. Dva se trokuta dodiruju u rupici: obje udaljenosti mjerite odande. Pogledajte rupicu: oba trokuta ondje počinju.</translation>
     </message>
     <message>
@@ -5887,7 +5887,7 @@
         <translation>Koliko daleko iza rupice mora biti film da slika bude visoka trećinu strelice?</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, which is 9 and the film's own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
+        <source>This measures the arrow&apos;s distance from the film, which is 9 and the film&apos;s own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
         <translation>Ovo mjeri udaljenost strelice od filma, a to je 9 i udaljenost samog filma. Dva se trokuta dodiruju u rupici: obje udaljenosti mjerite odande. Pogledajte film 4.5 iza rupice: slika je upola niža od strelice.</translation>
     </message>
     <message>
@@ -5911,7 +5911,7 @@
         <translation>Strelica visine {0} stoji pred rupicom mračne kutije.</translation>
     </message>
     <message>
-        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Strelica je {0} ispred rupice, film {1} iza nje. Kolika je visina slike strelice na filmu, s predznakom?</translation>
     </message>
     <message>
@@ -5979,12 +5979,12 @@
         <translation>{0}, uz {1}</translation>
     </message>
     <message>
-        <source>In front of the eye the image is upright. Look at P': it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
-        <translation>Ispred kamere slika je uspravna. Pogledajte P': iznad osi je. Ravnina mora biti iza kamere, na negativnom {0}.</translation>
+        <source>In front of the eye the image is upright. Look at P&apos;: it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
+        <translation>Ispred kamere slika je uspravna. Pogledajte P&apos;: iznad osi je. Ravnina mora biti iza kamere, na negativnom {0}.</translation>
     </message>
     <message>
-        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P': it is less than {1} times as far from the axis as {2}.</source>
-        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P': njezina je udaljenost od osi manja od {1} puta udaljenost točke {2}.</translation>
+        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
+        <translation>Ovo mjeri dubinu točke {0} od ravnine. Oba trokuta počinju kod kamere. Pogledajte P&apos;: njezina je udaljenost od osi manja od {1} puta udaljenost točke {2}.</translation>
     </message>
 </context>
 <context>
@@ -6146,7 +6146,7 @@
         <translation>Vježba: vektor v</translation>
     </message>
     <message>
-        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera's {4}, the second row of the view matrix without its last number?</source>
+        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera&apos;s {4}, the second row of the view matrix without its last number?</source>
         <translation>Kamera je u {0}, cilj u {1}, smjer prema gore je {2}, pa je {3}. Koji je {4} kamere, drugi redak matrice pogleda bez posljednjeg broja?</translation>
     </message>
     <message>
@@ -6373,7 +6373,7 @@
         <translation>Odozgo gledate na drvored; u svakom su redu stabla razmaknuta 6.</translation>
     </message>
     <message>
-        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera's way, mark the last tree whose trunk is then drawn.</source>
+        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera&apos;s way, mark the last tree whose trunk is then drawn.</source>
         <translation>Daleka ravnina odmiče se za {0}, od {1} do {2}. U redu koji je dalje od puta kamere označite posljednje stablo čije se deblo tada crta.</translation>
     </message>
     <message>
@@ -6444,7 +6444,7 @@
         <translation>Samo se ondje točke crtaju kao točke, ali krugovi do {0} prolaze kao točke. Pogledajte odozgo: oštro područje nastavlja se iza ravnine izoštravanja.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene's numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
         <translation>0.713 m ispred ravnine izoštravanja, ali 0.998 m iza nje. Brojevi scene imaju obje granice. Od stupova je samo onaj na 5 m obrubljen kao oštar: onaj na 6 m stoji 2 mm iza dalje granice.</translation>
     </message>
     <message>
@@ -6631,7 +6631,7 @@
         <translation>Više mjesta nego piksela</translation>
     </message>
     <message>
-        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene's longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
+        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene&apos;s longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
         <translation>Koordinata od 16 bitova ima 65 536 mjesta. Ovdje su raspoređena po najduljoj stranici scene, 8 jedinica, a slika je široka 320 piksela. Svaka strelica u oknu **Slika** ide od mjesta kojem vrh pripada prema mjestu gdje je nacrtan, povećana 10 000 puta. Bočna ploča kaže kolika je najveća pogreška vrha na slici: 0.002 piksela.</translation>
     </message>
     <message>
@@ -6735,7 +6735,7 @@
         <translation>Daleko od ishodišta</translation>
     </message>
     <message>
-        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world's origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
+        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world&apos;s origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
         <translation>Sada su vrhovi i aritmetika float32, oko 7 decimalnih znamenaka. Ishodište svijeta pomaknuto je 1 000 000 jedinica dalje, a sve drugo ostaje gdje jest: kamera i F su susjedi, daleko vani. Koordinate su im sada oko 1 000 000, a matrica ih oduzima jedne od drugih.</translation>
     </message>
     <message>
@@ -6783,7 +6783,7 @@
         <translation>8 bitova traži 3 bajta po vrhu. Koji još trebaju manje od 5?</translation>
     </message>
     <message>
-        <source>12 bits: 4.5 bytes instead of float32's 12, and nobody sees the difference in a picture of 320 by 240.</source>
+        <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
         <translation>12 bitova: 4.5 bajta umjesto 12 kod float32, a na slici od 320 puta 240 nitko ne vidi razliku.</translation>
     </message>
     <message>
@@ -6839,7 +6839,7 @@
         <translation>Vježba: daleko od ishodišta</translation>
     </message>
     <message>
-        <source>A float32 has 24 significant bits. The world's origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
+        <source>A float32 has 24 significant bits. The world&apos;s origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
         <translation>Broj float32 ima 24 značajna bita. Ishodište svijeta pomiče se duž x, pa su koordinate slova F velike otprilike kao udaljenost ishodišta.</translation>
     </message>
     <message>
@@ -7010,7 +7010,7 @@
         <translation>Premalen korak</translation>
     </message>
     <message>
-        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye's x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
+        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye&apos;s x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
         <translation>Kamera se pomiče udesno, za 1 mm po kadru. Jedinica je 1 m, a ishodište koordinata udaljeno je 50 km: x kamere je 30 000. U oknu **Slika** svaki kadar ima svoju crtu, odozgo prema dolje: koliko se P pomaknula u širinu, uz glatki put.</translation>
     </message>
     <message>
@@ -7134,7 +7134,7 @@
         <translation>Broj float32 ima 24 bita. Između {0} i {1} njegovi su brojevi razmaknuti {2}, a kamera koja se polako pomiče skače svaki put za toliko.</translation>
     </message>
     <message>
-        <source>The eye's x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
+        <source>The eye&apos;s x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
         <translation>x kamere leži između {0} m i {1} m, koji su potencije od 2, i ona se pomiče duž x. Za koliko piksela svaki put skoči vrh na dubini {2} m? Slika je visoka 1080 piksela, s vidnim poljem od 40°.</translation>
     </message>
     <message>
@@ -7177,7 +7177,7 @@
         <translation>Pod iza zida</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall's foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
+        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
         <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Ovdje se računa u svakom vrhu, jer je ondje jeftina, a pod od bliske do daleke ravnine jedan je komad. U oknu **Slika** vidite temelj zida, koji je ispod poda: pod se crta iza njega. Bočna ploča kaže kolika je pogreška: do 3.53 puta dalje nego što treba.</translation>
     </message>
     <message>
@@ -7369,7 +7369,7 @@
         <translation>Natrag sa slike</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world's origin is 1 unit from the eye.</source>
+        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world&apos;s origin is 1 unit from the eye.</source>
         <translation>Piksel i njegova dubina vode natrag do točke P: pomnožite s inverzom od {0}. Sve je float32, a ishodište svijeta je 1 jedinicu od kamere.</translation>
     </message>
     <message>
@@ -7381,7 +7381,7 @@
         <translation>Nimalo: inverz poništava ono što je matrica učinila</translation>
     </message>
     <message>
-        <source>On paper it does. Here each product is rounded, and the eye's coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
+        <source>On paper it does. Here each product is rounded, and the eye&apos;s coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
         <translation>Na papiru da. Ovdje se svaki umnožak zaokružuje, a koordinate kamere su 100 000: one skrivaju onih nekoliko jedinica koje tražite. Pogledajte P i točku koja se vratila.</translation>
     </message>
     <message>
@@ -7389,7 +7389,7 @@
         <translation>Za desetmilijuntinu svoje udaljenosti: float32 čuva sedam znamenaka</translation>
     </message>
     <message>
-        <source>The seven digits belong to the coordinates, near 100 000. What is left of P's distance, 8.3 units, has two. Look at P and at the point that came back.</source>
+        <source>The seven digits belong to the coordinates, near 100 000. What is left of P&apos;s distance, 8.3 units, has two. Look at P and at the point that came back.</source>
         <translation>Sedam znamenaka pripada koordinatama, blizu 100 000. Od udaljenosti točke P, 8.3 jedinice, preostale su dvije. Pogledajte P i točku koja se vratila.</translation>
     </message>
     <message>
@@ -7397,7 +7397,7 @@
         <translation>Za nekoliko postotaka svoje udaljenosti</translation>
     </message>
     <message>
-        <source>The inverse multiplies the eye's coordinates with {0}, a small difference of rounded numbers.</source>
+        <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
         <translation>Inverz množi koordinate kamere s {0}, malom razlikom zaokruženih brojeva.</translation>
     </message>
     <message>
@@ -7516,8 +7516,8 @@
         <translation>Točka {0} ispred kamere dolazi na ravninu na udaljenosti {1} od kamere:</translation>
     </message>
     <message>
-        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P' now?</source>
-        <translation>P je na dubini 5. Ravnina se pomiče s d = 1 na d = 2. Koliko je puta P' sada viša?</translation>
+        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
+        <translation>P je na dubini 5. Ravnina se pomiče s d = 1 na d = 2. Koliko je puta P&apos; sada viša?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
@@ -7528,8 +7528,8 @@
         <translation>Oba trokuta imaju vrh kod kamere, a P je na dubini 5, mjereno odande.</translation>
     </message>
     <message>
-        <source>World from the side: name the two triangles first, eye to P and eye to P'. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation>Svijet sa strane: najprije imenujte dva trokuta, od kamere do P i od kamere do P'. Očitajte sa slike -z = 5, y = 2 i {0}. Neka studenti glasuju, zatim pustite da se model pomakne. Potom povucite Udaljenost ravnine d ispod 0: film camere obscure, i slika se okreće. To je izvedeno ranije na kolegiju; ne zadržavajte se.</translation>
+        <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
+        <translation>Svijet sa strane: najprije imenujte dva trokuta, od kamere do P i od kamere do P&apos;. Očitajte sa slike -z = 5, y = 2 i {0}. Neka studenti glasuju, zatim pustite da se model pomakne. Potom povucite Udaljenost ravnine d ispod 0: film camere obscure, i slika se okreće. To je izvedeno ranije na kolegiju; ne zadržavajte se.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
@@ -7564,8 +7564,8 @@
         <translation>podijeljeno</translation>
     </message>
     <message>
-        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w' = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation>Pitajte čime se još može množiti: bilo kojim λ osim 0. Zato posljednji redak može biti i 0 0 -1 0, koliki god bio d, a w' = -z je sama dubina. U prozoru -z = 5 stoji na bočnoj ploči i kao duljina ispod slike. Taj posljednji redak imaju sve daljnje matrice predavanja.</translation>
+        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
+        <translation>Pitajte čime se još može množiti: bilo kojim λ osim 0. Zato posljednji redak može biti i 0 0 -1 0, koliki god bio d, a w&apos; = -z je sama dubina. U prozoru -z = 5 stoji na bočnoj ploči i kao duljina ispod slike. Taj posljednji redak imaju sve daljnje matrice predavanja.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
@@ -7616,8 +7616,8 @@
         <translation>{0}, i {1}.</translation>
     </message>
     <message>
-        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w'. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation>Na ploči izvedite (6) redak po redak. Trik je pomnožiti drugi razlomak s -z/-z, tako da sve ima jedan nazivnik: to će biti w'. S njim se okreće i predznak. Zatim glasovanje: mnogi kažu +0.5, jer prozor ide udesno. Nakon toga povucite Lijevi rub i Desni rub i pratite sondu 1 u oknu Slika.</translation>
+        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
+        <translation>Na ploči izvedite (6) redak po redak. Trik je pomnožiti drugi razlomak s -z/-z, tako da sve ima jedan nazivnik: to će biti w&apos;. S njim se okreće i predznak. Zatim glasovanje: mnogi kažu +0.5, jer prozor ide udesno. Nakon toga povucite Lijevi rub i Desni rub i pratite sondu 1 u oknu Slika.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
@@ -7628,7 +7628,7 @@
         <translation>Uz {0} treći bi homogeni broj bio {1} (9)-(11): nema matrice.</translation>
     </message>
     <message>
-        <source>P comes nearer, to a third of Q's depth. What does {0} make of PQ?</source>
+        <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
         <translation>P dolazi bliže, na trećinu dubine točke Q. Što {0} čini od PQ?</translation>
     </message>
     <message>
@@ -7636,8 +7636,8 @@
         <translation>Ravnu dužinu</translation>
     </message>
     <message>
-        <source>x and y are divided by {0}, z' is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x i y dijele se s {0}, a z' ne. Pogledajte luk između P i Q: ravno je samo {1}.</translation>
+        <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
+        <translation>x i y dijele se s {0}, a z&apos; ne. Pogledajte luk između P i Q: ravno je samo {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7656,7 +7656,7 @@
         <translation>Što spremnik dubine radi sa z</translation>
     </message>
     <message>
-        <source>Between a triangle's corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
+        <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
         <translation>Između vrhova trokuta {0} se interpolira jednoliko po pikselima, i pobjeđuje manja vrijednost. Ako su pravci savijeni ili je kodova premalo, crta se pogrešna ploha.</translation>
     </message>
     <message>
@@ -7672,7 +7672,7 @@
         <translation>Uz {0} bitova na stranici {1} koordinata je pomaknuta za najviše {2}: u pikselima to više što je bliže.</translation>
     </message>
     <message>
-        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson "How many bits does a picture need?".</source>
+        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
         <translation>Dubine nisu jedini brojevi s malo bitova. 8 bitova po koordinati: 3 bajta po vrhu i pogreška do 0.5 piksela na slici od 320 puta 240. Strelice su 50 puta dulje od pogrešaka. Odaberite 12 i 16 bitova: svaki bit prepolovi pogrešku. Zatim prepolovite udaljenost: svaka je pogreška dvostruko dulja. Koliko je bitova dosta, ovisi o tome gdje stojite; lekcija „Koliko bitova treba slika?”.</translation>
     </message>
     <message>
@@ -7684,8 +7684,8 @@
         <translation>Kad se i on podijeli s {0}, {1} ostaje linearan u homogenim koordinatama (12). Bliska ravnina mora doći u -1, daleka u 1:</translation>
     </message>
     <message>
-        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z' = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation>Riješite na ploči dvije jednadžbe: {0} i {1}. Zatim NDC: stupovi u oknu Svijet stoje razmaknuti 6, a u kocki se gomilaju prema dalekoj ravnini. S bliskom ravninom na 9 i dalekom na 41 sredina kocke, z' = 0, na dubini je samo 14.8. Poredak se čuva i pravci ostaju pravci; spremnik dubine ne treba ništa više.</translation>
+        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
+        <translation>Riješite na ploči dvije jednadžbe: {0} i {1}. Zatim NDC: stupovi u oknu Svijet stoje razmaknuti 6, a u kocki se gomilaju prema dalekoj ravnini. S bliskom ravninom na 9 i dalekom na 41 sredina kocke, z&apos; = 0, na dubini je samo 14.8. Poredak se čuva i pravci ostaju pravci; spremnik dubine ne treba ništa više.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
@@ -7771,7 +7771,7 @@
         <translation>Volumen pogleda</translation>
     </message>
     <message>
-        <source>Only what lies in a volume is drawn: the eye's cone, the pyramid round it, or a box, the view from very far away.</source>
+        <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
         <translation>Crta se samo ono što leži u volumenu: stožac oka, piramida oko njega ili kvadar, pogled s vrlo velike udaljenosti.</translation>
     </message>
     <message>
@@ -7799,7 +7799,7 @@
         <translation>Prava kamera ima udaljenost izoštravanja te dubinsku oštrinu ispred nje i iza nje. Sintetička kamera nema ni jedno ni drugo: sve je oštro.</translation>
     </message>
     <message>
-        <source>The camera's parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
         <translation>Parametri kamere: položaj, dva vektora, dva kuta, dvije ravnine. Prava ima i udaljenost izoštravanja i otvor blende. Ovdje je objektiv od 50 mm pri f/1, izoštren na 5 m: oštro od 4.720 do 5.316 m, obrubljeni stup. Povucite udaljenost izoštravanja na 10 m; zatim postavite N na 16. Pitajte odakle je sve daleko oštro: od hiperfokalne udaljenosti.</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@
         <translation>Dvostruko dalje, upola niže: {0}.</translation>
     </message>
     <message>
-        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera's position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
+        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
         <translation>Svjetlo se u rupici križa, pa je slika na filmu naopačke, a lijevo i desno su zamijenjeni; slikari su se time služili. Usporedite oba filma: jednako veliki, razlikuje se samo predznak. Centar projekcije je rupica; kod nas je to položaj kamere P, a ravnina je između njega i objekta. Neka glasuju, zatim pokažite; povucite i d.</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@
         <translation>20 cm iza, njezina je veličina 0.6 veličine glave snimljene s 30 cm, a 0.84 snimljene sa 108.6 cm.</translation>
     </message>
     <message>
-        <source>The lecture's cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings "Distance, relative to the preset": drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
         <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
@@ -8003,7 +8003,7 @@
         <translation>Gleda duž {0}. Da je stavite u ishodište, s pogledom duž {1}, pomaknite svijet za {2}, zatim ga rotirajte oko {3} za {4}.</translation>
     </message>
     <message>
-        <source>Which is this camera's {0}?</source>
+        <source>Which is this camera&apos;s {0}?</source>
         <translation>Koji je {0} ove kamere?</translation>
     </message>
     <message>
@@ -8027,7 +8027,7 @@
         <translation>{0}, {1} je {2} bez svoje komponente duž {3}, normiran, i {4}.</translation>
     </message>
     <message>
-        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture's: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
+        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
         <translation>Koordinatni sustav kamere gradi ih korak po korak: w, u, v. Program najprije uzima u iz vektorskog umnoška gore i w, a v iz w i u; to je isti v kao u predavanju: smjer prema gore minus njegova projekcija na w, normiran. R ima u, v, w kao stupce; kameru pomiče inverz, a on je transponirana matrica: u, v, w kao retci.</translation>
     </message>
     <message>
@@ -8122,7 +8122,7 @@
         <translation>Zrake projiciranja su paralelne: x i y ne ovise o z.</translation>
     </message>
     <message>
-        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene's View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
+        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
         <translation>Počnite s kvadrom i imenujte njegovih šest ravnina: lijeva, desna, gornja, donja, bliska, daleka. Jednom se vratite na piramidu pomoću Volumen pogleda i neka studenti kažu koje testne točke dolaze, a koje odlaze: B stane u kvadar, C ne stane. Zatim pitanje, dizanjem ruku. Stupovi su nacrtani jednako visoki; koji je koji, kažu im brojevi. Promijenite Blisku ravninu i Daleku ravninu: mijenja se ono što se odsijeca, veličine ne.</translation>
     </message>
     <message>
@@ -8134,8 +8134,8 @@
         <translation>Kvadar odsijecanja postaje {0}. z se čuva, jer odlučuje što će što sakriti.</translation>
     </message>
     <message>
-        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z' is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation>Napišite na ploču {0}: pomaknite sredinu u 0, zatim skalirajte. Ćelije u ploči Matrice prebacite na Formule: umnožak ima oba člana. {1} i {2} u ovom su predavanju negativni, a z' je 1 na bliskoj ravnini. Gdje je sredina kvadra? U {3}, pa je F lijevo od sredine. Točke dolaze na ekran po {4}.</translation>
+        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
+        <translation>Napišite na ploču {0}: pomaknite sredinu u 0, zatim skalirajte. Ćelije u ploči Matrice prebacite na Formule: umnožak ima oba člana. {1} i {2} u ovom su predavanju negativni, a z&apos; je 1 na bliskoj ravnini. Gdje je sredina kvadra? U {3}, pa je F lijevo od sredine. Točke dolaze na ekran po {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
@@ -8146,8 +8146,8 @@
         <translation>{0}. Sa strane je isto s {1} i {2}: {3}.</translation>
     </message>
     <message>
-        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x'. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation>Odozgo: kamera je lijevo, bliska ravnina je crta na 5, a tanke linije su zrake projiciranja. Vrh u x crta se u x'. Paralelne su, ali sijeku blisku ravninu pod {0}: jedinica iza nje pada jedinicu dalje duž u. To čini smicanje, H; točke bliske ravnine ostaju. Okrećite α: pod 90° zrake projiciranja okomite su na blisku ravninu. Kad su oba kuta 90°, H je 1, a crtež ortogonalan.</translation>
+        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
+        <translation>Odozgo: kamera je lijevo, bliska ravnina je crta na 5, a tanke linije su zrake projiciranja. Vrh u x crta se u x&apos;. Paralelne su, ali sijeku blisku ravninu pod {0}: jedinica iza nje pada jedinicu dalje duž u. To čini smicanje, H; točke bliske ravnine ostaju. Okrećite α: pod 90° zrake projiciranja okomite su na blisku ravninu. Kad su oba kuta 90°, H je 1, a crtež ortogonalan.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
@@ -8158,7 +8158,7 @@
         <translation>{0} uspravlja kvadar odsijecanja i smiče objekt; njegova slika ostaje. Ostalo je poznato: {1}.</translation>
     </message>
     <message>
-        <source>A cavalier's projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
+        <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
         <translation>Kavalirske zrake projiciranja sijeku sliku pod 45°. Pod kojim kutom kabinetske, mjerilo 1/2?</translation>
     </message>
     <message>
@@ -8190,7 +8190,7 @@
         <translation>Film je iza rupice, pa je slika naopačke. Mi stavljamo ravninu ispred centra projekcije.</translation>
     </message>
     <message>
-        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene's controls: equal but for the sign.</source>
+        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
         <translation>Pratite crtu od vrha slova F kroz rupicu: dolazi na film dolje. Prava kamera ondje ima objektiv, i istu geometriju. Naša ima ravninu ispred centra: ista veličina, uspravno. Pomičite film: visina ide s njim. Očitajte obje visine ispod kontrola scene: jednake su do na predznak.</translation>
     </message>
     <message>
@@ -8234,8 +8234,8 @@
         <translation>Ravna: svaki korak čuva pravce</translation>
     </message>
     <message>
-        <source>x and y are divided by z, z' is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation>x i y se dijele sa z, a z' ne: taj korak ne čuva pravce. Pogledajte luk između P i Q.</translation>
+        <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
+        <translation>x i y se dijele sa z, a z&apos; ne: taj korak ne čuva pravce. Pogledajte luk između P i Q.</translation>
     </message>
     <message>
         <source>Bent</source>
@@ -8246,7 +8246,7 @@
         <translation>Samo se uz {0} sva tri mijenjaju s 1/z.</translation>
     </message>
     <message>
-        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture's signs. Near is 1, far is −1: two equations for A and B.</source>
+        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
         <translation>Neka glasuju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postotku duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
     </message>
     <message>
@@ -8258,8 +8258,8 @@
         <translation>{0}, a posljednji redak je {1}.</translation>
     </message>
     <message>
-        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL's matrix is this one times −1 with z' reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation>{0} je linearno: matrica. Zato čuva pravce. U ploči Matrice pogledajte odsijecanje ← kamera u Formulama: u ovim slovima w je z, ispred kamere negativan. OpenGL-ova matrica je ova puta −1 s obrnutim z', jer su ondje ravnine pozitivne udaljenosti. Brojevi: {1}, {2}, {3}.</translation>
+        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
+        <translation>{0} je linearno: matrica. Zato čuva pravce. U ploči Matrice pogledajte odsijecanje ← kamera u Formulama: u ovim slovima w je z, ispred kamere negativan. OpenGL-ova matrica je ova puta −1 s obrnutim z&apos;, jer su ondje ravnine pozitivne udaljenosti. Brojevi: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
@@ -8270,8 +8270,8 @@
         <translation>Prozor nije u sredini: {0} najprije uspravlja kosu krnju piramidu.</translation>
     </message>
     <message>
-        <source>A wall of screens, or an eye beside the middle of its screen. Drag "Eye right of the middle": the picture on the window stays right for that eye. H again, with cotangents from the window's middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window's middle, which must come to x' = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation>Zid od ekrana ili oko pokraj sredine svojega ekrana. Povucite „Kamera desno od sredine”: slika na prozoru ostaje ispravna za to oko. Opet H, s kotangensima iz sredine prozora. Omaška predavanja: uz w = z treći stupac ima minus, {0}. Provjerite to na točki u sredini prozora, koja mora doći u x' = 0. glFrustum prima šest brojeva, gluPerspective četiri.</translation>
+        <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
+        <translation>Zid od ekrana ili oko pokraj sredine svojega ekrana. Povucite „Kamera desno od sredine”: slika na prozoru ostaje ispravna za to oko. Opet H, s kotangensima iz sredine prozora. Omaška predavanja: uz w = z treći stupac ima minus, {0}. Provjerite to na točki u sredini prozora, koja mora doći u x&apos; = 0. glFrustum prima šest brojeva, gluPerspective četiri.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8294,7 +8294,7 @@
         <translation>{0}, zatim {1}</translation>
     </message>
     <message>
-        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen's, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen's origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
+        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
         <translation>Jedna točka kroz sve etape, redak po redak: svijet, kamera, odsijecanje, dijeljenje, NDC, pikseli. Širina i visina su ekranske, u pikselima; predavanje piše w i h, ali w je ovdje četvrta koordinata. Ishodište ekrana je gornji lijevi kut, zato 1 - y. Povucite točku 1 na slici u gornji lijevi kut i očitajte njezin redak NDC: −1 i 1. To je bila transformacija vrhova; odsijecanje i rasterizacija dolaze nakon nje.</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@
         <translation>Cijeli pikseli za vrhove, bez dijeljenja za teksturu: brzo, i odmah se vidi.</translation>
     </message>
     <message>
-        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square's diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
+        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
         <translation>Slika zvana jeftino: vrhovi na cijelim pikselima, 1/w iz male tablice, a/z zamijenjeno s a. Strelice idu od mjesta kojem vrh pripada do mjesta gdje je nacrtan, 20 puta dulje. Polako okrećite kameru Azimutom: vrhovi skaču, a kvadratići se savijaju na dijagonali svakog kvadrata. Druga je slika egzaktna. Nijedan vrh nije pomaknut više od pola piksela u širinu i pola piksela u visinu; vidi se to što susjedi skaču u različitim trenucima.</translation>
     </message>
     <message>
@@ -8349,7 +8349,7 @@
         <translation>Koordinatni sustav objekta je onaj u kojem se stvar radi, globalni onaj u koji se stavlja, a koordinatni sustav kamere onaj iz kojeg se gleda.</translation>
     </message>
     <message>
-        <source>World: the grid's middle is the world's origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera's. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
+        <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
         <translation>Svijet: sredina rešetke je ishodište svijeta; male osi uz F su njegove vlastite, pomaknute za 3 duž x i -1 duž z te okrenute oko y; u, v, n kod kamere pripadaju njoj. Svako od triju pitanja, izraditi, postaviti, pogledati, ima vlastiti sustav, pa se na svako može odgovoriti bez ostalih. Sva su tri desni sustavi. Uhvatite F za njegovo ishodište i pomaknite ga.</translation>
     </message>
     <message>
@@ -8357,7 +8357,7 @@
         <translation>Stupci su osi</translation>
     </message>
     <message>
-        <source>Columns 1 to 3 of {0} are the object's axes, as the world sees them; column 4 is its origin:</source>
+        <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
         <translation>Stupci 1 do 3 matrice {0} su osi objekta kako ih vidi svijet; stupac 4 je njegovo ishodište:</translation>
     </message>
     <message>
@@ -8373,7 +8373,7 @@
         <translation>Stupac 1 je (0, 1, 0), stupac 4 je (3, 0, 0), a zajedno su (3, 1, 0).</translation>
     </message>
     <message>
-        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world's x, times the coordinate. Read by columns it says more: column 1 is where the object's x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
+        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
         <translation>Redak x umnoška je zbroj na ploči: koliko daleko svaka os objekta seže duž globalne osi x, puta koordinata. Čitan po stupcima govori više: stupac 1 je ono kamo pokazuje os x objekta. Nakon glasovanja otvorite Matrice i prijeđite stupce matrice svijet ← objekt; os zasvijetli u oknu Svijet. Zatim rukom okrenite objekt, za njegov prsten.</translation>
     </message>
     <message>
@@ -8389,7 +8389,7 @@
         <translation>Zamijenite dvije matrice: {0}. Gdje je tada slovo?</translation>
     </message>
     <message>
-        <source>Elsewhere: it is turned and moved along the camera's axes</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
         <translation>Drugdje: okrenuto je i pomaknuto po osima kamere</translation>
     </message>
     <message>
@@ -8409,7 +8409,7 @@
         <translation>Matrica zdesna djeluje prva. Matrica pogleda prebacuje slovo u koordinatni sustav kamere, a pomak se zatim izvodi duž {0}, oko kamere.</translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera's axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation>Veliko okno pokazuje koordinatni sustav kamere: kamera je u ishodištu, u udesno, v gore, n prema njoj. Povlačite traku od postaje Objekt do Kamera: na Ry je slovo okrenuto, na Svijet stoji na svojem mjestu, a od Svijeta do Kamere sve se pomiče i ništa ne mijenja svoj položaj prema ostalome. Retci matrice pogleda su osi kamere, jer je ona inverz matrice čiji su to stupci. Zatim pitajte što čini umnožak sa zamijenjenim matricama. Obje se matrice množe jednom, a ne za svaki vrh.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@
         <translation>NDC</translation>
     </message>
     <message>
-        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel's; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube's z runs away from the reader: NDC is left-handed, the camera's space right-handed. Drag probe 1 in Image.</source>
+        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
         <translation>Dva koraka: matrica i dijeljenje koje nijedna matrica ne može. w je 5, dubina točke. Tablica je ona iz ploče Sonda; NDC ima točku u kocki. Nastavni materijal zove kocku prostorom odsijecanja; ovdje je odsijecanje ono što je prije dijeljenja. Os z kocke ide od čitatelja: NDC je lijevi sustav, koordinatni sustav kamere desni. Povucite sondu 1 u oknu Slika.</translation>
     </message>
     <message>
@@ -8489,8 +8489,8 @@
         <translation>Po sličnim trokutima, s ravninom na {0}:</translation>
     </message>
     <message>
-        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P' is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation>Svijet sa strane: ravnina je bliska ravnina, d = n = 2. P je na dubini 5 i visini 2, P' na visini 0.8. Obje koordinate idu s 1/(-z), pa je {0}, duljina ispod slike, a posljednji redak 0 0 -1 0. Minus je tu jer ono što se vidi ima negativan z. Odozgo je isto za x.</translation>
+        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
+        <translation>Svijet sa strane: ravnina je bliska ravnina, d = n = 2. P je na dubini 5 i visini 2, P&apos; na visini 0.8. Obje koordinate idu s 1/(-z), pa je {0}, duljina ispod slike, a posljednji redak 0 0 -1 0. Minus je tu jer ono što se vidi ima negativan z. Odozgo je isto za x.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
@@ -8577,7 +8577,7 @@
         <translation>Kvadar postaje kocka bez dijeljenja: skalirajte s {0} i {1} i pomaknite sredinu u 0.</translation>
     </message>
     <message>
-        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum's matrix, in step 10.</source>
+        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
         <translation>Kvadar ima istu širinu na svakoj dubini: w je 1. Prva ćelija u nastavnom materijalu ima 2n/(r - l), omašku: ovdje se ništa ne dovodi na blisku ravninu, pa nema n. Pomaci sada stoje u stupcu 4, a ne u stupcu 3, jer se ne množe sa z. Usporedite s matricom krnje piramide, u koraku 10.</translation>
     </message>
     <message>
@@ -8600,7 +8600,7 @@
         <translation>Kamera za slovo F</translation>
     </message>
     <message>
-        <source>The camera's axes</source>
+        <source>The camera&apos;s axes</source>
         <translation>Osi kamere</translation>
     </message>
     <message>
@@ -8616,7 +8616,7 @@
         <translation>{0} i {1}, pa je {2}.</translation>
     </message>
     <message>
-        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn "Up from view" towards the end of its slider: |V × n| goes to 0, and U with it.</source>
+        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
         <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasuju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako se naginje od V. Što ako je V paralelan s N? Okrećite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
     </message>
     <message>
@@ -8628,7 +8628,7 @@
         <translation>Kamera je u {0}, i ima {1}. Treba stajati u ishodištu, s njima duž {2}.</translation>
     </message>
     <message>
-        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera's. Ask for two moves that bring them together, and in which order.</source>
+        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
         <translation>x, y i z pripadaju svijetu i u sljedeća dva koraka miruju; u, v i n pripadaju kameri. Pitajte za dva pomicanja koja ih dovode u poklapanje, i kojim redom.</translation>
     </message>
     <message>
@@ -8648,7 +8648,7 @@
         <translation>Zatim R</translation>
     </message>
     <message>
-        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture's {3}.</source>
+        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
         <translation>{0} rotira oko ishodišta dok {1} ne legnu duž {2}, u predavanju {3}.</translation>
     </message>
     <message>
@@ -8660,19 +8660,19 @@
         <translation>R puta P</translation>
     </message>
     <message>
-        <source>{0}, from the world's system (GKS) to the camera's (KSK); {1} acts first.</source>
+        <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
         <translation>{0}, iz globalnog koordinatnog sustava (GKS) u koordinatni sustav kamere (KSK); {1} djeluje prva.</translation>
     </message>
     <message>
-        <source>{0}, {1}. Which number is in row 3 of {2}'s last column?</source>
+        <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
         <translation>{0}, {1}. Koji je broj u retku 3 posljednjeg stupca od {2}?</translation>
     </message>
     <message>
-        <source>−8: the eye's z with a minus</source>
+        <source>−8: the eye&apos;s z with a minus</source>
         <translation>−8: z kamere s minusom</translation>
     </message>
     <message>
-        <source>8: the eye's z</source>
+        <source>8: the eye&apos;s z</source>
         <translation>8: z kamere</translation>
     </message>
     <message>
@@ -8680,7 +8680,7 @@
         <translation>{0}. {1} djeluje prva, pa {2} rotira i translaciju.</translation>
     </message>
     <message>
-        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world's system, KSK the camera's.</source>
+        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
         <translation>Izmnožite na ploči: posljednji stupac je minus položaj kamere duž u, v i n. U drugom redoslijedu posljednji bi stupac bio minus položaj kamere. Pomiču se svi objekti, kamera poslije miruje; njihov međusobni položaj se ne mijenja. GKS je globalni koordinatni sustav, KSK koordinatni sustav kamere.</translation>
     </message>
     <message>
@@ -8692,7 +8692,7 @@
         <translation>Točka iza kamere ima {0}. Bliža točka ima veći (manje negativan) z. Ovdje točka 1 ima −7.5, točka 2 ima −12, točka 3 ima 2.</translation>
     </message>
     <message>
-        <source>Three points, and their z in the camera's system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world's coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
+        <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
         <translation>Tri točke i njihov z u koordinatnom sustavu kamere (ima ih ploča Sonda). Koja je iza kamere? Koja skriva koju? Po jedna usporedba. U globalnim koordinatama ista pitanja svaki put trebaju kameru. Ravnina projekcije sada je okomita na os z, a ortogonalna projekcija glasi: ispustite z. Perspektivna je još jedno dijeljenje.</translation>
     </message>
     <message>
@@ -8704,7 +8704,7 @@
         <translation>Osam kocaka na xz-ravnini, nacrtanih ortogonalnom projekcijom: {0}</translation>
     </message>
     <message>
-        <source>This is the exercise's class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
+        <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
         <translation>To je klasa Ortho iz vježbe: svaka linija rešetke i svaki brid kocaka prolazi kroz R P, a z se zaboravlja. Paralelni bridovi ostaju paralelni: pokažite tri. Okrećite Azimut: slovo se okreće, ništa s udaljenošću ne raste i ne smanjuje se. Vježba traži samo linije; ovdje su strane ispunjene, da se vidi što je ispred.</translation>
     </message>
     <message>
@@ -8736,7 +8736,7 @@
         <translation>gleda dolje</translation>
     </message>
     <message>
-        <source>In Animation choose Look: level, and play: the eye's height and the target's go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
+        <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
         <translation>U Animaciji odaberite Pogled: horizontalno, i pokrenite: visina kamere i visina cilja idu zajedno. Uspravni su bridovi sada uspravni, na svakoj visini; Svijet pokazuje obje kamere. Vratite na prema cilju: stječu se. Zatim otvorite Više o kameri i postavite smjer prema gore na 1, 1, 0: slika se okreće, F ne. Računa se samo smjer vektora V, i to samo njegov dio okomit na n.</translation>
     </message>
     <message>
@@ -8796,7 +8796,7 @@
         <translation>Pravac razlomljen kod {0}</translation>
     </message>
     <message>
-        <source>The projection takes the point at {0} to infinity, and the line's point at infinity to a finite point: the image is a line in two pieces.</source>
+        <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
         <translation>Projekcija preslikava točku kod {0} u beskonačno daleku, a beskonačno daleku točku pravca u konačnu: slika je pravac u dva dijela.</translation>
     </message>
     <message>
@@ -8816,8 +8816,8 @@
         <translation>{0} prema z = 0 raste bez granice.</translation>
     </message>
     <message>
-        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A' and B' takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges' vanishing point. One sentence of the lecture says "plane of projection" where it means z = 0.</source>
-        <translation>AB je ravna i prolazi kroz ravninu z = 0; polovica joj je iza kamere. Glasovanje, zatim pokažite: ružičasta je slika, narančasto je ono što crta naivni program; crtkano je komad bez slike. U projektivnoj geometriji pravac je kružnica, zatvorena svojom beskonačno dalekom točkom: za to otvorite Objašnjenje i dijagrami. Spajanje A' i B' uzima pogrešan luk. A pramen pravaca kroz jednu točku? F ima mnogo paralelnih bridova; njihovi pogrešni dijelovi svi prolaze kroz nedogled tih bridova. Jedna rečenica predavanja kaže „ravnina projekcije” ondje gdje misli z = 0.</translation>
+        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
+        <translation>AB je ravna i prolazi kroz ravninu z = 0; polovica joj je iza kamere. Glasovanje, zatim pokažite: ružičasta je slika, narančasto je ono što crta naivni program; crtkano je komad bez slike. U projektivnoj geometriji pravac je kružnica, zatvorena svojom beskonačno dalekom točkom: za to otvorite Objašnjenje i dijagrami. Spajanje A&apos; i B&apos; uzima pogrešan luk. A pramen pravaca kroz jednu točku? F ima mnogo paralelnih bridova; njihovi pogrešni dijelovi svi prolaze kroz nedogled tih bridova. Jedna rečenica predavanja kaže „ravnina projekcije” ondje gdje misli z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
@@ -8844,7 +8844,7 @@
         <translation>4 B iza</translation>
     </message>
     <message>
-        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene's controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
+        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
         <translation>Počinje kao slučaj 1, oba kraja ispred. Povucite B iza ravnine z = 0: slučaj 4. Povucite i A iza: slučaj 2, ništa se ne crta. B opet ispred: slučaj 3. Broj ispod kontrola scene svaki put imenuje slučaj. Program iz vježbe mora pamtiti posljednju točku u koordinatama kamere, kao {0}, i ondje gdje ništa nije nacrtano.</translation>
     </message>
     <message>
@@ -8856,7 +8856,7 @@
         <translation>{0}, a točka pravca u {1} zauzima mjesto kraja koji je iza.</translation>
     </message>
     <message>
-        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; "More numbers" has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
+        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
         <translation>Ne u 0, gdje dijeljenje zakaže, nego malo ispred. Tri slike: dijeljeno bez odsijecanja, odsječeno kod z = −0.01, odsječeno piramidom. Crtkano je komad dužine AB bez slike. To odsijecanje zadržava sve od AB ispred ravnine, i slika izlazi iz okvira. Odsijecanje piramidom zadržava ono što je unutar nje, i slika završava na okviru. U oknu Slika jedva se razlikuju: razlika je pokraj slike ili najviše nekoliko piksela; „Još brojeva” ima je kao ono što odsijecanje izostavlja. Odsijecanju u homogenim koordinatama takav broj ne treba: ono zadržava {0} do {1} prije dijeljenja. Time je vježba gotova: ušećite u F.</translation>
     </message>
 </context>
@@ -8903,7 +8903,7 @@
         <translation>Na ravninama povlačenje pomiče blisku ili daleku. Tipkovnicom: Tab do okna Svijet, zatim strelice. Kućica u naslovu vraća prvi pogled.</translation>
     </message>
     <message>
-        <source>Only your own view has turned. The image is the camera's.</source>
+        <source>Only your own view has turned. The image is the camera&apos;s.</source>
         <translation>Okrenuo se samo vaš vlastiti pogled. Slika pripada kameri.</translation>
     </message>
     <message>
@@ -8939,7 +8939,7 @@
         <translation>Vratite se na raniju postaju trake, pa opet naprijed ako želite.</translation>
     </message>
     <message>
-        <source>Drag the strip's slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
+        <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
         <translation>Povucite klizač trake ulijevo ili pritisnite *Kamera*, *Piramida* ili *Kvadar*; kad je fokus na njemu, pomiču ga strelice.</translation>
     </message>
     <message>

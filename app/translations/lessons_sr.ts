@@ -140,7 +140,7 @@
         <translation>Прозор удесно помера слику удесно</translation>
     </message>
     <message>
-        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture's middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
+        <source>This shifts the picture to the same side as the window. The window frames what you see: if its middle is right of the axis, the axis appears left of the picture&apos;s middle, at {0}. The matrix has a plus there because that cell is multiplied by {1}, which is negative.</source>
         <translation>Овде се слика помера на исту страну као прозор. Прозор уоквирује оно што видите: ако је његова средина десно од осе, оса се појављује лево од средине слике, у {0}. У матрици је тамо плус јер се то поље множи са {1}, што је негативно.</translation>
     </message>
     <message>
@@ -220,7 +220,7 @@
         <translation>Пиксел 100 је на 100</translation>
     </message>
     <message>
-        <source>This takes a pixel's number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
+        <source>This takes a pixel&apos;s number for the position of its centre. Pixel {0} reaches from {1} to {2}, so its centre is at {3}, so {4}: the outer centres of four pixels are at {5}, not at {6}.</source>
         <translation>Овде је број пиксела узет за положај његовог средишта. Пиксел {0} досеже од {1} до {2}, па му је средиште у {3}, дакле {4}: крајња средишта четири пиксела су у {5}, а не у {6}.</translation>
     </message>
     <message>
@@ -244,7 +244,7 @@
         <translation>X прилагођава x</translation>
     </message>
     <message>
-        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture's proportions; variant Y keeps {3} and adjusts {4}.</source>
+        <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
         <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије размеру слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
     </message>
     <message>
@@ -304,7 +304,7 @@
         <translation>Лампа је сунце</translation>
     </message>
     <message>
-        <source>This takes the lamp's position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
+        <source>This takes the lamp&apos;s position for a direction that all rays share. From a lamp each ray has its own direction, {0}, and meets the ground at {1}; only the sun is so far away that all rays are parallel.</source>
         <translation>Овде је положај лампе узет за смер заједнички свим зрацима. Од лампе сваки зрак има свој смер, {0}, и сече тло у {1}; само је сунце толико далеко да су сви зраци паралелни.</translation>
     </message>
     <message>
@@ -384,7 +384,7 @@
         <translation>Инверз тачно поништава</translation>
     </message>
     <message>
-        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye's coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
+        <source>This takes the inverse on paper for the one in the computer. Its cells are rounded, and so is each product. Far from the origin the eye&apos;s coordinates are large, and the inverse multiplies them with a small difference of rounded numbers: float32 misses a point by per cent of its distance.</source>
         <translation>Овде је инверз на папиру узет за онај у рачунару. Његова поља су заокружена, а тако и сваки производ. Далеко од координатног почетка координате позиције камере су велике, а инверз их множи малом разликом заокружених бројева: float32 промашује тачку за проценте њеног растојања.</translation>
     </message>
     <message>
@@ -392,7 +392,7 @@
         <translation>Прво помак, па окретање</translation>
     </message>
     <message>
-        <source>This moves first and then turns. A rotation turns about the world's origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
+        <source>This moves first and then turns. A rotation turns about the world&apos;s origin, so it carries the moved object along a circle: {0} turns it in its place, {1} swings it round.</source>
         <translation>Овде се прво помера, па окреће. Ротација окреће око координатног почетка света, па померени објекат носи по кружници: {0} га окреће на месту, а {1} га води у луку.</translation>
     </message>
     <message>
@@ -400,7 +400,7 @@
         <translation>Скалирање не дира помак</translation>
     </message>
     <message>
-        <source>This moves first and then scales. A scale is about the world's origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
+        <source>This moves first and then scales. A scale is about the world&apos;s origin, so it multiplies the move, too: with a factor of 2 a move by 3 ends at 6.</source>
         <translation>Овде се прво помера, па скалира. Скалира се од координатног почетка света, па се множи и помак: са чиниоцем 2 помак за 3 завршава у 6.</translation>
     </message>
     <message>
@@ -408,7 +408,7 @@
         <translation>Огледало стоји поред објекта</translation>
     </message>
     <message>
-        <source>This moves first and then mirrors. The mirror is a plane through the world's origin, so it takes a move by 3 to the other side, to {0}.</source>
+        <source>This moves first and then mirrors. The mirror is a plane through the world&apos;s origin, so it takes a move by 3 to the other side, to {0}.</source>
         <translation>Овде прво делује помак, па рефлексија. Огледало је раван кроз координатни почетак света, па помак за 3 преноси на другу страну, у {0}.</translation>
     </message>
     <message>
@@ -416,7 +416,7 @@
         <translation>Скалирање и окретање могу да замене места</translation>
     </message>
     <message>
-        <source>This turns first and then scales along the world's axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
+        <source>This turns first and then scales along the world&apos;s axes. With unequal factors the turned object loses its right angles. Scaled first, along its own axes, and then turned, it keeps them.</source>
         <translation>Овде се прво окреће, па скалира дуж оса света. Са неједнаким чиниоцима окренути објекат губи праве углове. Ако се прво скалира, дуж сопствених оса, па онда окрене, он их задржава.</translation>
     </message>
     <message>
@@ -432,7 +432,7 @@
         <translation>Смицање и окретање могу да замене места</translation>
     </message>
     <message>
-        <source>This turns first and then shears along the world's axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
+        <source>This turns first and then shears along the world&apos;s axes. Sheared first, the object has its slant along its own axes, and takes it along when it turns.</source>
         <translation>Овде се прво окреће, па смиче дуж оса света. Ако се прво смиче, косина објекта је дуж његових сопствених оса, и он је при окретању носи са собом.</translation>
     </message>
     <message>
@@ -456,7 +456,7 @@
         <translation>Матрица погледа долази пре објекта</translation>
     </message>
     <message>
-        <source>This puts the view matrix on the right of the object's moves. A point starts in object space: the object's matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
+        <source>This puts the view matrix on the right of the object&apos;s moves. A point starts in object space: the object&apos;s matrix takes it to the world, and only then the view matrix takes it to the camera.</source>
         <translation>Овде је матрица погледа стављена десно од покрета објекта. Тачка полази из координатног система објекта: матрица објекта је преводи у свет, и тек онда је матрица погледа преводи у систем камере.</translation>
     </message>
     <message>
@@ -464,7 +464,7 @@
         <translation>Прво пројектовати, па гледати</translation>
     </message>
     <message>
-        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world's {2}, and {3} is no longer the depth.</source>
+        <source>This projects before the points are in camera space. The lens makes {0} of {1}, which is the depth only in camera space. Of a point of the world it takes the world&apos;s {2}, and {3} is no longer the depth.</source>
         <translation>Овде се пројектује пре него што су тачке у координатном систему камере. Објектив прави {0} од {1}, а то је дубина само у систему камере. Од тачке света он узима {2} у свету, и {3} више није дубина.</translation>
     </message>
     <message>
@@ -532,7 +532,7 @@
         <translation>Овде се окреће око друге осе. Што лежи на оси ротације, остаје где јесте: окретање око z мења x и y, а задржава z.</translation>
     </message>
     <message>
-        <source>The camera's axes are columns of R</source>
+        <source>The camera&apos;s axes are columns of R</source>
         <translation>Осе камере су колоне матрице R</translation>
     </message>
     <message>
@@ -575,7 +575,7 @@
 <context>
     <name>l01-camera-frame</name>
     <message>
-        <source>The camera's own axes</source>
+        <source>The camera&apos;s own axes</source>
         <translation>Осе саме камере</translation>
     </message>
     <message>
@@ -583,7 +583,7 @@
         <translation>Куда показује n?</translation>
     </message>
     <message>
-        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world's {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
+        <source>A camera carries three unit vectors: {0} to its right, {1} upwards, and {2} along its line of sight. Lecture 001 puts the camera at {3} and lets it look along the world&apos;s {4} axis; the letter F stands 8 units ahead. **World** shows the eye {5}, the line of sight to the target {6}, and the up vector {7}. {8} is not there yet.</source>
         <translation>Камера носи три јединична вектора: {0} удесно, {1} нагоре, и {2} дуж правца погледа. Предавање 001 ставља камеру у {3} и пушта је да гледа дуж осе {4} света; слово F стоји 8 јединица испред. **Свет** показује позицију камере {5}, линију погледа до циља {6} и вектор нагоре {7}. {8} још није ту.</translation>
     </message>
     <message>
@@ -607,7 +607,7 @@
         <translation>(0, 0, -1), као код сваке камере</translation>
     </message>
     <message>
-        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world's x axis, not along z.</source>
+        <source>That is the direction in which it looks in its own coordinates, after the view matrix. In the world it looks along +x. Look at {0}: it lies along the world&apos;s x axis, not along z.</source>
         <translation>То је смер у коме гледа у сопственим координатама, после матрице погледа. У свету она гледа дуж +x. Погледајте {0}: лежи дуж осе x света, а не дуж z.</translation>
     </message>
     <message>
@@ -707,7 +707,7 @@
         <translation>Иста камера: позиција (2, 3, 6), циљ у координатном почетку. Који број стоји у врсти 3, колони 4 матрице погледа?</translation>
     </message>
     <message>
-        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world's origin, lies on the axis.</source>
+        <source>This rotates first and then moves. The move acts first, so row {0} multiplies all its three numbers. Look at view space: the target, the world&apos;s origin, lies on the axis.</source>
         <translation>Овде се прво ротира, па помера. Помак делује први, па врста {0} множи сва његова три броја. Погледајте координатни систем камере: циљ, координатни почетак света, лежи на оси.</translation>
     </message>
     <message>
@@ -715,7 +715,7 @@
         <translation>Ово ставља камеру на њено место. Матрица погледа помера свет док позиција камере не буде у координатном почетку. Погледајте координатни систем камере: камера је у координатном почетку, а циљ испред ње.</translation>
     </message>
     <message>
-        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world's origin, has a negative z.</source>
+        <source>This takes the direction of view for {0}. Look at view space: {1} points backwards, so the target, the world&apos;s origin, has a negative z.</source>
         <translation>Овде је смер погледа узет за {0}. Погледајте координатни систем камере: {1} показује уназад, па циљ, координатни почетак света, има негативно z.</translation>
     </message>
     <message>
@@ -723,7 +723,7 @@
         <translation>Врста 3 је n. Шта она прави од помереног координатног почетка, {0}?</translation>
     </message>
     <message>
-        <source>{0}. The world's origin is 7 units in front of the camera, so its z there is {1}.</source>
+        <source>{0}. The world&apos;s origin is 7 units in front of the camera, so its z there is {1}.</source>
         <translation>{0}. Координатни почетак света је 7 јединица испред камере, па је његово z тамо {1}.</translation>
     </message>
     <message>
@@ -914,11 +914,11 @@
         <translation>Објекат има сопствене координате; {0} их преводи у свет. Овде је {1}: објекат је окренут за 90° око z, па померен за 3 дуж x. Са векторима-колонама десна матрица делује прва. У приказу **Свет** слово F и даље стоји где је направљено.</translation>
     </message>
     <message>
-        <source>The object's point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
+        <source>The object&apos;s point (1, 0, 0): how high above the ground, in y, does it end up in the world?</source>
         <translation>Тачка објекта (1, 0, 0): колико изнад тла, по y, на крају стоји у свету?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object's point would come there, 4 high.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: the object&apos;s point would come there, 4 high.</source>
         <translation>Овде се прво помера, па окреће, а тиме се окреће и помак. Погледајте тачку 1: тачка објекта би дошла тамо, на висину 4.</translation>
     </message>
     <message>
@@ -954,7 +954,7 @@
         <translation>почетак</translation>
     </message>
     <message>
-        <source>Column 1 says where the object's x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
+        <source>Column 1 says where the object&apos;s x axis points in the world: {0}, up. Column 2 is its y axis, column 3 its z axis, and column 4 is the position of its origin. So the point {1} lies at column 4 plus column 1: {2}. Point at a column with the mouse to highlight its axis in **World**.</source>
         <translation>Колона 1 каже куда у свету показује оса x објекта: {0}, нагоре. Колона 2 је његова оса y, колона 3 оса z, а колона 4 положај његовог координатног почетка. Зато тачка {1} лежи у колони 4 плус колона 1: {2}. Покажите мишем на колону да истакнете њену осу у приказу **Свет**.</translation>
     </message>
     <message>
@@ -970,15 +970,15 @@
         <translation>Слово је окренуто за 30° око z, па померено за 4 дуж x: {0}.</translation>
     </message>
     <message>
-        <source>What is x of the object's point (2, 1, 0) in the world?</source>
+        <source>What is x of the object&apos;s point (2, 1, 0) in the world?</source>
         <translation>Колико је x тачке објекта (2, 1, 0) у свету?</translation>
     </message>
     <message>
-        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object's point would come then.</source>
+        <source>This moves first and then turns, which turns the move as well. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Овде се прво помера, па окреће, а тиме се окреће и помак. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by −30°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Овде се врсте читају као колоне, као да је слово окренуто за −30°. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
@@ -1018,7 +1018,7 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world's origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
+        <source>It is tempting to move first, from {0} to {1}, and then to rotate. But a rotation about the world&apos;s origin rotates the move as well: {2} goes to {3}, where probe 1 is. That is {4}, which this step shows: in *Chain* the rotation stands above the move, so it acts last.</source>
         <translation>Примамљиво је прво померити, из {0} у {1}, па онда ротирати. Али ротација око координатног почетка света ротира и помак: {2} иде у {3}, где је сонда 1. То је {4}, што овај корак показује: у одељку *Ланац* ротација стоји изнад помака, па делује последња.</translation>
     </message>
     <message>
@@ -1054,11 +1054,11 @@
         <translation>Превуците плочицу за ручицу на њеној левој страни, или тамо притисните тастере са стрелицама.</translation>
     </message>
     <message>
-        <source>Now the move is turned as well: the letter swings about the world's origin, from {0} to {1}.</source>
+        <source>Now the move is turned as well: the letter swings about the world&apos;s origin, from {0} to {1}.</source>
         <translation>Сада се окреће и помак: слово описује лук око координатног почетка света, од {0} до {1}.</translation>
     </message>
     <message>
-        <source>{0} has the turn on the left, so it acts last, about the world's origin.</source>
+        <source>{0} has the turn on the left, so it acts last, about the world&apos;s origin.</source>
         <translation>{0} има окретање лево, па оно делује последње, око координатног почетка света.</translation>
     </message>
     <message>
@@ -1070,7 +1070,7 @@
         <translation>Камера има сопствене осе, и матрица {0} свет преводи у њих. Она поништава постављање камере. За тачку {1} слова множе се обе матрице:</translation>
     </message>
     <message>
-        <source>Which chain takes a point of the letter to the camera's axes?</source>
+        <source>Which chain takes a point of the letter to the camera&apos;s axes?</source>
         <translation>Који ланац преводи тачку слова у осе камере?</translation>
     </message>
     <message>
@@ -1078,7 +1078,7 @@
         <translation>У ком систему су координате тачке на почетку?</translation>
     </message>
     <message>
-        <source>The point starts in the letter's own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
+        <source>The point starts in the letter&apos;s own space. The turn and the move take it to the world, and the view matrix takes it from there to the camera.</source>
         <translation>Тачка полази из координатног система слова. Окретање и помак је преводе у свет, а матрица погледа одатле у систем камере.</translation>
     </message>
     <message>
@@ -1122,15 +1122,15 @@
         <translation>Вежба: окрените, па померите</translation>
     </message>
     <message>
-        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter's own space comes to.</source>
+        <source>The letter is turned about z by {0}, then moved along x: {1}. Point 1 is where a point of the letter&apos;s own space comes to.</source>
         <translation>Слово је окренуто око z за {0}, па померено дуж x: {1}. Тачка 1 је место на које долази тачка из координатног система слова.</translation>
     </message>
     <message>
-        <source>Here {0}, and the move is {1} along x. What is x of the object's point {2} in the world?</source>
+        <source>Here {0}, and the move is {1} along x. What is x of the object&apos;s point {2} in the world?</source>
         <translation>Овде је {0}, а помак је {1} дуж x. Колико је x тачке објекта {2} у свету?</translation>
     </message>
     <message>
-        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object's point would come then.</source>
+        <source>This reads rows for columns, as if the letter were turned by {0}°. Look at point 1: it is where the object&apos;s point would come then.</source>
         <translation>Овде се врсте читају као колоне, као да је слово окренуто за {0}°. Погледајте тачку 1: она је тамо где би тачка објекта тада дошла.</translation>
     </message>
     <message>
@@ -1194,7 +1194,7 @@
         <translation>Скалирање после помака помножило би помак.</translation>
     </message>
     <message>
-        <source>{0}: first the scale, along the letter's own axes, then the turn about its own origin, and the move last.</source>
+        <source>{0}: first the scale, along the letter&apos;s own axes, then the turn about its own origin, and the move last.</source>
         <translation>{0}: прво скалирање, дуж сопствених оса слова, па окретање око његовог координатног почетка, и на крају помак.</translation>
     </message>
     <message>
@@ -1253,7 +1253,7 @@
         <translation>Предавање 003 има {0} за хоризонтални угао, {1} за вертикални и {2} за размеру, овде {3}. На растојању {4} од позиције камере слика досеже од {5} до {6} и од {7} до {8}. Дакле</translation>
     </message>
     <message>
-        <source>With {0}: {1}, so {2} and {3}. The side of the near plane's window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
+        <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
         <translation>За {0}: {1}, па је {2} и {3}. Страна прозора на предњој равни је {4} по x и {5} по y. У бочном панелу одељак *Још о објективу* има **Хоризонтално видно поље** и **Жижну даљину e**.</translation>
     </message>
     <message>
@@ -1337,7 +1337,7 @@
         <translation>Ово је котангенс од 25 радијана, скоро четири пуна круга. Погледајте угао: 25° је 0.436 радијана.</translation>
     </message>
     <message>
-        <source>In the triangle between eye, axis and the picture's edge, the angle at the eye is α/2.</source>
+        <source>In the triangle between eye, axis and the picture&apos;s edge, the angle at the eye is α/2.</source>
         <translation>У троуглу између камере, осе и ивице слике угао код камере је α/2.</translation>
     </message>
     <message>
@@ -1433,7 +1433,7 @@
         <translation>Овде је вертикални угао узет за хоризонтални. Погледајте квадратну слику са истим вертикалним углом: само ту је он једнак хоризонталном.</translation>
     </message>
     <message>
-        <source>Draw the triangle of the eye, the axis, and the picture's right edge: {0} along the axis, 1 across it.</source>
+        <source>Draw the triangle of the eye, the axis, and the picture&apos;s right edge: {0} along the axis, 1 across it.</source>
         <translation>Нацртајте троугао који чине камера, оса и десна ивица слике: {0} дуж осе, 1 попреко.</translation>
     </message>
     <message>
@@ -1775,12 +1775,12 @@
         <translation>Раван се одмиче</translation>
     </message>
     <message>
-        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P', {1} above the axis. The plane will now move to {2}.</source>
-        <translation>Раван слике стоји на растојању {0} испред камере. P је на дубини 5 и 2 јединице изнад осе. У приказу **Свет**, гледано *Са стране*, њен зрак пројекције иде ка камери и сече раван у P', {1} изнад осе. Раван ће се сада померити на {2}.</translation>
+        <source>The picture plane stands at the distance {0} in front of the eye. P is 5 units deep and 2 units above the axis. In **World**, from the *Side*, its projector runs to the eye and meets the plane at P&apos;, {1} above the axis. The plane will now move to {2}.</source>
+        <translation>Раван слике стоји на растојању {0} испред камере. P је на дубини 5 и 2 јединице изнад осе. У приказу **Свет**, гледано *Са стране*, њен зрак пројекције иде ка камери и сече раван у P&apos;, {1} изнад осе. Раван ће се сада померити на {2}.</translation>
     </message>
     <message>
-        <source>How many times as high as before is P' above the axis then?</source>
-        <translation>Колико је пута P' тада више изнад осе него пре?</translation>
+        <source>How many times as high as before is P&apos; above the axis then?</source>
+        <translation>Колико је пута P&apos; тада више изнад осе него пре?</translation>
     </message>
     <message>
         <source>This measures from the plane to P. The two triangles share the corner at the eye. Look at {0}: from the eye P is 5 deep, wherever the plane is.</source>
@@ -1799,8 +1799,8 @@
         <translation>Два слична троугла</translation>
     </message>
     <message>
-        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P': {2} and {3}. Both have the same angle at the eye:</source>
-        <translation>Велики троугао иде од камере дуж осе до дубине тачке P, па нагоре до P: његове странице су {0} и {1}. Мали иде дуж осе до равни, па нагоре до P': {2} и {3}. Оба имају исти угао код камере:</translation>
+        <source>The large triangle runs from the eye along the axis to the depth of P, and up to P: its sides are {0} and {1}. The small one runs along the axis to the plane, and up to P&apos;: {2} and {3}. Both have the same angle at the eye:</source>
+        <translation>Велики троугао иде од камере дуж осе до дубине тачке P, па нагоре до P: његове странице су {0} и {1}. Мали иде дуж осе до равни, па нагоре до P&apos;: {2} и {3}. Оба имају исти угао код камере:</translation>
     </message>
     <message>
         <source>P is {0} in camera space. With {1}: {2}. The dock has the numbers and the matrix with {3}. It takes P to {4}; divided by the last number, that is {5}.</source>
@@ -1959,8 +1959,8 @@
         <translation>Врста 4 пута {0} је {1} пута {2}.</translation>
     </message>
     <message>
-        <source>Divided by its last number, it is P': {0}.</source>
-        <translation>Подељено својим последњим бројем, то је P': {0}.</translation>
+        <source>Divided by its last number, it is P&apos;: {0}.</source>
+        <translation>Подељено својим последњим бројем, то је P&apos;: {0}.</translation>
     </message>
     <message>
         <source>Practise: set the plane</source>
@@ -1971,16 +1971,16 @@
         <translation>Раван је на {0}. Превуците је, или унесите {1} у бочном панелу.</translation>
     </message>
     <message>
-        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P' is {2} above the axis.</source>
-        <translation>P је на дубини {0} и {1} изнад осе. Оставите је тамо и померајте раван док слика P' не буде {2} изнад осе.</translation>
+        <source>P is {0} deep and {1} above the axis. Leave it there, and move the plane until the image P&apos; is {2} above the axis.</source>
+        <translation>P је на дубини {0} и {1} изнад осе. Оставите је тамо и померајте раван док слика P&apos; не буде {2} изнад осе.</translation>
     </message>
     <message>
-        <source>Your plane is behind the eye. Look at P': it is below the axis.</source>
-        <translation>Ваша раван је иза камере. Погледајте P': она је испод осе.</translation>
+        <source>Your plane is behind the eye. Look at P&apos;: it is below the axis.</source>
+        <translation>Ваша раван је иза камере. Погледајте P&apos;: она је испод осе.</translation>
     </message>
     <message>
-        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P': it is less than {0} above the axis.</source>
-        <translation>Овде се дубина тачке P мери од равни. Оба троугла почињу код камере. Погледајте P': она је мање од {0} изнад осе.</translation>
+        <source>This measures the depth of P from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {0} above the axis.</source>
+        <translation>Овде се дубина тачке P мери од равни. Оба троугла почињу код камере. Погледајте P&apos;: она је мање од {0} изнад осе.</translation>
     </message>
 </context>
 <context>
@@ -2038,8 +2038,8 @@
         <translation>Сонда 1 је и даље право испред камере. *Сонда*, испод слика, има њено {0} у реду NDC.</translation>
     </message>
     <message>
-        <source>Bring the axis to the right half of the picture, to x' = 0.5.</source>
-        <translation>Доведите осу у десну половину слике, на x' = 0.5.</translation>
+        <source>Bring the axis to the right half of the picture, to x&apos; = 0.5.</source>
+        <translation>Доведите осу у десну половину слике, на x&apos; = 0.5.</translation>
     </message>
     <message>
         <source>Which side must the window reach farther to?</source>
@@ -2198,11 +2198,11 @@
         <translation>Очи су на размаку {0}, раван екрана је на {1}, а {2} на {3}. Колико је десно од {4} слика {5}, у равни екрана? Ако је лево, број је негативан.</translation>
     </message>
     <message>
-        <source>The screen's distance is the height</source>
+        <source>The screen&apos;s distance is the height</source>
         <translation>Растојање екрана је висина</translation>
     </message>
     <message>
-        <source>This takes the screen's distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
+        <source>This takes the screen&apos;s distance for the height of the large triangle. That one reaches from {0} to the eyes, and its height is {1}. Look at both triangles.</source>
         <translation>Овде је растојање екрана узето за висину великог троугла. Он досеже од {0} до очију, и његова висина је {1}. Погледајте оба троугла.</translation>
     </message>
     <message>
@@ -2425,7 +2425,7 @@
         <translation>Вежба: колико широко прави Y?</translation>
     </message>
     <message>
-        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture's proportions require.</source>
+        <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
         <translation>Слика је растегнута. Варијанта Y задржава {0} и прави прозор онолико широк колико размера слике тражи.</translation>
     </message>
     <message>
@@ -2668,8 +2668,8 @@
         <translation>Сонда 1 је на дубини од 4 јединице; предња раван је на 1, а задња на 9.</translation>
     </message>
     <message>
-        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z' = 0.</source>
-        <translation>Поставите предњу и задњу раван тако да сонда 1, на дубини 4, дође у средину коцке: z' = 0.</translation>
+        <source>Set near and far so that probe 1, at depth 4, comes to the middle of the cube: z&apos; = 0.</source>
+        <translation>Поставите предњу и задњу раван тако да сонда 1, на дубини 4, дође у средину коцке: z&apos; = 0.</translation>
     </message>
     <message>
         <source>Use 1/z: 1/4 must be halfway between 1/near and 1/far.</source>
@@ -2732,7 +2732,7 @@
         <translation>Предња раван је {0}, а задња {1}. Која тачка дужи PQ у коцки долази у {2}? Обележите је.</translation>
     </message>
     <message>
-        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube's middle lies before it.</source>
+        <source>This is the middle of PQ in the world. But {0} changes with {1}, fast just behind near. Look at point 1: it is the place that you marked, and the cube&apos;s middle lies before it.</source>
         <translation>Ово је средина дужи PQ у свету. Али {0} се мења са {1}, брзо одмах иза предње равни. Погледајте тачку 1: то је место које сте обележили, а средина коцке лежи пре њега.</translation>
     </message>
     <message>
@@ -2772,7 +2772,7 @@
         <translation>{0}, па је {1} {2} {3}, више од половине од {4}.</translation>
     </message>
     <message>
-        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube's middle is nearer to near than the point is.</source>
+        <source>This puts the point half-way between the planes in the world. But {0} changes with {1}. Look at the planes: the cube&apos;s middle is nearer to near than the point is.</source>
         <translation>Овде је тачка стављена на пола пута између равни у свету. Али {0} се мења са {1}. Погледајте равни: средина коцке је ближа предњој равни него тачка.</translation>
     </message>
 </context>
@@ -2799,7 +2799,7 @@
         <translation>Остаје на z = −1</translation>
     </message>
     <message>
-        <source>{0} divides every depth by {1}, not only far's. Look at near: it is at −0.111, close to the eye.</source>
+        <source>{0} divides every depth by {1}, not only far&apos;s. Look at near: it is at −0.111, close to the eye.</source>
         <translation>{0} дели сваку дубину са {1}, а не само дубину задње равни. Погледајте предњу раван: она је на −0.111, близу камере.</translation>
     </message>
     <message>
@@ -2823,7 +2823,7 @@
         <translation>Два чиниоца</translation>
     </message>
     <message>
-        <source>*Matrices* shows the chain in the lecture's letters and highlights the matrix of the strip's stop. {0} divides z by {1}: here {2}.</source>
+        <source>*Matrices* shows the chain in the lecture&apos;s letters and highlights the matrix of the strip&apos;s stop. {0} divides z by {1}: here {2}.</source>
         <translation>*Матрице* показују ланац у словима предавања и истичу матрицу станице на траци. {0} дели z са {1}: овде {2}.</translation>
     </message>
     <message>
@@ -2851,7 +2851,7 @@
         <translation>c</translation>
     </message>
     <message>
-        <source>{0} takes 0 … −1 to OpenGL's −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
+        <source>{0} takes 0 … −1 to OpenGL&apos;s −1 … 1: {1}. Click *Pyramid*, *Box* and *NDC* under the cube.</source>
         <translation>{0} преводи 0 … −1 у −1 … 1 за OpenGL: {1}. Кликните на *Пирамида*, *Квадар* и *NDC* испод коцке.</translation>
     </message>
     <message>
@@ -2863,11 +2863,11 @@
         <translation>Свака станица траке је једно место, и сваки чинилац води са једног на следеће. Тачка {0} координатног система камере пролази кроз све: оно што прво среће стоји десно, одмах до ње.</translation>
     </message>
     <message>
-        <source>Which volume does each factor start from: the lens's own, the pyramid or the box?</source>
+        <source>Which volume does each factor start from: the lens&apos;s own, the pyramid or the box?</source>
         <translation>Од које запремине полази сваки чинилац: од запремине самог објектива, од пирамиде или од квадра?</translation>
     </message>
     <message>
-        <source>{0} starts from the lens's own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
+        <source>{0} starts from the lens&apos;s own volume, {1} from the pyramid, and {2} from the box: {3}.</source>
         <translation>{0} полази од запремине самог објектива, {1} од пирамиде, а {2} од квадра: {3}.</translation>
     </message>
     <message>
@@ -2999,7 +2999,7 @@
         <translation>Вежба: од пирамиде до коцке</translation>
     </message>
     <message>
-        <source>{0} takes the box, from 0 to {1}, to OpenGL's depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
+        <source>{0} takes the box, from 0 to {1}, to OpenGL&apos;s depths from {2} to {3}: {4}, and {5} stays. {6} comes first.</source>
         <translation>{0} преводи квадар, од 0 до {1}, у дубине од {2} до {3} за OpenGL: {4}, а {5} остаје. {6} долази прва.</translation>
     </message>
     <message>
@@ -3095,7 +3095,7 @@
         <translation>Објективу требају тачке у координатном систему камере.</translation>
     </message>
     <message>
-        <source>The view matrix comes first, because the lens's matrices are made for view space.</source>
+        <source>The view matrix comes first, because the lens&apos;s matrices are made for view space.</source>
         <translation>Матрица погледа долази прва, јер су матрице објектива направљене за координатни систем камере.</translation>
     </message>
 </context>
@@ -3190,7 +3190,7 @@
         <translation>Шта стоји у врсти 1, колони 4 матрице „одсецање ← камера”?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The cell is added to {0}; it must take the middle, {1}, to {2}. Look from above: the middle of the box is to the right of the eye&apos;s axis.</source>
         <translation>Ово помера средину квадра још даље. Поље се додаје на {0}; оно мора средину, {1}, да доведе у {2}. Погледајте одозго: средина квадра је десно од осе камере.</translation>
     </message>
     <message>
@@ -3238,7 +3238,7 @@
         <translation>Квадар досеже од {0} до {1}. Шта стоји у врсти 1 матрице „одсецање ← камера”?</translation>
     </message>
     <message>
-        <source>This moves the middle of the box farther out. The row's last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye's axis.</source>
+        <source>This moves the middle of the box farther out. The row&apos;s last cell is added to {0}, so it must be {1}: then the middle, {2}, comes to {3}. Look from above: the middle of the box is not on the eye&apos;s axis.</source>
         <translation>Ово помера средину квадра још даље. Последње поље врсте додаје се на {0}, па мора бити {1}: тада средина, {2}, долази у {3}. Погледајте одозго: средина квадра није на оси камере.</translation>
     </message>
     <message>
@@ -3373,7 +3373,7 @@
         <translation>Поставите објектив тако да буде {0}, у било ком смеру.</translation>
     </message>
     <message>
-        <source>The numbers below the scene's controls give the drawn scale.</source>
+        <source>The numbers below the scene&apos;s controls give the drawn scale.</source>
         <translation>Бројеви испод контрола сцене дају нацртану размеру.</translation>
     </message>
     <message>
@@ -3576,7 +3576,7 @@
         <translation>Кутија има ивице у три смера. Када је камера право испред ње, ивице које воде од вас секу се у једној тачки слике, {0}. Ово је перспектива са 1 недогледом.</translation>
     </message>
     <message>
-        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box's edges have now?</source>
+        <source>The camera stays level and goes round the box by 30°. How many vanishing points do the box&apos;s edges have now?</source>
         <translation>Камера остаје водоравна и обилази кутију за 30°. Колико тачака недогледа сада имају ивице кутије?</translation>
     </message>
     <message>
@@ -3636,7 +3636,7 @@
         <translation>Елевација 0 уклања тачку недогледа усправних ивица. Шта даље?</translation>
     </message>
     <message>
-        <source>The camera's {0} must be one of the axes.</source>
+        <source>The camera&apos;s {0} must be one of the axes.</source>
         <translation>{0} камере мора бити једна од оса.</translation>
     </message>
     <message>
@@ -3652,7 +3652,7 @@
         <translation>Овде камера стоји испред коцке и гледа надоле под 30°.</translation>
     </message>
     <message>
-        <source>How many of the cube's three directions have a vanishing point?</source>
+        <source>How many of the cube&apos;s three directions have a vanishing point?</source>
         <translation>Колико од три смера коцке има тачку недогледа?</translation>
     </message>
     <message>
@@ -3748,7 +3748,7 @@
         <translation>Праве се секу испред камере, где је z негативно: делите са {0}, што је позитивно. Погледајте P у {1}: дошла је у {2} на страни ка којој ивице воде.</translation>
     </message>
     <message>
-        <source>The formula for a point's image, {0}, holds for a direction too.</source>
+        <source>The formula for a point&apos;s image, {0}, holds for a direction too.</source>
         <translation>Формула за слику тачке, {0}, важи и за смер.</translation>
     </message>
     <message>
@@ -3760,11 +3760,11 @@
         <translation>Вежба: нађите тачку</translation>
     </message>
     <message>
-        <source>The grid's lines along z meet in one point of the picture, {0}.</source>
+        <source>The grid&apos;s lines along z meet in one point of the picture, {0}.</source>
         <translation>Линије решетке дуж z секу се у једној тачки слике, {0}.</translation>
     </message>
     <message>
-        <source>The camera's azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
+        <source>The camera&apos;s azimuth is {0}°, its elevation {1}°, and the field of view {2}°. Mark {3}.</source>
         <translation>Азимут камере је {0}°, њена елевација {1}°, а видно поље {2}°. Обележите {3}.</translation>
     </message>
     <message>
@@ -3867,7 +3867,7 @@
         <translation>w објектива</translation>
     </message>
     <message>
-        <source>Point 1 is at {0} in view space. The last row of the lens's matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
+        <source>Point 1 is at {0} in view space. The last row of the lens&apos;s matrix is {1}, so {2}, the depth. In clip space nothing is divided yet:</source>
         <translation>Тачка 1 је у {0} у координатном систему камере. Последња врста матрице објектива је {1}, па је {2}, дубина. У простору одсецања још ништа није подељено:</translation>
     </message>
     <message>
@@ -3907,7 +3907,7 @@
         <translation>Ако је {0}, дељење је немогуће.</translation>
     </message>
     <message>
-        <source>Move the camera, or point 1, until the point's w in clip space is 0, within 0.05.</source>
+        <source>Move the camera, or point 1, until the point&apos;s w in clip space is 0, within 0.05.</source>
         <translation>Померајте камеру, или тачку 1, док w те тачке у простору одсецања не буде 0, са тачношћу од 0.05.</translation>
     </message>
     <message>
@@ -3927,7 +3927,7 @@
         <translation>Рачунање са w</translation>
     </message>
     <message>
-        <source>Each question is about a point {0} after the lens's matrix, or about such a matrix.</source>
+        <source>Each question is about a point {0} after the lens&apos;s matrix, or about such a matrix.</source>
         <translation>Свако питање је о тачки {0} после матрице објектива, или о таквој матрици.</translation>
     </message>
     <message>
@@ -3963,7 +3963,7 @@
         <translation>Један минус остаје</translation>
     </message>
     <message>
-        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture's scene: {3} is this length.</source>
+        <source>{0} makes {1}, which is positive: both sides have a minus. Look at {2} in the lecture&apos;s scene: {3} is this length.</source>
         <translation>{0} даје {1}, што је позитивно: обе стране имају минус. Погледајте {2} у сцени предавања: {3} је ова дужина.</translation>
     </message>
     <message>
@@ -4015,7 +4015,7 @@
         <translation>Вежба: делите</translation>
     </message>
     <message>
-        <source>Point 1 comes out of the lens's matrix as {0}.</source>
+        <source>Point 1 comes out of the lens&apos;s matrix as {0}.</source>
         <translation>Тачка 1 излази из матрице објектива као {0}.</translation>
     </message>
     <message>
@@ -4095,7 +4095,7 @@
         <translation>Праве једног смера координатног система камере иду ка једној тачки слике: слици од {0}.</translation>
     </message>
     <message>
-        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line's point at infinity.</source>
+        <source>A line starts at {0} in view space and runs along {1}. The field of view is {2}°. Mark the image of the line&apos;s point at infinity.</source>
         <translation>Права почиње у {0} у координатном систему камере и иде дуж {1}. Видно поље је {2}°. Обележите слику бесконачно далеке тачке те праве.</translation>
     </message>
     <message>
@@ -4147,7 +4147,7 @@
         <translation>Такве бројеве прави само једно дељење. После којег остаје {0}?</translation>
     </message>
     <message>
-        <source>The lens's matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
+        <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
         <translation>Матрица објектива уписује делилац у {0}, дељење прави {1} и {2}, а област приказа од њих прави пикселе.</translation>
     </message>
     <message>
@@ -4206,7 +4206,7 @@
         <translation>Трансформација области приказа</translation>
     </message>
     <message>
-        <source>where {0} and {1} are the image's width and height. Point 1 has {2} and {3}:</source>
+        <source>where {0} and {1} are the image&apos;s width and height. Point 1 has {2} and {3}:</source>
         <translation>где су {0} и {1} ширина и висина слике. Тачка 1 има {2} и {3}:</translation>
     </message>
     <message>
@@ -4234,8 +4234,8 @@
         <translation>У NDC мора доћи у {0}.</translation>
     </message>
     <message>
-        <source>(0, 0) is the upper left corner of the picture: x' is −1 there, and y' is 1.</source>
-        <translation>(0, 0) је горњи леви угао слике: тамо је x' једнако −1, а y' једнако 1.</translation>
+        <source>(0, 0) is the upper left corner of the picture: x&apos; is −1 there, and y&apos; is 1.</source>
+        <translation>(0, 0) је горњи леви угао слике: тамо је x&apos; једнако −1, а y&apos; једнако 1.</translation>
     </message>
     <message>
         <source>By the formula</source>
@@ -4370,7 +4370,7 @@
         <translation>Где је {0}, а где {1}?</translation>
     </message>
     <message>
-        <source>{0} and {1}, where {2} and {3} are the image's width and height.</source>
+        <source>{0} and {1}, where {2} and {3} are the image&apos;s width and height.</source>
         <translation>{0} и {1}, где су {2} и {3} ширина и висина слике.</translation>
     </message>
     <message>
@@ -4573,7 +4573,7 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>"Its {0} is between −1 and 1, so it is in the picture": that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
+        <source>&quot;Its {0} is between −1 and 1, so it is in the picture&quot;: that is tempting, because after the division no other test is left. But the division has lost the sign of {1}. A point behind the eye then looks like one in front of it, upside down and on the other side. So clip before the division, by {2}; the near plane removes everything without a positive {3}.</source>
         <translation>„Њено {0} је између −1 и 1, дакле на слици је”: то је примамљиво, јер после дељења није остао ниједан други тест. Али дељење је изгубило предзнак од {1}. Тачка иза камере тада изгледа као тачка испред ње, наопачке и на другој страни. Зато одсецајте пре дељења, са {2}; предња раван уклања све што нема позитивно {3}.</translation>
     </message>
     <message>
@@ -4680,8 +4680,8 @@
         <translation>Од 0.5 до −0.5, пут од једног до другог</translation>
     </message>
     <message>
-        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Овде се оба краја поделе, па се резултати споје. B је иза камере, па је његова слика као у огледалу. На путу од A {0} иде у 0, а {1} преко сваке границе: слика пролази кроз бесконачност, а не од 0.5 до −0.5. Погледајте A' и B': права која их спаја је погрешна.</translation>
+        <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Овде се оба краја поделе, па се резултати споје. B је иза камере, па је његова слика као у огледалу. На путу од A {0} иде у 0, а {1} преко сваке границе: слика пролази кроз бесконачност, а не од 0.5 до −0.5. Погледајте A&apos; и B&apos;: права која их спаја је погрешна.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -4692,8 +4692,8 @@
         <translation>Само 0.5: B је иза камере и не рачуна се</translation>
     </message>
     <message>
-        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A' and leaves the picture on the right.</source>
-        <translation>A је само један крај. Део дужи AB између A и равни {0} је испред камере, и свака његова тачка има слику. Погледајте слику: почиње у A' и излази са слике десно.</translation>
+        <source>A is only one end. The half of AB between A and the plane {0} is in front of the camera, and every point of it has an image. Look at the image: it begins at A&apos; and leaves the picture on the right.</source>
+        <translation>A је само један крај. Део дужи AB између A и равни {0} је испред камере, и свака његова тачка има слику. Погледајте слику: почиње у A&apos; и излази са слике десно.</translation>
     </message>
     <message>
         <source>From A the segment approaches the eye plane {0}; x stays 1, so {1} grows beyond every bound. The part behind the eye plane has no image.</source>
@@ -4708,7 +4708,7 @@
         <translation>Предавање 004 пре дељења сече дуж на {0}:</translation>
     </message>
     <message>
-        <source>The scene's controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world's {3}, so in camera space they are {4} and {5}.</source>
+        <source>The scene&apos;s controls have A and B in world coordinates, {0} and {1}; the eye is at {2} and looks along the world&apos;s {3}, so in camera space they are {4} and {5}.</source>
         <translation>Контроле сцене имају A и B у координатама света, {0} и {1}; позиција камере је {2}, а гледа дуж {3} света, па су у координатном систему камере {4} и {5}.</translation>
     </message>
     <message>
@@ -4776,8 +4776,8 @@
         <translation>У ком {0} је слика пресека, са {1}?</translation>
     </message>
     <message>
-        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A' and B': the line that joins them is wrong.</source>
-        <translation>Овде се дели B, које је иза камере. Слику има само део испред {0}, а он се завршава у пресеку. Погледајте A' и B': права која их спаја је погрешна.</translation>
+        <source>This divides B, which is behind the camera. Only the part in front of {0} has an image, and it ends at the cut. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
+        <translation>Овде се дели B, које је иза камере. Слику има само део испред {0}, а он се завршава у пресеку. Погледајте A&apos; и B&apos;: права која их спаја је погрешна.</translation>
     </message>
     <message>
         <source>The side is wrong: at the cut {0} is positive, so {1} has the sign of x. Look at the image: it leaves the picture on the right.</source>
@@ -4816,8 +4816,8 @@
         <translation>Назад на предвиђање</translation>
     </message>
     <message>
-        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A' and B' draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
-        <translation>Два краја, две слике, и линија између њих: тако се црта свака дуж испред камере, па је и овде примамљиво. Али дуж пролази кроз раван {0}, а та тачка нема слику. Слика на једној страни одлази у бесконачност, а остатак се као у огледалу враћа са друге. Спајање A' и B' црта управо онај део праве који *није* слика дужи AB. Зато прво исеците, па делите.</translation>
+        <source>Two ends, two images, and a line between them: every segment in front of the camera is drawn like this, so it is tempting here too. But the segment crosses the plane {0}, and that point has no image. The image runs to infinity on one side, and the mirrored rest comes back from the other. Joining A&apos; and B&apos; draws exactly the part of the line that is *not* the image of AB. So cut first, then divide.</source>
+        <translation>Два краја, две слике, и линија између њих: тако се црта свака дуж испред камере, па је и овде примамљиво. Али дуж пролази кроз раван {0}, а та тачка нема слику. Слика на једној страни одлази у бесконачност, а остатак се као у огледалу враћа са друге. Спајање A&apos; и B&apos; црта управо онај део праве који *није* слика дужи AB. Зато прво исеците, па делите.</translation>
     </message>
     <message>
         <source>Practise: cut, then divide</source>
@@ -4852,32 +4852,32 @@
         <translation>Вежба: исправан део</translation>
     </message>
     <message>
-        <source>A is in front of the camera, B behind it. The picture joins their images A' and B', as the division alone does.</source>
-        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A' и B', као што чини дељење само по себи.</translation>
+        <source>A is in front of the camera, B behind it. The picture joins their images A&apos; and B&apos;, as the division alone does.</source>
+        <translation>A је испред камере, B иза ње. Слика спаја њихове слике A&apos; и B&apos;, као што чини дељење само по себи.</translation>
     </message>
     <message>
         <source>Mark where the right image of AB leaves the picture.</source>
         <translation>Обележите где исправна слика дужи AB излази са слике.</translation>
     </message>
     <message>
-        <source>This is B', the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
-        <translation>Ово је B', слика као у огледалу за тачку иза камере. Исправна слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
+        <source>This is B&apos;, the mirrored image of a point behind the camera. The right image never comes there. Look at the world: B is behind the plane {0}.</source>
+        <translation>Ово је B&apos;, слика као у огледалу за тачку иза камере. Исправна слика тамо никада не стиже. Погледајте свет: B је иза равни {0}.</translation>
     </message>
     <message>
-        <source>Through B' and on</source>
-        <translation>Кроз B' и даље</translation>
+        <source>Through B&apos; and on</source>
+        <translation>Кроз B&apos; и даље</translation>
     </message>
     <message>
-        <source>This goes from A' through B' and on. B' is mirrored, so the right image starts at A' in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
-        <translation>Ово иде од A' кроз B' и даље. B' је као у огледалу, па исправна слика почиње у A' у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
+        <source>This goes from A&apos; through B&apos; and on. B&apos; is mirrored, so the right image starts at A&apos; in the opposite direction. Look at the world: on the way from A to the plane {0} the edge leaves the pyramid on one side.</source>
+        <translation>Ово иде од A&apos; кроз B&apos; и даље. B&apos; је као у огледалу, па исправна слика почиње у A&apos; у супротном смеру. Погледајте свет: на путу од A до равни {0} ивица излази из пирамиде на једној страни.</translation>
     </message>
     <message>
-        <source>It lies on the same line. On which side of A'?</source>
-        <translation>Лежи на истој правој. На којој страни од A'?</translation>
+        <source>It lies on the same line. On which side of A&apos;?</source>
+        <translation>Лежи на истој правој. На којој страни од A&apos;?</translation>
     </message>
     <message>
-        <source>It starts at A' and goes away from B'. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
-        <translation>Почиње у A' и удаљава се од B'. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
+        <source>It starts at A&apos; and goes away from B&apos;. In {0} and {1}, {2}, {3}, and the edge of the picture is at {4}.</source>
+        <translation>Почиње у A&apos; и удаљава се од B&apos;. По {0} и {1}, {2}, {3}, а ивица слике је у {4}.</translation>
     </message>
     <message>
         <source>Practise: the four cases</source>
@@ -4911,7 +4911,7 @@
         <translation>Пола опсега мање</translation>
     </message>
     <message>
-        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene's numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
+        <source>A depth buffer keeps one code for each pixel, here of 16 bits. Surface 2 lies behind surface 1. Where both get the same code, you see the one drawn last; this makes the stripes at the far end of the ramp. The scene&apos;s numbers say how large a gap at the target, 20 units away, is certain to be resolved.</source>
         <translation>Бафер дубине за сваки пиксел чува један код, овде од 16 бита. Површ 2 лежи иза површи 1. Где обе добију исти код, видите ону која је нацртана последња; отуда пруге на даљем крају рампе. Бројеви сцене кажу колики се размак код циља, на 20 јединица, сигурно разликује.</translation>
     </message>
     <message>
@@ -5003,15 +5003,15 @@
         <translation>Овде су сачувани бројеви равномерно распоређени од предње до задње равни. Они се мењају са реципрочном вредношћу растојања, брзо одмах иза предње равни, а једва нешто пред задњом. Погледајте тачку 1, на растојању 10, у коцки: близу је задње равни.</translation>
     </message>
     <message>
-        <source>The buffer holds z'</source>
-        <translation>Бафер садржи z'</translation>
+        <source>The buffer holds z&apos;</source>
+        <translation>Бафер садржи z&apos;</translation>
     </message>
     <message>
         <source>This is the depth from −1 to 1 of NDC. The buffer begins with 0 at near: add 1, then halve. Look at point 1, 10 away, in the cube: its {0} is your number.</source>
         <translation>Ово је дубина од −1 до 1 из NDC. Бафер почиње са 0 на предњој равни: додајте 1, па преполовите. Погледајте тачку 1, на растојању 10, у коцки: њено {0} је ваш број.</translation>
     </message>
     <message>
-        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane's. Look at point 1, 10 away, in the cube: it lies before far.</source>
+        <source>This leaves out a division by the distance 10. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1, 10 away, in the cube: it lies before far.</source>
         <translation>Овде недостаје дељење растојањем 10. Ниједан сачувани број није већи од 1, а то је број задње равни. Погледајте тачку 1, на растојању 10, у коцки: лежи испред задње равни.</translation>
     </message>
     <message>
@@ -5031,7 +5031,7 @@
         <translation>Овде је размак исти на сваком растојању. Био би када би кодови били равномерно распоређени, али већина их лежи одмах иза предње равни; на растојању {0} размак је сразмеран са {1}. Погледајте пруге са предњом равни на 0.1: почињу далеко и шире се са растојањем.</translation>
     </message>
     <message>
-        <source>The gap grows with {0}: it is a little more than four times the scene's number for the target, at the distance 20.</source>
+        <source>The gap grows with {0}: it is a little more than four times the scene&apos;s number for the target, at the distance 20.</source>
         <translation>Размак расте са {0}: нешто је више него четири пута већи од броја сцене за циљ, на растојању 20.</translation>
     </message>
     <message>
@@ -5059,7 +5059,7 @@
         <translation>Ово је дубина од −1 до 1 из NDC. Бафер почиње са 0 на предњој равни: додајте 1, па преполовите. Погледајте тачку 1 у коцки: њено {0} је ваш број.</translation>
     </message>
     <message>
-        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane's. Look at point 1 in the cube: it lies before far.</source>
+        <source>This leaves out a division by {0}. No stored number is larger than 1, which is the far plane&apos;s. Look at point 1 in the cube: it lies before far.</source>
         <translation>Овде недостаје дељење са {0}. Ниједан сачувани број није већи од 1, а то је број задње равни. Погледајте тачку 1 у коцки: лежи испред задње равни.</translation>
     </message>
     <message>
@@ -5154,7 +5154,7 @@
         <translation>Тамо се види средина *ивице*, на четири петине пута на слици. Питање је о пола пута на слици. Погледајте две ознаке: пола пута у свету је даља.</translation>
     </message>
     <message>
-        <source>The last of the scene's numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
+        <source>The last of the scene&apos;s numbers says 20 %. The far parts are drawn shorter, so four fifths of the edge share the far half of its picture.</source>
         <translation>Последњи од бројева сцене каже 20 %. Даљи делови се цртају краће, па четири петине ивице деле даљу половину њене слике.</translation>
     </message>
     <message>
@@ -5353,7 +5353,7 @@
         <translation>у 3, као пре</translation>
     </message>
     <message>
-        <source>This takes the three numbers for a direction that all rays share, as the sun's are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun's. Look at the ray: it begins at the lamp.</source>
+        <source>This takes the three numbers for a direction that all rays share, as the sun&apos;s are. Of a lamp they are a place: its ray through {0} runs from that place, flatter than the sun&apos;s. Look at the ray: it begins at the lamp.</source>
         <translation>Овде се три броја узимају за смер заједнички свим зрацима, као код сунца. Код лампе су они место: њен зрак кроз {0} полази са тог места, положеније од сунчевог. Погледајте зрак: почиње код лампе.</translation>
     </message>
     <message>
@@ -5381,7 +5381,7 @@
         <translation>Сенка је пројекција: светло {0} је њен центар, а тло њена раван слике. Зрак из {1} кроз {2} сече {3} у</translation>
     </message>
     <message>
-        <source>With {0} that is {1}, as the scene's numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
+        <source>With {0} that is {1}, as the scene&apos;s numbers say. As a matrix it is {2} with the plane {3}, and the F is drawn once more under {4}, in one colour. For the sun {5} has {6} and the rays are parallel.</source>
         <translation>Са {0} то је {1}, као што кажу бројеви сцене. Као матрица то је {2} са равни {3}, и слово F се под {4} црта још једном, једном бојом. За сунце {5} има {6} и зраци су паралелни.</translation>
     </message>
     <message>
@@ -5413,7 +5413,7 @@
         <translation>Видите сенку коју баца *сунце* из смера {0}. Где би, у {1}, била сенка од {2} са *лампом* у тачки {3}?</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray has another direction: from the lamp to {0} it goes 7.5 to the right and 3 down. Look at the ray: it begins at the lamp.</source>
         <translation>Ово је сунчева сенка, она коју видите. Зрак лампе има други смер: од лампе до {0} иде 7.5 удесно и 3 надоле. Погледајте зрак: почиње код лампе.</translation>
     </message>
     <message>
@@ -5421,7 +5421,7 @@
         <translation>{0} је 7.5 десно од {1} и 3 испод ње. Колико је до тла?</translation>
     </message>
     <message>
-        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp's matrix in row 1, column 1, {2}?</source>
+        <source>The plane moves down to {0}, so {1}. What is the cell of the lamp&apos;s matrix in row 1, column 1, {2}?</source>
         <translation>Раван се спушта на {0}, па је {1}. Колико је поље матрице лампе у врсти 1, колони 1, {2}?</translation>
     </message>
     <message>
@@ -5437,11 +5437,11 @@
         <translation>Назад на лампу</translation>
     </message>
     <message>
-        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun's numbers are a direction, the same for every point of the F. The lamp's numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
+        <source>The sun and the lamp had the same three numbers, so it was tempting to let the shadow stay. But the sun&apos;s numbers are a direction, the same for every point of the F. The lamp&apos;s numbers are a position, and the direction of a ray is {0}: the higher a point is, the flatter the ray and the longer its shadow. Change *Kind of light* and watch the top of the F, then its foot.</source>
         <translation>Сунце и лампа имали су иста три броја, па је било примамљиво да сенка остане где јесте. Али сунчеви бројеви су смер, исти за сваку тачку слова F. Бројеви лампе су положај, а смер зрака је {0}: што је тачка виша, то је зрак положенији, а сенка дужа. Промените *Врсту светла* и пратите врх слова F, па његову стопу.</translation>
     </message>
     <message>
-        <source>Practise: a lamp's shadow</source>
+        <source>Practise: a lamp&apos;s shadow</source>
         <translation>Вежба: сенка од лампе</translation>
     </message>
     <message>
@@ -5453,7 +5453,7 @@
         <translation>Лампа је у {0}, а {1} је у {2}. У ком {3} је сенка од {4}?</translation>
     </message>
     <message>
-        <source>This takes the lamp's place for the sun's direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun's ray through {2}: it has another direction.</source>
+        <source>This takes the lamp&apos;s place for the sun&apos;s direction. The ray through {0} begins at the lamp: its direction is {1}. Look at the sun&apos;s ray through {2}: it has another direction.</source>
         <translation>Овде је место лампе узето за смер сунца. Зрак кроз {0} почиње код лампе: његов смер је {1}. Погледајте сунчев зрак кроз {2}: он има други смер.</translation>
     </message>
     <message>
@@ -5513,7 +5513,7 @@
         <translation>Затим одузмите {0} пута {1}.</translation>
     </message>
     <message>
-        <source>The first cell is the lamp's height above the plane.</source>
+        <source>The first cell is the lamp&apos;s height above the plane.</source>
         <translation>Прво поље је висина лампе изнад равни.</translation>
     </message>
     <message>
@@ -5529,7 +5529,7 @@
         <translation>Видите сунчеву сенку у смеру {0}. Обележите где је сенка тачке 1, {1}, са *лампом* у тачки {2}.</translation>
     </message>
     <message>
-        <source>This is the sun's shadow, the one that you see. The lamp's ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
+        <source>This is the sun&apos;s shadow, the one that you see. The lamp&apos;s ray through {0} begins at {1}: its direction is {2}. Look from the side: every ray begins at the lamp.</source>
         <translation>Ово је сунчева сенка, она коју видите. Зрак лампе кроз {0} почиње у {1}: његов смер је {2}. Погледајте са стране: сваки зрак почиње код лампе.</translation>
     </message>
     <message>
@@ -5648,7 +5648,7 @@
         <translation>Угао је величина</translation>
     </message>
     <message>
-        <source>This takes the angle of view for the size. On the film the statue's height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
+        <source>This takes the angle of view for the size. On the film the statue&apos;s height is proportional to the focal length over the distance, to {0}; the angle is not proportional to {1}. Look at the two photographs: 105 mm are 3.62 times 29 mm, and from 3.62 times as far away the head is equally high.</source>
         <translation>Овде је видни угао узет за величину. На филму је висина статуе сразмерна жижној даљини подељеној растојањем, дакле са {0}; угао није сразмеран са {1}. Погледајте две фотографије: 105 mm је 3.62 пута 29 mm, и са 3.62 пута већег растојања глава је једнако висока.</translation>
     </message>
     <message>
@@ -5680,7 +5680,7 @@
         <translation>Назад на главу</translation>
     </message>
     <message>
-        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target's. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
+        <source>It is tempting to say that nothing changes, because the head keeps its size, and a zoom is made for this. But the zoom keeps sizes at only one depth, the target&apos;s. In front of it and behind it, sizes are proportional to one over *their* distance, and walking has changed that. So a portrait from close by has a large nose with any lens: the distance determines the perspective; the lens only selects a part of it.</source>
         <translation>Примамљиво је рећи да се ништа не мења, јер глава задржава величину, а зум за то и служи. Али зум задржава величине само на једној дубини, на дубини циља. Испред њега и иза њега величине су сразмерне реципрочној вредности *свог* растојања, а њега је ходање променило. Зато портрет изблиза има велик нос са било којим објективом: растојање одређује перспективу; објектив само бира њен део.</translation>
     </message>
     <message>
@@ -5807,8 +5807,8 @@
         <translation>Филм задржава горе оно што је горе</translation>
     </message>
     <message>
-        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P', behind the eye: it is below the axis.</source>
-        <translation>Ово задржава предзнак равни испред. Светлост иде право кроз позицију камере, па је оно што је испред ње изнад осе иза ње испод осе. Погледајте P', иза камере: она је испод осе.</translation>
+        <source>This keeps the sign of a plane in front. Light goes straight through the eye, so what is above the axis in front of it is below the axis behind it. Look at P&apos;, behind the eye: it is below the axis.</source>
+        <translation>Ово задржава предзнак равни испред. Светлост иде право кроз позицију камере, па је оно што је испред ње изнад осе иза ње испод осе. Погледајте P&apos;, иза камере: она је испод осе.</translation>
     </message>
     <message>
         <source>at −1.03: below the axis</source>
@@ -5819,8 +5819,8 @@
         <translation>нема је: светлост не иде уназад</translation>
     </message>
     <message>
-        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P'.</source>
-        <translation>Она иде право даље кроз позицију камере и сече раван иза ње. Погледајте зрак пројекције: иде кроз позицију камере до P'.</translation>
+        <source>It goes straight on through the eye and meets the plane behind it. Look at the projector: it goes through the eye to P&apos;.</source>
+        <translation>Она иде право даље кроз позицију камере и сече раван иза ње. Погледајте зрак пројекције: иде кроз позицију камере до P&apos;.</translation>
     </message>
     <message>
         <source>The projector goes on through the eye, and crosses the axis there.</source>
@@ -5835,7 +5835,7 @@
         <translation>У мрачној кутији светлост пролази кроз рупу, центар пројекције. Слика предмета висине {0} на растојању {1} испред рупе има висину</translation>
     </message>
     <message>
-        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture's synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
+        <source>on the film, {0} behind the hole. Here {1}, {2} and {3}: {4}. The minus turns the image upside down and exchanges left and right. The lecture&apos;s synthetic camera has its film at the same distance in front of the centre. There the image is {5} high: as large, and upright.</source>
         <translation>на филму, {0} иза рупе. Овде је {1}, {2} и {3}: {4}. Минус окреће слику наопачке и замењује лево и десно. Синтетичка камера из предавања има филм на истом растојању испред центра. Тамо је слика висока {5}: једнако велика, и усправна.</translation>
     </message>
     <message>
@@ -5863,7 +5863,7 @@
         <translation>По формули</translation>
     </message>
     <message>
-        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is 5 high and 9 in front of the hole. The film moves to 6 behind the hole. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Стрелица је висока 5 и 9 испред рупе. Филм се помера на 6 иза рупе. Колико је висока слика стрелице на филму, са предзнаком?</translation>
     </message>
     <message>
@@ -5871,7 +5871,7 @@
         <translation>Ово је слика на филму испред рупе. Иза рупе је светлост прешла преко осе, па се предзнак мења. Погледајте оба филма: само је на ономе испред стрелица усправна.</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
+        <source>This measures the arrow&apos;s distance from the film, {0}. The two triangles meet at the hole: measure both distances from there. Look at the hole: both triangles begin there.</source>
         <translation>Овде се растојање стрелице мери од филма, {0}. Два троугла се сусрећу код рупе: оба растојања мерите одатле. Погледајте рупу: ту почињу оба троугла.</translation>
     </message>
     <message>
@@ -5887,7 +5887,7 @@
         <translation>Колико иза рупе мора бити филм да би слика била трипут нижа од стрелице?</translation>
     </message>
     <message>
-        <source>This measures the arrow's distance from the film, which is 9 and the film's own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
+        <source>This measures the arrow&apos;s distance from the film, which is 9 and the film&apos;s own distance. The two triangles meet at the hole: measure both distances from there. Look at the film 4.5 behind the hole: the image is half as high as the arrow.</source>
         <translation>Овде се растојање стрелице мери од филма, што је 9 и растојање самог филма. Два троугла се сусрећу код рупе: оба растојања мерите одатле. Погледајте филм 4.5 иза рупе: слика је упола нижа од стрелице.</translation>
     </message>
     <message>
@@ -5911,7 +5911,7 @@
         <translation>Стрелица, висока {0}, стоји пред рупом мрачне кутије.</translation>
     </message>
     <message>
-        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow's image on the film, with its sign?</source>
+        <source>The arrow is {0} in front of the hole, the film {1} behind it. How high is the arrow&apos;s image on the film, with its sign?</source>
         <translation>Стрелица је {0} испред рупе, а филм {1} иза ње. Колико је висока слика стрелице на филму, са предзнаком?</translation>
     </message>
     <message>
@@ -5979,12 +5979,12 @@
         <translation>{0}, са {1}</translation>
     </message>
     <message>
-        <source>In front of the eye the image is upright. Look at P': it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
-        <translation>Испред камере слика је усправна. Погледајте P': она је изнад осе. Раван мора бити иза камере, на негативном {0}.</translation>
+        <source>In front of the eye the image is upright. Look at P&apos;: it is above the axis. The plane must be behind the eye, at a negative {0}.</source>
+        <translation>Испред камере слика је усправна. Погледајте P&apos;: она је изнад осе. Раван мора бити иза камере, на негативном {0}.</translation>
     </message>
     <message>
-        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P': it is less than {1} times as far from the axis as {2}.</source>
-        <translation>Овде се дубина од {0} мери од равни. Оба троугла почињу код камере. Погледајте P': од осе је мање од {1} пута толико далеко колико {2}.</translation>
+        <source>This measures the depth of {0} from the plane. Both triangles begin at the eye. Look at P&apos;: it is less than {1} times as far from the axis as {2}.</source>
+        <translation>Овде се дубина од {0} мери од равни. Оба троугла почињу код камере. Погледајте P&apos;: од осе је мање од {1} пута толико далеко колико {2}.</translation>
     </message>
 </context>
 <context>
@@ -6146,7 +6146,7 @@
         <translation>Вежба: вектор v</translation>
     </message>
     <message>
-        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera's {4}, the second row of the view matrix without its last number?</source>
+        <source>The eye is at {0}, the target at {1}, up is {2}, so {3}. What is the camera&apos;s {4}, the second row of the view matrix without its last number?</source>
         <translation>Позиција камере је {0}, циљ је у {1}, вектор нагоре је {2}, па је {3}. Колико је {4} камере, друга врста матрице погледа без последњег броја?</translation>
     </message>
     <message>
@@ -6373,7 +6373,7 @@
         <translation>Одозго гледате на алеју; у сваком реду дрвеће је на размаку од 6.</translation>
     </message>
     <message>
-        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera's way, mark the last tree whose trunk is then drawn.</source>
+        <source>Far moves out by {0}, from {1} to {2}. In the row that is farther from the camera&apos;s way, mark the last tree whose trunk is then drawn.</source>
         <translation>Задња раван се одмиче за {0}, са {1} на {2}. У реду који је даље од пута камере обележите последње дрво чије се стабло тада црта.</translation>
     </message>
     <message>
@@ -6444,7 +6444,7 @@
         <translation>Само се тамо тачке цртају као тачке, али и дискови до {0} пролазе као тачке. Погледајте одозго: оштри опсег се наставља иза фокуса.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene's numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
         <translation>0.713 m испред фокуса, али 0.998 m иза њега. Бројеви сцене имају обе границе. Од стубова је као оштар уоквирен само онај на 5 m: онај на 6 m стоји 2 mm иза даље границе.</translation>
     </message>
     <message>
@@ -6631,7 +6631,7 @@
         <translation>Више места него пиксела</translation>
     </message>
     <message>
-        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene's longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
+        <source>A coordinate of 16 bits has 65 536 places. Here they are spread over the scene&apos;s longest side, 8 units, and the picture is 320 pixels wide. Each arrow in **Image** runs from where a vertex belongs towards where it is drawn, enlarged 10 000 times. The dock says how far off a vertex of the picture is at most: 0.002 pixels.</source>
         <translation>Координата од 16 бита има 65 536 места. Овде су она распоређена по најдужој страни сцене, 8 јединица, а слика је широка 320 пиксела. Свака стрелица у приказу **Слика** иде од места где темену припада да буде ка месту где је нацртано, увећана 10 000 пута. Бочни панел каже колико теме слике највише одступа: 0.002 пиксела.</translation>
     </message>
     <message>
@@ -6735,7 +6735,7 @@
         <translation>Далеко од координатног почетка</translation>
     </message>
     <message>
-        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world's origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
+        <source>Now vertices and arithmetic are float32, about 7 decimal digits. The world&apos;s origin is moved 1 000 000 units away, and everything else stays where it is: camera and F are neighbours, far out. Their coordinates are now about 1 000 000, and the matrix subtracts them from each other.</source>
         <translation>Сада су темена и аритметика float32, око 7 децималних цифара. Координатни почетак света је померен 1 000 000 јединица далеко, а све остало стоји где јесте: камера и слово F су суседи, далеко напољу. Њихове координате су сада око 1 000 000, и матрица их одузима једне од других.</translation>
     </message>
     <message>
@@ -6783,7 +6783,7 @@
         <translation>8 бита је 3 бајта по темену. Који други заузимају мање од 5?</translation>
     </message>
     <message>
-        <source>12 bits: 4.5 bytes instead of float32's 12, and nobody sees the difference in a picture of 320 by 240.</source>
+        <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
         <translation>12 бита: 4.5 бајта уместо 12 код float32, и нико не види разлику на слици од 320 пута 240.</translation>
     </message>
     <message>
@@ -6839,7 +6839,7 @@
         <translation>Вежба: далеко од координатног почетка</translation>
     </message>
     <message>
-        <source>A float32 has 24 significant bits. The world's origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
+        <source>A float32 has 24 significant bits. The world&apos;s origin is moved away along x, so the coordinates of the F are about as large as the distance of the origin.</source>
         <translation>float32 има 24 значајна бита. Координатни почетак света је одмакнут дуж x, па су координате слова F велике отприлике колико растојање координатног почетка.</translation>
     </message>
     <message>
@@ -7010,7 +7010,7 @@
         <translation>Премали корак</translation>
     </message>
     <message>
-        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye's x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
+        <source>The eye moves to the right, by 1 mm a frame. A unit is 1 m, and the origin of the coordinates is 50 km away: the eye&apos;s x is 30 000. In **Image** each frame has its own line, from top to bottom: how far P has moved across, beside the smooth path.</source>
         <translation>Камера се помера удесно, за 1 mm по кадру. Јединица је 1 m, а координатни почетак је на 50 km: x позиције камере је 30 000. У приказу **Слика** сваки кадар има свој ред, одозго надоле: колико се P померила попреко, поред глатке путање.</translation>
     </message>
     <message>
@@ -7134,7 +7134,7 @@
         <translation>float32 има 24 бита. Између {0} и {1} његови бројеви су размакнути {2}, и камера која се полако помера сваки пут скочи за толико.</translation>
     </message>
     <message>
-        <source>The eye's x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
+        <source>The eye&apos;s x lies between {0} m and {1} m, which are powers of 2, and it moves along x. By how many pixels does a vertex jump at a time, at the depth {2} m? The picture is 1080 pixels high, with a field of view of 40°.</source>
         <translation>Координата x позиције камере лежи између {0} m и {1} m, а то су степени броја 2; камера се помера дуж x. За колико пиксела теме сваки пут скочи, на дубини {2} m? Слика је висока 1080 пиксела, са видним пољем од 40°.</translation>
     </message>
     <message>
@@ -7177,7 +7177,7 @@
         <translation>Под иза зида</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall's foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
+        <source>A logarithmic depth has digits for every distance. Here it is computed at each vertex, as it is cheap there, and the floor from near to far is one piece. In **Image** you see the wall&apos;s foundation, which is below the floor: the floor is drawn behind it. The dock says how far off it is: up to 3.53 times too far.</source>
         <translation>Логаритамска дубина има цифре за свако растојање. Овде се рачуна у сваком темену, јер је тамо јефтина, а под од предње до задње равни је један део. У приказу **Слика** видите темељ зида, који је испод пода: под се црта иза њега. Бочни панел каже колико одступа: до 3.53 пута предалеко.</translation>
     </message>
     <message>
@@ -7369,7 +7369,7 @@
         <translation>Назад од слике</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world's origin is 1 unit from the eye.</source>
+        <source>A pixel and its depth lead back to the point P: multiply with the inverse of {0}. Everything is float32, and the world&apos;s origin is 1 unit from the eye.</source>
         <translation>Пиксел и његова дубина воде назад до тачке P: помножите инверзом од {0}. Све је float32, а координатни почетак света је 1 јединицу од камере.</translation>
     </message>
     <message>
@@ -7381,7 +7381,7 @@
         <translation>Нимало: инверз поништава оно што је матрица учинила</translation>
     </message>
     <message>
-        <source>On paper it does. Here each product is rounded, and the eye's coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
+        <source>On paper it does. Here each product is rounded, and the eye&apos;s coordinates are 100 000: they hide the few units that you are after. Look at P and at the point that came back.</source>
         <translation>На папиру поништава. Овде се сваки производ заокружује, а координате позиције камере су 100 000: скривају оних неколико јединица које тражите. Погледајте P и тачку која се вратила.</translation>
     </message>
     <message>
@@ -7389,7 +7389,7 @@
         <translation>За десетомилионити део њеног растојања: float32 задржава седам цифара</translation>
     </message>
     <message>
-        <source>The seven digits belong to the coordinates, near 100 000. What is left of P's distance, 8.3 units, has two. Look at P and at the point that came back.</source>
+        <source>The seven digits belong to the coordinates, near 100 000. What is left of P&apos;s distance, 8.3 units, has two. Look at P and at the point that came back.</source>
         <translation>Седам цифара припада координатама, око 100 000. Ономе што је остало од растојања тачке P, 8.3 јединице, припадају две. Погледајте P и тачку која се вратила.</translation>
     </message>
     <message>
@@ -7397,7 +7397,7 @@
         <translation>За неколико процената њеног растојања</translation>
     </message>
     <message>
-        <source>The inverse multiplies the eye's coordinates with {0}, a small difference of rounded numbers.</source>
+        <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
         <translation>Инверз множи координате позиције камере са {0}, малом разликом заокружених бројева.</translation>
     </message>
     <message>
@@ -7516,8 +7516,8 @@
         <translation>Тачка {0} испред камере долази на раван на растојању {1} од камере:</translation>
     </message>
     <message>
-        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P' now?</source>
-        <translation>P је на дубини 5. Раван се помера са d = 1 на d = 2. Колико је пута сада P' више?</translation>
+        <source>P is 5 deep. The plane moves from d = 1 to d = 2. How many times as high is P&apos; now?</source>
+        <translation>P је на дубини 5. Раван се помера са d = 1 на d = 2. Колико је пута сада P&apos; више?</translation>
     </message>
     <message>
         <source>The area of the image grows 4 times. Height and width are proportional to d.</source>
@@ -7528,8 +7528,8 @@
         <translation>Оба троугла имају теме код камере, и P је на дубини 5, мерено одатле.</translation>
     </message>
     <message>
-        <source>World from the side: name the two triangles first, eye to P and eye to P'. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
-        <translation>Свет са стране: прво именујте два троугла, од камере до P и од камере до P'. Са слике прочитајте -z = 5, y = 2 и {0}. Нека студенти гласају, па нека се модел помери. После тога превуците „Растојање равни d” надоле испод 0: филм камере опскуре, и слика се преокреће. Ово је изведено раније у курсу; не задржавајте се.</translation>
+        <source>World from the side: name the two triangles first, eye to P and eye to P&apos;. Read -z = 5, y = 2 and {0} off the picture. Let the class vote, then let the model move. Afterwards drag Plane distance d down to below 0: the film of a camera obscura, and the image turns over. This was derived earlier in the course; do not stay.</source>
+        <translation>Свет са стране: прво именујте два троугла, од камере до P и од камере до P&apos;. Са слике прочитајте -z = 5, y = 2 и {0}. Нека студенти гласају, па нека се модел помери. После тога превуците „Растојање равни d” надоле испод 0: филм камере опскуре, и слика се преокреће. Ово је изведено раније у курсу; не задржавајте се.</translation>
     </message>
     <message>
         <source>The same as a matrix</source>
@@ -7564,8 +7564,8 @@
         <translation>подељено</translation>
     </message>
     <message>
-        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w' = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
-        <translation>Питајте чиме се још може множити: било којим λ осим 0. Дакле последња врста може бити и 0 0 -1 0, ма колико било d, и w' = -z је сама дубина. У прозору -z = 5 стоји у бочном панелу, а као дужина испод слике. Све касније матрице предавања имају ову последњу врсту.</translation>
+        <source>Ask what else can be multiplied: any λ but 0. So the last row may as well be 0 0 -1 0, whatever d is, and w&apos; = -z is the depth itself. In the window -z = 5 stands in the dock, and as a length below the picture. All later matrices of the lecture have this last row.</source>
+        <translation>Питајте чиме се још може множити: било којим λ осим 0. Дакле последња врста може бити и 0 0 -1 0, ма колико било d, и w&apos; = -z је сама дубина. У прозору -z = 5 стоји у бочном панелу, а као дужина испод слике. Све касније матрице предавања имају ову последњу врсту.</translation>
     </message>
     <message>
         <source>WebGL: d is the distance to near</source>
@@ -7616,8 +7616,8 @@
         <translation>{0}, и {1}.</translation>
     </message>
     <message>
-        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w'. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
-        <translation>Изведите (6) на табли, ред по ред. Трик је помножити други разломак са -z/-z, тако да све има један именилац: то ће бити w'. Са њим се окреће и предзнак. Затим гласање: многи кажу +0.5, јер прозор иде удесно. После тога превуците „Лево” и „Десно” и пратите сонду 1 у приказу „Слика”.</translation>
+        <source>Derive (6) line by line on the board. The trick is to multiply the second fraction by -z/-z, so that all has one denominator: it will be w&apos;. Its sign turns with it. Then the vote: many say +0.5, because the window goes to the right. After it, drag Left and Right and follow probe 1 in Image.</source>
+        <translation>Изведите (6) на табли, ред по ред. Трик је помножити други разломак са -z/-z, тако да све има један именилац: то ће бити w&apos;. Са њим се окреће и предзнак. Затим гласање: многи кажу +0.5, јер прозор иде удесно. После тога превуците „Лево” и „Десно” и пратите сонду 1 у приказу „Слика”.</translation>
     </message>
     <message>
         <source>An affine z bends lines</source>
@@ -7628,7 +7628,7 @@
         <translation>Са {0} трећи хомогени број био би {1} (9)-(11): то није матрица.</translation>
     </message>
     <message>
-        <source>P comes nearer, to a third of Q's depth. What does {0} make of PQ?</source>
+        <source>P comes nearer, to a third of Q&apos;s depth. What does {0} make of PQ?</source>
         <translation>P прилази, на трећину дубине тачке Q. Шта {0} прави од PQ?</translation>
     </message>
     <message>
@@ -7636,8 +7636,8 @@
         <translation>Праву дуж</translation>
     </message>
     <message>
-        <source>x and y are divided by {0}, z' is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x и y се деле са {0}, z' не. Погледајте лук између P и Q: права је само {1}.</translation>
+        <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
+        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7656,7 +7656,7 @@
         <translation>Шта бафер дубине ради са z</translation>
     </message>
     <message>
-        <source>Between a triangle's corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
+        <source>Between a triangle&apos;s corners {0} is interpolated evenly over the pixels, and the smaller value wins. If lines are bent, or there are too few codes, the wrong surface is drawn.</source>
         <translation>Између темена троугла {0} се равномерно интерполира по пикселима, и побеђује мања вредност. Ако су линије савијене, или је кодова премало, црта се погрешна површ.</translation>
     </message>
     <message>
@@ -7672,7 +7672,7 @@
         <translation>Са {0} бита на страни {1} координата одступа до {2}: у пикселима тим више што је ближа.</translation>
     </message>
     <message>
-        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson "How many bits does a picture need?".</source>
+        <source>Depths are not the only numbers with few bits. 8 bits a coordinate: 3 bytes a vertex, and up to 0.5 pixels off in a picture of 320 by 240. The arrows are 50 times as long as the errors. Choose 12 and 16 bits: each bit halves the error. Then halve the distance: each error is twice as long. How many bits are enough depends on where you stand; lesson &quot;How many bits does a picture need?&quot;.</source>
         <translation>Дубине нису једини бројеви са мало битова. 8 бита по координати: 3 бајта по темену, и одступање до 0.5 пиксела на слици од 320 пута 240. Стрелице су 50 пута дуже од грешака. Изаберите 12 и 16 бита: сваки бит преполови грешку. Затим преполовите растојање: свака грешка је двапут дужа. Колико је битова довољно, зависи од тога где стојите; лекција „Колико је битова потребно слици?”.</translation>
     </message>
     <message>
@@ -7684,8 +7684,8 @@
         <translation>Пошто се и {1} подели са {0}, оно остаје линеарно у хомогеним координатама (12). Предња раван мора доћи у -1, задња у 1:</translation>
     </message>
     <message>
-        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z' = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
-        <translation>Решите две једначине на табли: {0} и {1}. Затим NDC: стубови у свету стоје на размаку 6, а у коцки се гомилају ка задњој равни. Са предњом равни на 9 и задњом на 41 средина коцке, z' = 0, на дубини је од само 14.8. Редослед је сачуван, и праве остају праве; то је све што је баферу дубине потребно.</translation>
+        <source>Solve the two equations on the board: {0} and {1}. Then NDC: the posts stand 6 apart in World, and crowd towards far in the cube. With near 9 and far 41 the middle of the cube, z&apos; = 0, is at a depth of only 14.8. Order is kept, and lines stay straight; that is all the depth buffer needs.</source>
+        <translation>Решите две једначине на табли: {0} и {1}. Затим NDC: стубови у свету стоје на размаку 6, а у коцки се гомилају ка задњој равни. Са предњом равни на 9 и задњом на 41 средина коцке, z&apos; = 0, на дубини је од само 14.8. Редослед је сачуван, и праве остају праве; то је све што је баферу дубине потребно.</translation>
     </message>
     <message>
         <source>The whole matrix</source>
@@ -7771,7 +7771,7 @@
         <translation>Запремина погледа</translation>
     </message>
     <message>
-        <source>Only what lies in a volume is drawn: the eye's cone, the pyramid round it, or a box, the view from very far away.</source>
+        <source>Only what lies in a volume is drawn: the eye&apos;s cone, the pyramid round it, or a box, the view from very far away.</source>
         <translation>Црта се само оно што лежи у запремини: у купи ока, у пирамиди око ње, или у квадру, погледу са веома велике удаљености.</translation>
     </message>
     <message>
@@ -7799,7 +7799,7 @@
         <translation>Права камера има растојање фокуса и дубину видног поља испред и иза њега. Синтетичка камера нема ни једно ни друго: све је оштро.</translation>
     </message>
     <message>
-        <source>The camera's parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
         <translation>Параметри камере: позиција, два вектора, два угла, две равни. Права има и растојање фокуса и бленду. Овде објектив од 50 mm на f/1, фокусиран на 5 m: оштро од 4.720 до 5.316 m, уоквирени стуб. Превуците растојање фокуса на 10 m; затим поставите N на 16. Питајте одакле је надаље све далеко оштро: од хиперфокалног растојања.</translation>
     </message>
     <message>
@@ -7831,7 +7831,7 @@
         <translation>Двапут даље, упола ниже: {0}.</translation>
     </message>
     <message>
-        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera's position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
+        <source>Light crosses in the hole, so the picture on the film is upside down and left for right; painters used it. Compare both films: equally large, only the sign differs. Centre of projection is the hole; for us it is the camera&apos;s position P, and the plane is between it and the object. Vote, then show; drag d as well.</source>
         <translation>Светлост се у рупи укршта, па је слика на филму наопачке и са замењеним лево и десно; камеру опскуру су користили сликари. Упоредите оба филма: једнако велики, разликује се само предзнак. Центар пројекције је рупа; за нас је то позиција камере P, а раван је између ње и објекта. Гласајте, па покажите; превуците и d.</translation>
     </message>
     <message>
@@ -7915,7 +7915,7 @@
         <translation>20 cm иза главе велика је 0.6 пута колико глава са 30 cm, а 0.84 пута са 108.6 cm.</translation>
     </message>
     <message>
-        <source>The lecture's cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings "Distance, relative to the preset": drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
         <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају у односу на главу. Вративши се на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
@@ -8003,7 +8003,7 @@
         <translation>Гледа дуж {0}. Да дође у координатни почетак и гледа дуж {1}, померите свет за {2}, па га заротирајте око {3} за {4}.</translation>
     </message>
     <message>
-        <source>Which is this camera's {0}?</source>
+        <source>Which is this camera&apos;s {0}?</source>
         <translation>Које је {0} ове камере?</translation>
     </message>
     <message>
@@ -8027,7 +8027,7 @@
         <translation>{0}, {1} је {2} без своје компоненте дуж {3}, нормирано, а {4}.</translation>
     </message>
     <message>
-        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture's: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
+        <source>Camera frame builds it step by step: w, u, v. The program takes u from up cross w first and v from w cross u; it is the same v as the lecture&apos;s: up minus its projection on w, normed. R has u, v, w as columns; the camera is moved by the inverse, and that is the transpose: u, v, w as rows.</source>
         <translation>„Координатни систем камере” гради га корак по корак: w, u, v. Програм прво узима u као up × w, па v као w × u; то је исто v као у предавању: up минус његова пројекција на w, нормирано. R има u, v, w као колоне; камера се помера инверзом, а то је транспонована матрица: u, v, w као врсте.</translation>
     </message>
     <message>
@@ -8122,7 +8122,7 @@
         <translation>Зраци пројекције су паралелни: x и y не зависе од z.</translation>
     </message>
     <message>
-        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene's View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
+        <source>Start with the box and name its six planes: left, right, top, bottom, near, far. Go back to the pyramid once by the scene&apos;s View volume, and let the class say which test points come and go: B has room in the box, C has not. Then the question, by show of hands. The posts are drawn equally high; their numbers say which is which. Change Near and Far: what is cut changes, no size does.</source>
         <translation>Почните са квадром и именујте његових шест равни: лева, десна, горња, доња, предња, задња. Вратите се једном на пирамиду помоћу „Запремина погледа” у сцени, и нека студенти кажу које пробне тачке долазе, а које одлазе: B има места у квадру, C нема. Затим питање, дизањем руку. Стубови се цртају једнако високи; бројеви кажу који је који. Промените „Предња раван” и „Задња раван”: мења се оно што се одсеца, а ниједна величина.</translation>
     </message>
     <message>
@@ -8134,8 +8134,8 @@
         <translation>Квадар одсецања постаје {0}. z се задржава, јер одлучује шта шта заклања.</translation>
     </message>
     <message>
-        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z' is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
-        <translation>Напишите {0} на табли: померите средину у 0, па скалирајте. У панелу „Матрице” пребаците „Поља” на „Формуле”: производ има оба члана. {1} и {2} су у овом предавању негативни, а z' је на предњој равни 1. Где је средина квадра? У {3}, па је слово F лево од средине. Тачке на екран долазе са {4}.</translation>
+        <source>Write {0} on the board: move the middle to 0, then scale. Switch the cells of Matrices to Formulas: the product has both terms. {1} and {2} are negative in this lecture, and z&apos; is 1 at near. Where is the middle of the box? At {3}, so the F is left of the middle. The points come to the screen by {4}.</source>
+        <translation>Напишите {0} на табли: померите средину у 0, па скалирајте. У панелу „Матрице” пребаците „Поља” на „Формуле”: производ има оба члана. {1} и {2} су у овом предавању негативни, а z&apos; је на предњој равни 1. Где је средина квадра? У {3}, па је слово F лево од средине. Тачке на екран долазе са {4}.</translation>
     </message>
     <message>
         <source>Slanted projectors: H</source>
@@ -8146,8 +8146,8 @@
         <translation>{0}. Са стране је исто, са {1} и {2}: {3}.</translation>
     </message>
     <message>
-        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x'. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
-        <translation>Одозго: камера је лево, предња раван је линија на 5, а танке линије су зраци пројекције. Теме у x црта се у x'. Паралелни су, али предњу раван секу под {0}: јединица иза ње пада за јединицу даље дуж u. То ради смицање, H; тачке предње равни остају. Мењајте α: на 90° зраци су управни на предњу раван. На 90° за оба угла H је 1, а цртеж ортографски.</translation>
+        <source>From above: the camera is left, near is the line at 5, and thin lines are the projectors. A corner at x is drawn at x&apos;. They are parallel, but they meet the near plane at {0}: a unit behind it lands a unit farther along u. A shear does that, H; points of the near plane stay. Turn α: at 90° the projectors are at a right angle to near. At 90° for both angles, H is 1 and the drawing orthographic.</source>
+        <translation>Одозго: камера је лево, предња раван је линија на 5, а танке линије су зраци пројекције. Теме у x црта се у x&apos;. Паралелни су, али предњу раван секу под {0}: јединица иза ње пада за јединицу даље дуж u. То ради смицање, H; тачке предње равни остају. Мењајте α: на 90° зраци су управни на предњу раван. На 90° за оба угла H је 1, а цртеж ортографски.</translation>
     </message>
     <message>
         <source>The slanted box made straight</source>
@@ -8158,7 +8158,7 @@
         <translation>{0} исправља запремину одсецања, а објекат смиче; његова слика остаје. Остало је познато: {1}.</translation>
     </message>
     <message>
-        <source>A cavalier's projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
+        <source>A cavalier&apos;s projectors meet the picture at 45°. At which angle do those of a cabinet drawing, scale 1/2?</source>
         <translation>Зраци пројекције цртежа кавалјер секу слику под 45°. Под којим углом је секу зраци цртежа кабинет, размера 1/2?</translation>
     </message>
     <message>
@@ -8190,7 +8190,7 @@
         <translation>Филм је иза рупе, па је слика наопачке. Ми раван стављамо испред центра пројекције.</translation>
     </message>
     <message>
-        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene's controls: equal but for the sign.</source>
+        <source>Follow the line from the top of the F through the hole: it comes to the film below. A real camera has a lens there, and the same geometry. Ours has the plane in front of the centre: same size, upright. Move the film: the height goes with it. Read both heights below the scene&apos;s controls: equal but for the sign.</source>
         <translation>Пратите праву од врха слова F кроз рупу: она стиже на филм доле. Права камера тамо има сочиво, а геометрија је иста. Наша има раван испред центра: иста величина, усправно. Померајте филм: висина иде са њим. Прочитајте обе висине испод контрола сцене: једнаке су до на предзнак.</translation>
     </message>
     <message>
@@ -8234,8 +8234,8 @@
         <translation>Права дуж: сваки корак чува праве</translation>
     </message>
     <message>
-        <source>x and y are divided by z, z' is not: that step keeps no lines. Look at the bow between P and Q.</source>
-        <translation>x и y се деле са z, а z' не: тај корак не чува праве. Погледајте лук између P и Q.</translation>
+        <source>x and y are divided by z, z&apos; is not: that step keeps no lines. Look at the bow between P and Q.</source>
+        <translation>x и y се деле са z, а z&apos; не: тај корак не чува праве. Погледајте лук између P и Q.</translation>
     </message>
     <message>
         <source>Bent</source>
@@ -8246,7 +8246,7 @@
         <translation>Само са {0} све три се мењају са 1/z.</translation>
     </message>
     <message>
-        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture's signs. Near is 1, far is −1: two equations for A and B.</source>
+        <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
         <translation>Нека гласају пре него што се види коцка. Затим покажите: лук, његову тетиву, и одступање у процентима дужине. Права поред њега је A + B/z. Превуците P ка камери, и лук расте. Зашто је то важно? Оно што лежи између крајева интерполира се, и праве се одсецају као праве. Са B &lt; 0 редослед дубина је сачуван у предзнацима овог предавања. Предња раван је 1, задња −1: две једначине за A и B.</translation>
     </message>
     <message>
@@ -8258,8 +8258,8 @@
         <translation>{0}, а последња врста је {1}.</translation>
     </message>
     <message>
-        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL's matrix is this one times −1 with z' reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
-        <translation>{0} је линеарно: матрица. Зато чува праве. У панелу „Матрице” погледајте „одсецање ← камера” са избором „Формуле”: у овим словима w је z, негативно испред камере. Матрица у OpenGL је ова пута −1, са обрнутим z', јер су тамо равни позитивна растојања. Бројеви: {1}, {2}, {3}.</translation>
+        <source>{0} is linear: a matrix. So it keeps lines. In Matrices look at clip ← view in Formulas: in these letters w is z, negative in front of the eye. OpenGL&apos;s matrix is this one times −1 with z&apos; reversed, since there the planes are positive distances. Numbers: {1}, {2}, {3}.</source>
+        <translation>{0} је линеарно: матрица. Зато чува праве. У панелу „Матрице” погледајте „одсецање ← камера” са избором „Формуле”: у овим словима w је z, негативно испред камере. Матрица у OpenGL је ова пута −1, са обрнутим z&apos;, јер су тамо равни позитивна растојања. Бројеви: {1}, {2}, {3}.</translation>
     </message>
     <message>
         <source>A window off the axis</source>
@@ -8270,8 +8270,8 @@
         <translation>Прозор није у средини: {0} прво исправља накошену зарубљену пирамиду.</translation>
     </message>
     <message>
-        <source>A wall of screens, or an eye beside the middle of its screen. Drag "Eye right of the middle": the picture on the window stays right for that eye. H again, with cotangents from the window's middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window's middle, which must come to x' = 0. glFrustum takes six numbers, gluPerspective four.</source>
-        <translation>Зид од екрана, или камера поред средине свог екрана. Превуците „Камера десно од средине”: слика на прозору остаје исправна из те позиције. Опет H, са котангенсима од средине прозора. Омашка у предавању: са w = z трећа колона има минус, {0}. Проверите на тачки у средини прозора, која мора доћи у x' = 0. glFrustum прима шест бројева, gluPerspective четири.</translation>
+        <source>A wall of screens, or an eye beside the middle of its screen. Drag &quot;Eye right of the middle&quot;: the picture on the window stays right for that eye. H again, with cotangents from the window&apos;s middle. A slip of the lecture: with w = z the third column has a minus, {0}. Check it with the point in the window&apos;s middle, which must come to x&apos; = 0. glFrustum takes six numbers, gluPerspective four.</source>
+        <translation>Зид од екрана, или камера поред средине свог екрана. Превуците „Камера десно од средине”: слика на прозору остаје исправна из те позиције. Опет H, са котангенсима од средине прозора. Омашка у предавању: са w = z трећа колона има минус, {0}. Проверите на тачки у средини прозора, која мора доћи у x&apos; = 0. glFrustum прима шест бројева, gluPerspective четири.</translation>
     </message>
     <message>
         <source>Field of view</source>
@@ -8294,7 +8294,7 @@
         <translation>{0}, па {1}</translation>
     </message>
     <message>
-        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen's, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen's origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
+        <source>One point through all stages, row by row: world, view, clip, the divide, NDC, pixels. Width and height are the screen&apos;s, in pixels; the lecture writes w and h, but w is the fourth coordinate here. The screen&apos;s origin is the upper left corner, hence 1 - y. Drag point 1 in the picture to the upper left corner and read its row NDC: −1 and 1. That was the transform of the vertices; clipping and rasterising come after it.</source>
         <translation>Једна тачка кроз све фазе, ред по ред: свет, камера, одсецање, дељење, NDC, пиксели. Ширина и висина су од екрана, у пикселима; предавање пише w и h, али w је овде четврта координата. Координатни почетак екрана је горњи леви угао, отуда 1 - y. Превуците тачку 1 на слици у горњи леви угао и прочитајте њен ред NDC: −1 и 1. То је била трансформација темена; одсецање и растеризација долазе после ње.</translation>
     </message>
     <message>
@@ -8318,7 +8318,7 @@
         <translation>Цели пиксели за темена, без дељења за текстуру: брзо, и одмах се види.</translation>
     </message>
     <message>
-        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square's diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
+        <source>The picture called cheap: vertices at whole pixels, 1/w from a small table, a/z replaced by a. The arrows run from where a vertex belongs to where it is drawn, 20 times as long. Turn the camera slowly with Azimuth: the vertices jump, and the checks bend at each square&apos;s diagonal. The other picture is exact. No vertex is farther off than half a pixel across and half a pixel down; what is seen is that neighbours jump at different moments.</source>
         <translation>Слика названа „јефтино”: темена на целим пикселима, 1/w из мале табеле, a/z замењено са a. Стрелице иду од места где темену припада да буде до места где је нацртано, 20 пута дуже. Полако окрећите камеру помоћу „Азимут”: темена скачу, а шаховница се прелама на дијагонали сваког квадрата. Друга слика је тачна. Ниједно теме не одступа више од пола пиксела у ширину и пола пиксела у висину; види се то што суседи скачу у различитим тренуцима.</translation>
     </message>
     <message>
@@ -8349,7 +8349,7 @@
         <translation>Координатни систем објекта је где се предмет прави, координатни систем света где се распоређује, а координатни систем камере одакле се посматра.</translation>
     </message>
     <message>
-        <source>World: the grid's middle is the world's origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera's. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
+        <source>World: the grid&apos;s middle is the world&apos;s origin; the small axes at the F are its own, moved by 3 along x and -1 along z, and turned about y; u, v, n at the eye are the camera&apos;s. Each of the three questions, making, placing, looking, has a space of its own, so that each can be answered without the others. All three are right-handed. Take the F by its own origin and move it.</source>
         <translation>Свет: средина решетке је координатни почетак света; мале осе код слова F су његове сопствене, померене за 3 дуж x и за -1 дуж z, и окренуте око y; u, v, n код камере припадају камери. Свако од три питања, прављење, распоређивање, посматрање, има свој координатни систем, да би се на свако могло одговорити без осталих. Сва три су десна. Ухватите слово F за његов координатни почетак и померите га.</translation>
     </message>
     <message>
@@ -8357,7 +8357,7 @@
         <translation>Колоне су осе</translation>
     </message>
     <message>
-        <source>Columns 1 to 3 of {0} are the object's axes, as the world sees them; column 4 is its origin:</source>
+        <source>Columns 1 to 3 of {0} are the object&apos;s axes, as the world sees them; column 4 is its origin:</source>
         <translation>Колоне 1 до 3 матрице {0} су осе објекта како их види свет; колона 4 је његов координатни почетак:</translation>
     </message>
     <message>
@@ -8373,7 +8373,7 @@
         <translation>Колона 1 је (0, 1, 0), колона 4 је (3, 0, 0), а заједно су (3, 1, 0).</translation>
     </message>
     <message>
-        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world's x, times the coordinate. Read by columns it says more: column 1 is where the object's x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
+        <source>Row x of the product is the sum on the board: how far each object axis reaches along the world&apos;s x, times the coordinate. Read by columns it says more: column 1 is where the object&apos;s x axis points. After the vote open Matrices and go over the columns of world ← object; the axis lights up in World. Then turn the object by hand, by its ring.</source>
         <translation>Врста x производа је збир са табле: колико свака оса објекта досеже дуж осе x света, пута координата. Читана по колонама каже више: колона 1 је куда показује оса x објекта. После гласања отворите „Матрице” и прођите колоне матрице „свет ← објекат”; у приказу „Свет” засветли оса. Затим окрените објекат ручно, за његов прстен.</translation>
     </message>
     <message>
@@ -8389,7 +8389,7 @@
         <translation>Замените места тим двема матрицама: {0}. Где је тада слово?</translation>
     </message>
     <message>
-        <source>Elsewhere: it is turned and moved along the camera's axes</source>
+        <source>Elsewhere: it is turned and moved along the camera&apos;s axes</source>
         <translation>Другде: окренуто је и померено дуж оса камере</translation>
     </message>
     <message>
@@ -8409,7 +8409,7 @@
         <translation>Десна матрица делује прва. Матрица погледа преводи слово у систем камере, а покрет се онда изводи дуж {0} и око позиције камере.</translation>
     </message>
     <message>
-        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera's axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
+        <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
         <translation>Велики приказ показује координатни систем камере: камера је у координатном почетку, u удесно, v нагоре, n ка њој. Вуците траку од станице „Објекат” до станице „Камера”: на станици Ry слово је окренуто, на станици „Свет” стоји на свом месту, а од станице „Свет” до станице „Камера” све се помера, а ништа не мења положај према осталом. Врсте матрице погледа су осе камере, јер је она инверз матрице чије су оне колоне. Затим питајте шта чини производ са замењеним матрицама. Обе матрице се множе једном, а не за свако теме.</translation>
     </message>
     <message>
@@ -8445,7 +8445,7 @@
         <translation>NDC</translation>
     </message>
     <message>
-        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel's; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube's z runs away from the reader: NDC is left-handed, the camera's space right-handed. Drag probe 1 in Image.</source>
+        <source>Two steps: a matrix, and a division that no matrix can do. w is 5, the depth of the point. The table is the Probe panel&apos;s; NDC has the point in the cube. The handout calls the cube the clip space; here clip is what is before the division. The cube&apos;s z runs away from the reader: NDC is left-handed, the camera&apos;s space right-handed. Drag probe 1 in Image.</source>
         <translation>Два корака: матрица, и дељење које ниједна матрица не може. w је 5, дубина тачке. Табела је из панела „Сонда”; у NDC је тачка у коцки. Материјал коцку назива простором одсецања; овде је „одсецање” оно што је пре дељења. z коцке иде од читаоца: NDC је леви систем, а систем камере десни. Превуците сонду 1 у приказу „Слика”.</translation>
     </message>
     <message>
@@ -8489,8 +8489,8 @@
         <translation>По сличности троуглова, са равни на {0}:</translation>
     </message>
     <message>
-        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P' is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
-        <translation>Свет са стране: раван је предња раван, d = n = 2. P је на дубини 5 и висини 2, P' је на висини 0.8. Обе координате иду са 1/(-z), па је {0}, дужина испод слике, а последња врста је 0 0 -1 0. Минус је ту јер оно што се види има негативно z. Одозго је исто за x.</translation>
+        <source>World from the side: the plane is the near plane, d = n = 2. P is 5 deep and 2 high, P&apos; is 0.8 high. Both coordinates go with 1/(-z), so {0}, the length below the picture, and the last row is 0 0 -1 0. The minus is there because what is seen has negative z. From above it is the same for x.</source>
+        <translation>Свет са стране: раван је предња раван, d = n = 2. P је на дубини 5 и висини 2, P&apos; је на висини 0.8. Обе координате иду са 1/(-z), па је {0}, дужина испод слике, а последња врста је 0 0 -1 0. Минус је ту јер оно што се види има негативно z. Одозго је исто за x.</translation>
     </message>
     <message>
         <source>[l, r] and [b, t]</source>
@@ -8577,7 +8577,7 @@
         <translation>Квадар постаје коцка без дељења: скалирајте са {0} и {1}, и померите средину у 0.</translation>
     </message>
     <message>
-        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum's matrix, in step 10.</source>
+        <source>The box has the same width at every depth: w is 1. The first cell of the handout has 2n/(r - l), a slip: nothing is brought to a near plane here, so there is no n. The shifts stand in column 4 now, not in column 3, because they are not multiplied by z. Compare with the frustum&apos;s matrix, in step 10.</source>
         <translation>Квадар је на свакој дубини једнако широк: w је 1. Прво поље у материјалу има 2n/(r - l), што је омашка: овде се ништа не доводи на предњу раван, па n нема. Помаци сада стоје у колони 4, а не у колони 3, јер се не множе са z. Упоредите са матрицом зарубљене пирамиде, у кораку 10.</translation>
     </message>
     <message>
@@ -8600,7 +8600,7 @@
         <translation>Камера за слово F</translation>
     </message>
     <message>
-        <source>The camera's axes</source>
+        <source>The camera&apos;s axes</source>
         <translation>Осе камере</translation>
     </message>
     <message>
@@ -8616,7 +8616,7 @@
         <translation>{0} и {1}, па је {2}.</translation>
     </message>
     <message>
-        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn "Up from view" towards the end of its slider: |V × n| goes to 0, and U with it.</source>
+        <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
         <translation>Градите га корак по корак у панелу „Координатни систем камере”: позиција камере и циљ, па N, n, U, u, v. N показује уназад, од циља ка позицији камере: камера гледа дуж {0}. Три јединична вектора, сваки под правим углом према осталима, десни систем. Станите пре v и нека гласају: n је (0, 9, 3) кроз своју дужину, 9.49. Затим покажите v: нагиње се далеко од V. А ако је V паралелно са N? Померајте „Нагоре од погледа” ка крају клизача: |V × n| тежи 0, а са њим и U.</translation>
     </message>
     <message>
@@ -8628,7 +8628,7 @@
         <translation>Камера је у {0}, и има {1}. Треба да стоји у координатном почетку, са њима дуж {2}.</translation>
     </message>
     <message>
-        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera's. Ask for two moves that bring them together, and in which order.</source>
+        <source>x, y and z belong to the world and stand still in the next two steps; u, v and n are the camera&apos;s. Ask for two moves that bring them together, and in which order.</source>
         <translation>x, y и z припадају свету и стоје у следећа два корака; u, v и n припадају камери. Питајте која два покрета их доводе заједно, и којим редом.</translation>
     </message>
     <message>
@@ -8648,7 +8648,7 @@
         <translation>Затим R</translation>
     </message>
     <message>
-        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture's {3}.</source>
+        <source>{0} rotates about the origin, until {1} lie along {2}, the lecture&apos;s {3}.</source>
         <translation>{0} ротира око координатног почетка док {1} не легну дуж {2}, у предавању {3}.</translation>
     </message>
     <message>
@@ -8660,19 +8660,19 @@
         <translation>R пута P</translation>
     </message>
     <message>
-        <source>{0}, from the world's system (GKS) to the camera's (KSK); {1} acts first.</source>
+        <source>{0}, from the world&apos;s system (GKS) to the camera&apos;s (KSK); {1} acts first.</source>
         <translation>{0}, из система света (GKS) у систем камере (KSK); {1} делује прва.</translation>
     </message>
     <message>
-        <source>{0}, {1}. Which number is in row 3 of {2}'s last column?</source>
+        <source>{0}, {1}. Which number is in row 3 of {2}&apos;s last column?</source>
         <translation>{0}, {1}. Који број стоји у врсти 3 последње колоне матрице {2}?</translation>
     </message>
     <message>
-        <source>−8: the eye's z with a minus</source>
+        <source>−8: the eye&apos;s z with a minus</source>
         <translation>−8: z позиције камере са минусом</translation>
     </message>
     <message>
-        <source>8: the eye's z</source>
+        <source>8: the eye&apos;s z</source>
         <translation>8: z позиције камере</translation>
     </message>
     <message>
@@ -8680,7 +8680,7 @@
         <translation>{0}. {1} делује прва, па {2} ротира и транслацију.</translation>
     </message>
     <message>
-        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world's system, KSK the camera's.</source>
+        <source>Multiply it out on the board: the last column is minus the eye along u, v and n. In the other order the last column would be minus the eye. All objects are moved, the camera stands still afterwards; how they lie to each other does not change. GKS is the world&apos;s system, KSK the camera&apos;s.</source>
         <translation>Измножите на табли: последња колона је минус позиција камере дуж u, v и n. Обрнутим редом последња колона била би минус позиција камере. Померају се сви објекти, а камера после тога стоји; како су они међусобно распоређени, то се не мења. GKS је систем света, KSK систем камере.</translation>
     </message>
     <message>
@@ -8692,7 +8692,7 @@
         <translation>Тачка иза камере има {0}. Ближа тачка има веће (мање негативно) z. Овде тачка 1 има −7.5, тачка 2 има −12, тачка 3 има 2.</translation>
     </message>
     <message>
-        <source>Three points, and their z in the camera's system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world's coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
+        <source>Three points, and their z in the camera&apos;s system (the Probe panel has them). Which is behind the camera? Which hides which? One comparison each. In the world&apos;s coordinates the same questions need the camera every time. The projection plane is at a right angle to the z axis now, and orthogonal projection is: leave z out. Perspective is one division more.</source>
         <translation>Три тачке, и њихово z у систему камере (има их панел „Сонда”). Која је иза камере? Која коју заклања? По једно поређење за свако питање. У координатама света за иста питања сваки пут треба камера. Раван пројектовања је сада управна на осу z, и ортогонална пројекција гласи: изоставите z. Перспектива је још једно дељење.</translation>
     </message>
     <message>
@@ -8704,7 +8704,7 @@
         <translation>Осам коцки на равни xz, нацртано ортогоналном пројекцијом: {0}</translation>
     </message>
     <message>
-        <source>This is the exercise's class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
+        <source>This is the exercise&apos;s class Ortho: every line of the grid and every edge of the cubes goes through R P, and z is forgotten. Parallel edges stay parallel: show three of them. Turn Azimuth: the letter turns, nothing grows or shrinks with distance. The exercise wants lines only; here faces are filled, so that what is in front is seen.</source>
         <translation>Ово је класа Ortho из задатка: свака линија решетке и свака ивица коцки пролази кроз R P, а z се заборавља. Паралелне ивице остају паралелне: покажите три. Мењајте „Азимут”: слово се окреће, ништа не расте нити се смањује са растојањем. Задатак тражи само линије; овде су стране попуњене, да се види шта је испред.</translation>
     </message>
     <message>
@@ -8736,7 +8736,7 @@
         <translation>гледа надоле</translation>
     </message>
     <message>
-        <source>In Animation choose Look: level, and play: the eye's height and the target's go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
+        <source>In Animation choose Look: level, and play: the eye&apos;s height and the target&apos;s go together. Uprights are upright now, at any height; World shows both cameras. Change it back to the target: they run together. Then open More of the camera and set up to 1, 1, 0: the picture turns, the F does not. Only the direction of V counts, and only the part of it at a right angle to n.</source>
         <translation>У одељку „Анимација” изаберите „Поглед”: „водоравно”, и пустите: висине камере и циља иду заједно. Усправне ивице су сада усправне, на свакој висини; „Свет” показује обе камере. Вратите на „у циљ”: примичу се једна другој. Затим отворите „Још о камери” и поставите вектор нагоре на 1, 1, 0: слика се окреће, слово F не. Важан је само смер вектора V, и то само његов део управан на n.</translation>
     </message>
     <message>
@@ -8796,7 +8796,7 @@
         <translation>Права прекинута на {0}</translation>
     </message>
     <message>
-        <source>The projection takes the point at {0} to infinity, and the line's point at infinity to a finite point: the image is a line in two pieces.</source>
+        <source>The projection takes the point at {0} to infinity, and the line&apos;s point at infinity to a finite point: the image is a line in two pieces.</source>
         <translation>Пројекција тачку на {0} шаље у бесконачност, а бесконачно далеку тачку праве у коначну тачку: слика је права у два дела.</translation>
     </message>
     <message>
@@ -8816,8 +8816,8 @@
         <translation>{0} ка z = 0 расте без граница.</translation>
     </message>
     <message>
-        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A' and B' takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges' vanishing point. One sentence of the lecture says "plane of projection" where it means z = 0.</source>
-        <translation>AB је права дуж и пролази кроз раван z = 0; половина је иза камере. Гласајте, па покажите: ружичасто је слика, наранџасто оно што црта наивни програм; испрекидан је део без слике. У пројективној геометрији права је кружница, затворена својом бесконачно далеком тачком: за то отворите „Објашњење и дијаграми”. Спајање A' и B' узима погрешан лук. А прамен правих кроз једну тачку? Слово F има много паралелних ивица; њихови погрешни делови сви пролазе кроз тачку недогледа тих ивица. Једна реченица предавања каже „раван пројекције” где мисли z = 0.</translation>
+        <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>
+        <translation>AB је права дуж и пролази кроз раван z = 0; половина је иза камере. Гласајте, па покажите: ружичасто је слика, наранџасто оно што црта наивни програм; испрекидан је део без слике. У пројективној геометрији права је кружница, затворена својом бесконачно далеком тачком: за то отворите „Објашњење и дијаграми”. Спајање A&apos; и B&apos; узима погрешан лук. А прамен правих кроз једну тачку? Слово F има много паралелних ивица; њихови погрешни делови сви пролазе кроз тачку недогледа тих ивица. Једна реченица предавања каже „раван пројекције” где мисли z = 0.</translation>
     </message>
     <message>
         <source>Four cases</source>
@@ -8844,7 +8844,7 @@
         <translation>4 B иза</translation>
     </message>
     <message>
-        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene's controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
+        <source>It begins as case 1, both ends in front. Drag B behind the plane z = 0: case 4. Drag A behind too: case 2, nothing is drawn. B in front again: case 3. The number below the scene&apos;s controls names the case each time. The program of the exercise must keep the last point in camera coordinates, as {0}, also where nothing was drawn.</source>
         <translation>Почиње као случај 1, оба краја испред. Превуците B иза равни z = 0: случај 4. Превуците и A иза: случај 2, ништа се не црта. B опет испред: случај 3. Број испод контрола сцене сваки пут именује случај. Програм из задатка мора да памти последњу тачку у координатама камере, као {0}, и тамо где ништа није нацртано.</translation>
     </message>
     <message>
@@ -8856,7 +8856,7 @@
         <translation>{0}, а место краја који је иза заузима тачка праве на {1}.</translation>
     </message>
     <message>
-        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; "More numbers" has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
+        <source>Not at 0, where the divide fails, but a little in front of it. The three pictures: divided without a cut, cut at z = −0.01, clipped. Dashed is the piece of AB without an image. The cut keeps all of AB in front of the plane, and its image runs out of the frame. Clipping keeps what is inside the pyramid, and the image ends at the frame. In Image they hardly differ: what differs is beside the picture, or at most a few pixels; &quot;More numbers&quot; has it as what the cut leaves out. Clipping in homogeneous coordinates needs no such number: it keeps {0} to {1} before the divide. With this the exercise is done: walk into the F.</source>
         <translation>Не на 0, где дељење не успева, него мало испред. Три слике: подељено без сечења, исечено на z = −0.01, одсечено. Испрекидан је део дужи AB без слике. Сечење задржава све од AB испред равни, и слика излази из рама. Одсецање задржава оно што је унутар пирамиде, и слика се завршава на раму. У приказу „Слика” једва се разликују: разлика је поред слике, или највише неколико пиксела; „Још бројева” је има као оно што сечење изоставља. Одсецању у хомогеним координатама такав број није потребан: оно пре дељења задржава од {0} до {1}. Тиме је задатак готов: уђите у слово F.</translation>
     </message>
 </context>
@@ -8903,7 +8903,7 @@
         <translation>На равнима превлачење помера предњу или задњу раван. Са тастатуре: Tab до приказа „Свет”, па стрелице. Кућица у његовом наслову враћа први поглед.</translation>
     </message>
     <message>
-        <source>Only your own view has turned. The image is the camera's.</source>
+        <source>Only your own view has turned. The image is the camera&apos;s.</source>
         <translation>Окренуо се само ваш поглед. Слика припада камери.</translation>
     </message>
     <message>
@@ -8939,7 +8939,7 @@
         <translation>Вратите се на неку ранију станицу траке, и ако желите поново напред.</translation>
     </message>
     <message>
-        <source>Drag the strip's slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
+        <source>Drag the strip&apos;s slider to the left, or press *View*, *Pyramid* or *Box*; with the focus on it the arrow keys move it.</source>
         <translation>Превуците клизач траке улево, или притисните *Камера*, *Пирамида* или *Квадар*; када је у фокусу, померају га стрелице.</translation>
     </message>
     <message>

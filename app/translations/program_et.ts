@@ -144,7 +144,7 @@
         <translation>&amp;Tee uuesti</translation>
     </message>
     <message>
-        <source>&amp;Reset the panes' own views</source>
+        <source>&amp;Reset the panes&apos; own views</source>
         <translation>L&amp;ähtesta paanide oma vaated</translation>
     </message>
     <message>
@@ -296,7 +296,7 @@
         <translation>Maailma v&amp;aatepunkt</translation>
     </message>
     <message>
-        <source>Measure the cost of every step: the model, each pane's matrices and repaint</source>
+        <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
         <translation>Mõõdab iga sammu kulu: mudel, iga paani maatriksid ja ümberjoonistamine</translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation>Paanid &amp;veergudes</translation>
     </message>
     <message>
-        <source>Play or pause the camera's orbit</source>
+        <source>Play or pause the camera&apos;s orbit</source>
         <translation>Paneb kaamera tiirlemise käima või seisma</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Näitab paane ja olulisi juhtelemente täisekraanil, klassile</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes</source>
         <translation>Näitab sammu nii, nagu see on õppetunni failis, ilma teie muudatusteta</translation>
     </message>
     <message>
@@ -436,7 +436,7 @@
         <translation>Stseenid piltidena, õppetunnid, ettekanded ja hiljutised failid</translation>
     </message>
     <message>
-        <source>Try everything in the lesson's file</source>
+        <source>Try everything in the lesson&apos;s file</source>
         <translation>Proovib läbi kõik, mis õppetunni failis on</translation>
     </message>
     <message>
@@ -506,7 +506,7 @@
         <translation>Kõrgus</translation>
     </message>
     <message>
-        <source>How the eye's y changes during the walk (the exercise of lecture 004).</source>
+        <source>How the eye&apos;s y changes during the walk (the exercise of lecture 004).</source>
         <translation>Kuidas silma y ringkäigul muutub (loengu 004 ülesanne).</translation>
     </message>
     <message>
@@ -522,7 +522,7 @@
         <translation>kõigub sujuvalt</translation>
     </message>
     <message>
-        <source>The eye's y swings between the lowest and the highest value.</source>
+        <source>The eye&apos;s y swings between the lowest and the highest value.</source>
         <translation>Silma y kõigub väikseima ja suurima väärtuse vahel.</translation>
     </message>
     <message>
@@ -530,7 +530,7 @@
         <translation>astmeti</translation>
     </message>
     <message>
-        <source>The eye's y jumps to the next of four values every 2 seconds.</source>
+        <source>The eye&apos;s y jumps to the next of four values every 2 seconds.</source>
         <translation>Silma y hüppab iga 2 sekundi järel järgmisele väärtusele neljast.</translation>
     </message>
     <message>
@@ -578,7 +578,7 @@
         <translation>horisontaalselt</translation>
     </message>
     <message>
-        <source>The target gets the eye's y: the camera looks horizontally.</source>
+        <source>The target gets the eye&apos;s y: the camera looks horizontally.</source>
         <translation>Sihtpunkt saab silma y: kaamera vaatab horisontaalselt.</translation>
     </message>
     <message>
@@ -681,7 +681,7 @@
         <translation>Näita se&amp;da</translation>
     </message>
     <message>
-        <source>Show the picture with your number beside that with the model's (Alt+M)</source>
+        <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
         <translation>Näitab teie arvuga pilti mudeli arvuga pildi kõrval (Alt+M)</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
         <translation>Teise arvu või murru, näiteks 1/3, sisestamiseks tehke topeltklõps või vajutage Enter.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
         <translation>Kaamera telje {0} komponent maailma {1}-sihis: see liidab suurusele {2} arvuga {3} korrutatud suuruse {1}.</translation>
     </message>
     <message>
@@ -716,7 +716,7 @@
         <translation>Silma {0}; silmas on kaamerafreimi alguspunkt.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
         <translation>Kaamera telje {0} komponent maailma {1}-sihis.</translation>
     </message>
     <message>
@@ -783,7 +783,7 @@
 <context>
     <name>ChainEditor</name>
     <message>
-        <source>View: the camera's moves undone</source>
+        <source>View: the camera&apos;s moves undone</source>
         <translation>Vaade: kaamera liikumised tagasi võetud</translation>
     </message>
     <message>
@@ -834,7 +834,7 @@
         <translation>Vastus on {0}.</translation>
     </message>
     <message>
-        <source>The model's answer</source>
+        <source>The model&apos;s answer</source>
         <translation>Mudeli vastus</translation>
     </message>
     <message>
@@ -850,7 +850,7 @@
         <translation>Näita, mis juhtub</translation>
     </message>
     <message>
-        <source>Show the model's answer once more</source>
+        <source>Show the model&apos;s answer once more</source>
         <translation>Näitab mudeli vastust veel kord</translation>
     </message>
 </context>
@@ -1020,8 +1020,8 @@
         <translation>--step: vajab õppetundi või ettekannet (FILE).</translation>
     </message>
     <message>
-        <source>--sweep {0} = '': must be LOW:HIGH, such as 0.001:10.</source>
-        <translation>--sweep {0} = '': peab olema LOW:HIGH, näiteks 0.001:10.</translation>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: peab olema LOW:HIGH, näiteks 0.001:10.</translation>
     </message>
     <message>
         <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
@@ -1153,7 +1153,7 @@
     </message>
     <message>
         <source>Log folder</source>
-        <translation>Logi kaust</translation>
+        <translation>Logikaust</translation>
     </message>
     <message>
         <source>No OpenGL could be started, and 3.2 is needed. {0}</source>
@@ -1217,7 +1217,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, bitte {1}, {2},</translation>
+        <translation>Python {0}, {1} bitti, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1228,7 +1228,7 @@
         <translation>Qt ei saa ühendust X-serveriga, sest süsteemi teek puudub ({0}); {1} doctor ütleb, millises paketis see on.</translation>
     </message>
     <message>
-        <source>Qt's platform {0} shows no OpenGL windows. {1}</source>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
         <translation>Qt platvorm {0} ei näita OpenGL-i aknaid. {1}</translation>
     </message>
     <message>
@@ -1245,7 +1245,7 @@
     </message>
     <message>
         <source>Settings folder</source>
-        <translation>Seadete kaust</translation>
+        <translation>Sätete kaust</translation>
     </message>
     <message>
         <source>Standard input</source>
@@ -1392,7 +1392,7 @@
         <translation>ei saa laadida: {0}</translation>
     </message>
     <message>
-        <source>capitals are {0:.1%} of the screen's height; must be from {1:.1%} to {2:.1%}.</source>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
         <translation>suurtähed on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
     </message>
     <message>
@@ -1589,7 +1589,7 @@
     </message>
     <message>
         <source>no version fits {python} on this machine; use another Python</source>
-        <translation>ükski versioon ei sobi selles arvutis: {python} kasutage teist Pythonit</translation>
+        <translation>selles arvutis ei sobi ükski versioon ({python}); kasutage teist Pythonit</translation>
     </message>
     <message>
         <source>none</source>
@@ -1640,7 +1640,7 @@
         <translation>pakette</translation>
     </message>
     <message>
-        <source>part of the text is only in the speaker's notes: {0}</source>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
         <translation>osa tekstist on ainult esineja märkmetes: {0}</translation>
     </message>
     <message>
@@ -1712,7 +1712,7 @@
         <translation>Pythoni pakette ei saanud paigaldada</translation>
     </message>
     <message>
-        <source>the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0</source>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
         <translation>kaamera vaatab piki +z, y alla; K on pikslites, esimese piksli keskpunkt on 0, 0</translation>
     </message>
     <message>
@@ -1736,8 +1736,8 @@
         <translation>pakett {0} on vigane ({1}); asendage see ja käivitage uuesti: {2}</translation>
     </message>
     <message>
-        <source>the path {folder} is too long: move the folder of the code nearer to the drive's root</source>
-        <translation>tee {folder} on liiga pikk: viige koodi kaust ketta juurele lähemale</translation>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
+        <translation>tee {folder} on liiga pikk: viige koodi kaust ketta juurkaustale lähemale</translation>
     </message>
     <message>
         <source>the picture is at infinity too: w = 0, and lines of this direction stay parallel</source>
@@ -1769,7 +1769,7 @@
     </message>
     <message>
         <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
-        <translation>K kalle {0:.1g} on välja jäetud: nii mitu pikslit 45 kraadi ülal või all</translation>
+        <translation>K kalle {0:.1g} on välja jäetud: nii mitu pikslit on vahe teljest 45 kraadi üles- või allapoole</translation>
     </message>
     <message>
         <source>the text is longer or higher than the two lines above the picture.</source>
@@ -1788,7 +1788,7 @@
         <translation>ruumi pole</translation>
     </message>
     <message>
-        <source>this machine's rules forbid programs in {folder}; ask who set it up</source>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
         <translation>selle arvuti reeglid keelavad programmid kaustas {folder}; küsige arvuti ülesseadjalt</translation>
     </message>
     <message>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
-        <translation>ruumi on liiga vähe: vabastage {space} GB kausta {folder} kõrval, või määrake TMPDIR, kui ajutiste failide kaust on täis, ja käivitage uuesti: {again}</translation>
+        <translation>ruumi on liiga vähe: vabastage {space} GB kettal, kus on {folder}, või määrake TMPDIR, kui ajutiste failide kaust on täis, ja käivitage uuesti: {again}</translation>
     </message>
     <message>
         <source>unrecognized arguments: %s</source>
@@ -2049,7 +2049,7 @@
     </message>
     <message>
         <source>“{0}” lies outside the pane by {1:.1%} of its height.</source>
-        <translation>„{0}“ asub paanist väljas {1:.1%} võrra selle kõrgusest.</translation>
+        <translation>„{0}“ ulatub paanist välja {1:.1%} paani kõrgusest.</translation>
     </message>
     <message>
         <source>“{0}” overlaps “{1}”.</source>
@@ -2080,8 +2080,8 @@
         <translation>{0}: ei saa kirjutada</translation>
     </message>
     <message>
-        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX'{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
-        <translation>{0}: käivitage programm töölaual, ssh kaudu võtmega -X, või nii, et ees on xvfb-run -s '+extension GLX'{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: käivitage programm töölaual, ssh kaudu võtmega -X, või nii, et ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -2145,14 +2145,14 @@
     </message>
     <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
-        <translation>Joonistamiseks pole OpenGL 3.2: uuendage graafikadraiverit; Linuxis paigaldage Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1.</translation>
+        <translation>Joonistamiseks puudub OpenGL 3.2: uuendage graafikadraiverit; Linuxis paigaldage Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) või käivitage muutujaga LIBGL_ALWAYS_SOFTWARE=1.</translation>
     </message>
     <message>
         <source>the whole numbers from 0 to {0}</source>
         <translation>täisarvud 0 kuni {0}</translation>
     </message>
     <message>
-        <source>the opposite of the segment's other end</source>
+        <source>the opposite of the segment&apos;s other end</source>
         <translation>(lõigu teise otsa vastandpunkt)</translation>
     </message>
     <message>
@@ -2164,7 +2164,7 @@
         <translation>käsud, igaühel oma --help:</translation>
     </message>
     <message>
-        <source>language of messages, lessons and figures (default: the system's)</source>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
         <translation>teadete, õppetundide ja jooniste keel (vaikimisi: süsteemi oma)</translation>
     </message>
     <message>
@@ -2466,7 +2466,7 @@
 <context>
     <name>Description</name>
     <message>
-        <source>All of the scene's objects lie inside the view volume.</source>
+        <source>All of the scene&apos;s objects lie inside the view volume.</source>
         <translation>Kõik stseeni objektid on nähtavas ruumis.</translation>
     </message>
     <message>
@@ -2494,11 +2494,11 @@
         <translation>Objektiiv: {0}.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie behind the eye, where a point has no picture.</source>
+        <source>Parts of the scene&apos;s objects lie behind the eye, where a point has no picture.</source>
         <translation>Osa stseeni objektidest jääb silma taha, kus punktil kujutist ei ole.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie outside of these planes: {0}.</source>
+        <source>Parts of the scene&apos;s objects lie outside of these planes: {0}.</source>
         <translation>Osa stseeni objektidest jääb väljapoole järgmisi tasandeid: {0}.</translation>
     </message>
     <message>
@@ -2526,7 +2526,7 @@
         <translation>Vertikaalne frustumi nurk on {0}°.</translation>
     </message>
     <message>
-        <source>World: the scene along the camera's axis, in parallel projection.</source>
+        <source>World: the scene along the camera&apos;s axis, in parallel projection.</source>
         <translation>Maailm: stseen piki kaamera telge, paralleelses projektsioonis.</translation>
     </message>
     <message>
@@ -2542,7 +2542,7 @@
         <translation>Maailm: stseen kaamera kohalt, paralleelses projektsioonis.</translation>
     </message>
     <message>
-        <source>World: the scene from the camera's side, in parallel projection.</source>
+        <source>World: the scene from the camera&apos;s side, in parallel projection.</source>
         <translation>Maailm: stseen kaamera küljelt, paralleelses projektsioonis.</translation>
     </message>
     <message>
@@ -2619,8 +2619,8 @@
         <translation>Isegi kõige jämedama pildi jaoks kulub kaadri kohta {0} ms, mitte {1}</translation>
     </message>
     <message>
-        <source>This computer's OpenGL gives {0} per pixel instead of {1}</source>
-        <translation>Selle arvuti OpenGL annab piksli kohta {0}, mitte {1}</translation>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
+        <translation>Selle arvuti OpenGL-is on piksli kohta {0}, mitte {1}</translation>
     </message>
 </context>
 <context>
@@ -2774,7 +2774,7 @@
         <translation>Tähtede kõrgus punktides</translation>
     </message>
     <message>
-        <source>The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
         <translation>Faili vorming; SVG, PDF ja TEX (TikZ) koosnevad kujunditest ja tekstist, mitte pikslitest. Liikuvad pildid ja palju pilte korraga: käsk „export“</translation>
     </message>
     <message>
@@ -3064,7 +3064,7 @@
         <translation>Alumine</translation>
     </message>
     <message>
-        <source>Bottom edge of the picture's window on the near plane: where the view volume begins in y of view space.</source>
+        <source>Bottom edge of the picture&apos;s window on the near plane: where the view volume begins in y of view space.</source>
         <translation>Pildi akna alumine serv lähitasandil: kust nähtav ruum kaamerafreimi y-sihis algab.</translation>
     </message>
     <message>
@@ -3116,7 +3116,7 @@
         <translation>Kaugus</translation>
     </message>
     <message>
-        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider's end.</source>
+        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider&apos;s end.</source>
         <translation>Kaugus silmast kaugtasandini: midagi kaugemat ei joonistata. Perspektiivne objektiiv lubab liuguri otsas ka inf (∞).</translation>
     </message>
     <message>
@@ -3200,11 +3200,11 @@
         <translation>Fookuskaugus e</translation>
     </message>
     <message>
-        <source>Focal length in pixel heights: K's second diagonal entry. Equal to fx if the pixels are square.</source>
+        <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
         <translation>Fookuskaugus piksli kõrgustes: K teine diagonaalielement. Kui pikslid on ruudukujulised, võrdub see fx-iga.</translation>
     </message>
     <message>
-        <source>Focal length in pixel widths: K's first diagonal entry.</source>
+        <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
         <translation>Fookuskaugus piksli laiustes: K esimene diagonaalielement.</translation>
     </message>
     <message>
@@ -3212,11 +3212,11 @@
         <translation>35 mm filmikaamera (36 × 24 mm) fookuskaugus sama diagonaalse frustumi nurgaga: alla 35 on lainurk, üle 70 tele.</translation>
     </message>
     <message>
-        <source>Half the height of the picture on the near plane: glFrustum's top, and −bottom. With near it sets the field of view.</source>
+        <source>Half the height of the picture on the near plane: glFrustum&apos;s top, and −bottom. With near it sets the field of view.</source>
         <translation>Pool pildi kõrgusest lähitasandil: glFrustumi top ja −bottom. Koos lähitasandiga määrab see frustumi nurga.</translation>
     </message>
     <message>
-        <source>Half the width of the picture on the near plane: glFrustum's right, and −left. With near it sets the field of view.</source>
+        <source>Half the width of the picture on the near plane: glFrustum&apos;s right, and −left. With near it sets the field of view.</source>
         <translation>Pool pildi laiusest lähitasandil: glFrustumi right ja −left. Koos lähitasandiga määrab see frustumi nurga.</translation>
     </message>
     <message>
@@ -3232,7 +3232,7 @@
         <translation>Kõrgus</translation>
     </message>
     <message>
-        <source>Height above the target's horizon as an angle: 90 looks straight down.</source>
+        <source>Height above the target&apos;s horizon as an angle: 90 looks straight down.</source>
         <translation>Kõrgus sihtpunkti horisondi kohal nurgana: 90 vaatab otse alla.</translation>
     </message>
     <message>
@@ -3256,7 +3256,7 @@
         <translation>Projektsiooni liik. Sihtpunkti kaugusel olevate objektide suurus sellest ei muutu.</translation>
     </message>
     <message>
-        <source>Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
+        <source>Lecture 003&apos;s focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
         <translation>Loengu 003 fookuskaugus e = 1/tan(fov/2), kus fov on horisontaalne: sellel kaugusel ulatub pilt kohast x = −1 kuni 1.</translation>
     </message>
     <message>
@@ -3264,7 +3264,7 @@
         <translation>Vasak</translation>
     </message>
     <message>
-        <source>Left edge of the picture's window on the near plane: where the view volume begins in x of view space.</source>
+        <source>Left edge of the picture&apos;s window on the near plane: where the view volume begins in x of view space.</source>
         <translation>Pildi akna vasak serv lähitasandil: kust nähtav ruum kaamerafreimi x-sihis algab.</translation>
     </message>
     <message>
@@ -3300,11 +3300,11 @@
         <translation>OpenGL: −1 kuni 1</translation>
     </message>
     <message>
-        <source>Principal point, downwards from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, downwards from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Peapunkt, esimese piksli keskpunktist allapoole. Pildi keskpunktis on objektiiv sümmeetriline, mujal teljeväline.</translation>
     </message>
     <message>
-        <source>Principal point, to the right from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, to the right from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Peapunkt, esimese piksli keskpunktist paremale. Pildi keskpunktis on objektiiv sümmeetriline, mujal teljeväline.</translation>
     </message>
     <message>
@@ -3320,7 +3320,7 @@
         <translation>Parem</translation>
     </message>
     <message>
-        <source>Right edge of the picture's window on the near plane: where the view volume ends in x of view space.</source>
+        <source>Right edge of the picture&apos;s window on the near plane: where the view volume ends in x of view space.</source>
         <translation>Pildi akna parem serv lähitasandil: kus nähtav ruum kaamerafreimi x-sihis lõpeb.</translation>
     </message>
     <message>
@@ -3352,7 +3352,7 @@
         <translation>Projektsiooni keskpunkt ehk kaamera positsioon, maailma koordinaatides.</translation>
     </message>
     <message>
-        <source>The direction that is vertical in the picture (the lectures' view-up vector); its length does not matter.</source>
+        <source>The direction that is vertical in the picture (the lectures&apos; view-up vector); its length does not matter.</source>
         <translation>Suund, mis on pildil vertikaalne (loengute view-up vektor); selle pikkus ei loe.</translation>
     </message>
     <message>
@@ -3388,7 +3388,7 @@
         <translation>Ülemine</translation>
     </message>
     <message>
-        <source>Top edge of the picture's window on the near plane: where the view volume ends in y of view space.</source>
+        <source>Top edge of the picture&apos;s window on the near plane: where the view volume ends in y of view space.</source>
         <translation>Pildi akna ülemine serv lähitasandil: kus nähtav ruum kaamerafreimi y-sihis lõpeb.</translation>
     </message>
     <message>
@@ -3627,7 +3627,7 @@
         <translation>Võrgud ({0});;Kõik failid (*)</translation>
     </message>
     <message>
-        <source>Use a mesh in place of the scene's own objects</source>
+        <source>Use a mesh in place of the scene&apos;s own objects</source>
         <translation>Võrk stseeni oma objektide asemel</translation>
     </message>
     <message>
@@ -3698,7 +3698,7 @@
         <translation>Piki telge</translation>
     </message>
     <message>
-        <source>Along the camera's axis, flat</source>
+        <source>Along the camera&apos;s axis, flat</source>
         <translation>Piki kaamera telge, lamedalt</translation>
     </message>
     <message>
@@ -3902,11 +3902,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>Health</name>
     <message>
-        <source>A GPU's float32 cannot hold this picture: it is computed in float64</source>
+        <source>A GPU&apos;s float32 cannot hold this picture: it is computed in float64</source>
         <translation>GPU float32 ei suuda seda pilti esitada: see arvutatakse float64-s</translation>
     </message>
     <message>
-        <source>A GPU's float32 could be up to {0} px off: the picture is computed in float64</source>
+        <source>A GPU&apos;s float32 could be up to {0} px off: the picture is computed in float64</source>
         <translation>GPU float32 võiks eksida kuni {0} px: pilt arvutatakse float64-s</translation>
     </message>
     <message>
@@ -3922,7 +3922,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>float64-s oleks kindlaid kümnendkohti vähe, pikslil {0} ja sügavusel {1}: arvud arvutatakse täpselt</translation>
     </message>
     <message>
-        <source>None of the scene's objects is in the picture: all lie outside the {0} plane</source>
+        <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
         <translation>Pildil ei ole ühtki stseeni objekti: kõik jäävad väljapoole tasandit ({0})</translation>
     </message>
     <message>
@@ -3934,7 +3934,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Vaba maatriks on peaaegu singulaarne: frustumit ei joonistata</translation>
     </message>
     <message>
-        <source>The free matrix's view volume reaches infinity: no frustum is drawn</source>
+        <source>The free matrix&apos;s view volume reaches infinity: no frustum is drawn</source>
         <translation>Vaba maatriksi nähtav ruum ulatub lõpmatusse: frustumit ei joonistata</translation>
     </message>
     <message>
@@ -3942,7 +3942,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Stseen on lähitasandi kaugusest {0} korda suurem: alates 1e7-st ei joonista VTK üksi lähedal olevat</translation>
     </message>
     <message>
-        <source>VTK's own camera would clamp the field of view to {0}°</source>
+        <source>VTK&apos;s own camera would clamp the field of view to {0}°</source>
         <translation>VTK oma kaamera piiraks frustumi nurga väärtusega {0}°</translation>
     </message>
 </context>
@@ -3981,7 +3981,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Laserosuti; pildid sellele ei reageeri</translation>
     </message>
     <message>
-        <source>A pane's own view (the model does not change)</source>
+        <source>A pane&apos;s own view (the model does not change)</source>
         <translation>Paani oma vaade (mudel ei muutu)</translation>
     </message>
     <message>
@@ -4045,8 +4045,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Sulge kõige pealmine või katkesta lohistamine</translation>
     </message>
     <message>
-        <source>Column vectors, &lt;i&gt;p' = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
-        <translation>Veeruvektorid, &lt;i&gt;p' = M p&lt;/i&gt;. Maailm ja vaade on paremakäelised, y suunaga üles; kaamera vaatab kaamerafreimi −z suunas.</translation>
+        <source>Column vectors, &lt;i&gt;p&apos; = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
+        <translation>Veeruvektorid, &lt;i&gt;p&apos; = M p&lt;/i&gt;. Maailm ja vaade on paremakäelised, y suunaga üles; kaamera vaatab kaamerafreimi −z suunas.</translation>
     </message>
     <message>
         <source>Compare side by side or overlaid</source>
@@ -4113,7 +4113,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>E</translation>
     </message>
     <message>
-        <source>Enlarge or shrink the speaker's notes</source>
+        <source>Enlarge or shrink the speaker&apos;s notes</source>
         <translation>Suurenda või vähenda esineja märkmeid</translation>
     </message>
     <message>
@@ -4181,7 +4181,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Peida juhtelemendid või näita neid</translation>
     </message>
     <message>
-        <source>Highlight the same thing everywhere; the keyboard's focus does the same</source>
+        <source>Highlight the same thing everywhere; the keyboard&apos;s focus does the same</source>
         <translation>Tõsta sama asi kõikjal esile; klaviatuuri fookus teeb sedasama</translation>
     </message>
     <message>
@@ -4201,7 +4201,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kuidas kaamera teeb 3-D stseenist pildi: maailm, NDC kuup ja pilt ühest mudelist.</translation>
     </message>
     <message>
-        <source>Image: origin top left, x right, y down, in pixels; the first pixel's centre is at 0.5.</source>
+        <source>Image: origin top left, x right, y down, in pixels; the first pixel&apos;s centre is at 0.5.</source>
         <translation>Pilt: alguspunkt üleval vasakul, x paremale, y alla, pikslites; esimese piksli keskpunkt on kohal 0.5.</translation>
     </message>
     <message>
@@ -4317,7 +4317,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Esita seda edasi-tagasi</translation>
     </message>
     <message>
-        <source>Play or pause the camera's walk</source>
+        <source>Play or pause the camera&apos;s walk</source>
         <translation>Pane kaamera ringkäik käima või seisma</translation>
     </message>
     <message>
@@ -4341,7 +4341,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Esitlemine</translation>
     </message>
     <message>
-        <source>Presenting a talk, and in the speaker's window</source>
+        <source>Presenting a talk, and in the speaker&apos;s window</source>
         <translation>Ettekande esitlemisel ja esineja aknas</translation>
     </message>
     <message>
@@ -4461,7 +4461,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Pööra seda; koos klahviga Shift nihuta; + ja − viivad lähemale või kaugemale; Home lähtestab</translation>
     </message>
     <message>
-        <source>Type a number, even beyond the slider's ends, and press Enter; Esc discards it</source>
+        <source>Type a number, even beyond the slider&apos;s ends, and press Enter; Esc discards it</source>
         <translation>Sisesta arv, kas või väljaspool liuguri otsi, ja vajuta Enter; Esc loobub</translation>
     </message>
     <message>
@@ -4856,7 +4856,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Eelmine samm ({0})</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes ({0})</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes ({0})</source>
         <translation>Näita sammu nii, nagu see on õppetunni failis, ilma muudatusteta ({0})</translation>
     </message>
     <message>
@@ -4896,7 +4896,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Tehke enne ennustus: valige üks ja siis Kinnita.</translation>
     </message>
     <message>
-        <source>Nothing is wrong in this lesson's file.</source>
+        <source>Nothing is wrong in this lesson&apos;s file.</source>
         <translation>Selle õppetunni failis ei ole ühtki viga.</translation>
     </message>
     <message>
@@ -5052,7 +5052,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Maatriksid</translation>
     </message>
     <message>
-        <source>Every stage's matrix: numbers, formulas, factors and products</source>
+        <source>Every stage&apos;s matrix: numbers, formulas, factors and products</source>
         <translation>Iga etapi maatriks: arvud, valemid, tegurid ja korrutised</translation>
     </message>
     <message>
@@ -5060,7 +5060,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kaamerafreim</translation>
     </message>
     <message>
-        <source>The camera's axes, step by step: eye, target and up make the view matrix</source>
+        <source>The camera&apos;s axes, step by step: eye, target and up make the view matrix</source>
         <translation>Kaamera teljed samm-sammult: silmast, sihtpunktist ja ülesvektorist saab vaatemaatriks</translation>
     </message>
     <message>
@@ -5241,7 +5241,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>vasakukäeline: vaatab suunas +z, y üles; z muutub arvust {0} lähitasandil arvuni {1} kaugtasandil; {2}, lähitasand {3}, kaugtasand {4}</translation>
     </message>
     <message>
-        <source>looks along −z, the picture's y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
+        <source>looks along −z, the picture&apos;s y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
         <translation>vaatab suunas −z, pildi y alla; z muutub arvust {0} lähitasandil arvuni {1} kaugtasandil; {2}, lähitasand {3}, kaugtasand {4}</translation>
     </message>
     <message>
@@ -5278,15 +5278,15 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>siis jagatakse x, y ja z arvuga w</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: w = z</source>
+        <source>with lecture 002&apos;s sign: w = z</source>
         <translation>loengu 002 märgiga: w = z</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s sign: z runs from 1 at near to −1</source>
         <translation>loengu 002 märgiga: z muutub lähitasandi 1-st kuni −1-ni</translation>
     </message>
     <message>
-        <source>with lecture 002's signs: w = z, and z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s signs: w = z, and z runs from 1 at near to −1</source>
         <translation>loengu 002 märkidega: w = z ja z muutub lähitasandi 1-st kuni −1-ni</translation>
     </message>
     <message>
@@ -5374,7 +5374,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Osakorrutised</translation>
     </message>
     <message>
-        <source>Also the product of all stages so far, and the view matrix's inverse, whose columns are the camera's axes and the eye</source>
+        <source>Also the product of all stages so far, and the view matrix&apos;s inverse, whose columns are the camera&apos;s axes and the eye</source>
         <translation>Ka kõigi seniste etappide korrutis ja vaatemaatriksi pöördmaatriks, mille veerud on kaamera teljed ja silm</translation>
     </message>
     <message>
@@ -5611,7 +5611,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Ülesvektori mõõterida</translation>
     </message>
     <message>
-        <source>VTK's transform</source>
+        <source>VTK&apos;s transform</source>
         <translation>VTK teisendus</translation>
     </message>
     <message>
@@ -5811,7 +5811,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>logaritmiline</translation>
     </message>
     <message>
-        <source>matplotlib's proj3d</source>
+        <source>matplotlib&apos;s proj3d</source>
         <translation>matplotlibi proj3d</translation>
     </message>
     <message>
@@ -5827,7 +5827,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>lähitasand on ülimalt kaugtasand / 4</translation>
     </message>
     <message>
-        <source>no edge of the scene's box is in the picture</source>
+        <source>no edge of the scene&apos;s box is in the picture</source>
         <translation>pildil ei ole ühtki stseeni risttahuka serva</translation>
     </message>
     <message>
@@ -5859,7 +5859,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>ns punkti kohta</translation>
     </message>
     <message>
-        <source>numpy's hstack</source>
+        <source>numpy&apos;s hstack</source>
         <translation>numpy hstack</translation>
     </message>
     <message>
@@ -6416,7 +6416,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>LaTeXis: lahtrites on arvude asemel valemid</translation>
     </message>
     <message>
-        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>LaTeXis: telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi omad)</translation>
     </message>
     <message>
@@ -6452,15 +6452,15 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>jäta taust läbipaistvaks</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi omad)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's, or the lesson's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
         <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: dokumendi või õppetunni omad)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
         <translation>telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: ettekande omad)</translation>
     </message>
     <message>
@@ -6472,7 +6472,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>mõõda ainult pool minutit, vähem täpselt</translation>
     </message>
     <message>
-        <source>measure the errors over a parameter's range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
+        <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
         <translation>mõõda vead üle parameetri vahemiku; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
@@ -6500,7 +6500,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>valikul --sweep: kirjuta väärtused paanide alla</translation>
     </message>
     <message>
-        <source>of --wheels, such as 3.12; may be repeated (default: this one's)</source>
+        <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
         <translation>valikul --wheels, näiteks 3.12; võib korrata (vaikimisi: praegune)</translation>
     </message>
     <message>
@@ -6520,7 +6520,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>liikuval pildil: mitu kaadrit sekundis (vaikimisi: 25)</translation>
     </message>
     <message>
-        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson's)</source>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
         <translation>käskudel check ja print: telgede ja valemite tähed: own, 000, 001, 002, 003, 004 või faili, näiteks letters.toml, omad (vaikimisi: õppetunni omad)</translation>
     </message>
     <message>
@@ -6568,7 +6568,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>väljundi vorming (vaikimisi: text)</translation>
     </message>
     <message>
-        <source>print every stage's matrix</source>
+        <source>print every stage&apos;s matrix</source>
         <translation>trüki iga etapi maatriks</translation>
     </message>
     <message>
@@ -6584,7 +6584,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>salvesta akna pilt PNG-failina ja lõpeta</translation>
     </message>
     <message>
-        <source>show program's version number and exit</source>
+        <source>show program&apos;s version number and exit</source>
         <translation>näita programmi versiooni ja lõpeta</translation>
     </message>
     <message>
@@ -6608,7 +6608,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>koordinaatide ruum (vaikimisi: world)</translation>
     </message>
     <message>
-        <source>the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
+        <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
         <translation>kirjutatav joonis (.png; .svg, .pdf või TikZ-i .tex kujundite ja teksti jaoks; .html lehe jaoks, mida telefonid näitavad) ja joonistatav dokument, pilt, võrk, kaamera, õppetund või ettekanne (vaikimisi: F-täht); koos valikuga --batch jooniste kaust; koos valikuga --sweep, --orbit, --stages või --transition film (.gif, .apng, .webp, või ffmpegiga .mp4), liuguriga leht (.html) või nimi, milles on %03d, iga kaadri joonise jaoks</translation>
     </message>
     <message>
@@ -6720,7 +6720,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>Pane</name>
     <message>
-        <source>Reset this pane's own view (double-click)</source>
+        <source>Reset this pane&apos;s own view (double-click)</source>
         <translation>Lähtesta selle paani oma vaade (topeltklõps)</translation>
     </message>
     <message>
@@ -7018,11 +7018,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>silma kõrval: ükski arv ei ole piisavalt suur</translation>
     </message>
     <message>
-        <source>the pixel's ray, from near to far</source>
+        <source>the pixel&apos;s ray, from near to far</source>
         <translation>piksli kiir lähitasandist kaugtasandini</translation>
     </message>
     <message>
-        <source>the pixel's ray, as far as it is in front of the eye</source>
+        <source>the pixel&apos;s ray, as far as it is in front of the eye</source>
         <translation>piksli kiir, niipalju kui seda silma ees on</translation>
     </message>
     <message>
@@ -7037,7 +7037,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>ProbePanel</name>
     <message>
-        <source>The probes' numbers at every stage</source>
+        <source>The probes&apos; numbers at every stage</source>
         <translation>Sondide arvud igas etapis</translation>
     </message>
     <message>
@@ -7202,7 +7202,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>Refusal</name>
     <message>
-        <source>A film's frames have one size: leave out crop and width.</source>
+        <source>A film&apos;s frames have one size: leave out crop and width.</source>
         <translation>Filmi kaadrid on ühe suurusega: jätke crop ja width ära.</translation>
     </message>
     <message>
@@ -7630,7 +7630,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>on dokument ja vaadet {0} sellel ei ole</translation>
     </message>
     <message>
-        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV's K, R, t</source>
+        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
         <translation>on programmi {0} fail, mida ei loeta: eksportige selle kaamerad COLMAPi tekstina, failina transforms.json või OpenCV K, R, t-na</translation>
     </message>
     <message>
@@ -7814,7 +7814,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema 0 või suuruselt vähemalt {0}</translation>
     </message>
     <message>
-        <source>must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1</source>
+        <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
         <translation>peab olema 16 arvu või kalibreeritud kaamera K: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
@@ -7826,8 +7826,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema NAME=VALUE või document: FILE.json</translation>
     </message>
     <message>
-        <source>must be [SECTION], or NAME = "LETTER", or begin with # as a comment</source>
-        <translation>peab olema [SECTION] või NAME = "LETTER" või algama märgiga # nagu kommentaar</translation>
+        <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
+        <translation>peab olema [SECTION] või NAME = &quot;LETTER&quot; või algama märgiga # nagu kommentaar</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
@@ -7854,7 +7854,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema lõplik arv või inf</translation>
     </message>
     <message>
-        <source>must be a list of 2 to {0} pictures, exactly one of them the document's own</source>
+        <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
         <translation>peab olema loend 2 kuni {0} pildist, millest täpselt üks on dokumendi oma</translation>
     </message>
     <message>
@@ -8062,11 +8062,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema fx, fy, cx, cy või K: kolm rida fx, 0, cx ja 0, fy, cy ja 0, 0, 1</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx</source>
+        <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
         <translation>peab olema suurem kui 0; alla 0 on pildi x suunatud vasakule: võtke fx = {0} ja cx = W - 1 - cx</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy</source>
+        <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
         <translation>peab olema suurem kui 0; alla 0 on pildi y suunatud üles: võtke fy = {0} ja cy = H - 1 - cy</translation>
     </message>
     <message>
@@ -8118,7 +8118,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema üks rida teksti</translation>
     </message>
     <message>
-        <source>must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
+        <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
         <translation>peab olema üks stseeni enda võrdlustest ({0}) või PATH=VALUE, kus pildi väärtuste vahel on ;, piltide vahel | ja pildi ees, millel on nimi, NAME:</translation>
     </message>
     <message>
@@ -8150,7 +8150,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema üks järgmistest: {0}; lähim on {1}</translation>
     </message>
     <message>
-        <source>must be the document's own, {0}</source>
+        <source>must be the document&apos;s own, {0}</source>
         <translation>peab olema dokumendi oma, {0}</translation>
     </message>
     <message>
@@ -8206,7 +8206,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema kaks pikslite arvu, laius ja kõrgus</translation>
     </message>
     <message>
-        <source>must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
+        <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
         <translation>peab olema world või ndc koos paani silmaga või silma ja sihtpunktiga, nagu world: 6,4,8 või ndc: 1.3,0.2,0.3,0,0,0; kaht paani eraldab | (mida klass näeb, on view.slide)</translation>
     </message>
     <message>
@@ -8426,7 +8426,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>kordab nime realt {0}; igaüks vajab oma nime</translation>
     </message>
     <message>
-        <source>says another number than its formula's value, {0}</source>
+        <source>says another number than its formula&apos;s value, {0}</source>
         <translation>ütleb teist arvu, kui on valemi väärtus {0}</translation>
     </message>
     <message>
@@ -8522,7 +8522,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>{0}: võrgufaili lõpp peab olema {1} või {2}; teisendage see üheks nendest.</translation>
     </message>
     <message>
-        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size; move the mesh to the origin.</source>
+        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
         <translation>{0}: mõne tipu koordinaat on {1}, aga see peab olema ±{2} piires, mis on 1e12 korda võrgu suurus; viige võrk alguspunkti.</translation>
     </message>
     <message>
@@ -8630,7 +8630,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>{0}: fail on tühi; salvestage see uuesti või laadige uuesti alla.</translation>
     </message>
     <message>
-        <source>{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
+        <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
         <translation>{0}: ühe tahu nurkade arv on {1}, aga peab olema 3 kuni {2}; jagage või parandage see.</translation>
     </message>
     <message>
@@ -8670,7 +8670,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>{0}: on mõõdetud teise Frustum Labiga: selle versioon on {1}, see loeb versiooni {2}.</translation>
     </message>
     <message>
-        <source>{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}.</source>
+        <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
         <translation>{0}: oleks {1} MB; TeXi mällu mahuvad joonised suurusega {2} MB: kirjutage {3}.</translation>
     </message>
     <message>
@@ -8711,7 +8711,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Minu võrk…</translation>
     </message>
     <message>
-        <source>Replace the scene's own objects with a mesh from a file</source>
+        <source>Replace the scene&apos;s own objects with a mesh from a file</source>
         <translation>Asendab stseeni oma objektid võrguga failist</translation>
     </message>
     <message>
@@ -8723,7 +8723,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Oma objektid</translation>
     </message>
     <message>
-        <source>Restore the scene's own objects</source>
+        <source>Restore the scene&apos;s own objects</source>
         <translation>Toob tagasi stseeni oma objektid</translation>
     </message>
     <message>
@@ -8939,7 +8939,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>SpeakerWindow</name>
     <message>
-        <source>Speaker's window – Frustum Lab</source>
+        <source>Speaker&apos;s window – Frustum Lab</source>
         <translation>Esineja aken – Frustum Lab</translation>
     </message>
     <message>
@@ -9117,7 +9117,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>Stage</name>
     <message>
-        <source>the scene's objects are given in world coordinates</source>
+        <source>the scene&apos;s objects are given in world coordinates</source>
         <translation>stseeni objektid on antud maailma koordinaatides</translation>
     </message>
     <message>
@@ -9200,7 +9200,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Objekt</translation>
     </message>
     <message>
-        <source>The object's own space</source>
+        <source>The object&apos;s own space</source>
         <translation>Objekti enda ruum</translation>
     </message>
     <message>
@@ -9220,7 +9220,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Tehakse vasakult: iga liigutus telgedes, mida varasemad liigutused on liigutanud</translation>
     </message>
     <message>
-        <source>Read from the right: each move in the world's axes</source>
+        <source>Read from the right: each move in the world&apos;s axes</source>
         <translation>Loetakse paremalt: iga liigutus maailma telgedes</translation>
     </message>
     <message>
@@ -9450,7 +9450,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Joonistamise lubatud viga</translation>
     </message>
     <message>
-        <source>A GPU's own arithmetic (float32) may draw with an error of up to this many pixels:</source>
+        <source>A GPU&apos;s own arithmetic (float32) may draw with an error of up to this many pixels:</source>
         <translation>GPU oma aritmeetika (float32) võib joonistada veaga kuni nii mitu pikslit:</translation>
     </message>
 </context>
@@ -9495,7 +9495,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>TalkActions</name>
     <message>
-        <source>Speaker's &amp;window</source>
+        <source>Speaker&apos;s &amp;window</source>
         <translation>Esineja &amp;aken</translation>
     </message>
     <message>
@@ -9565,7 +9565,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Faili on muudetud ja seda ei saa lugeda.</translation>
     </message>
     <message>
-        <source>Open a talk first: the speaker's window shows its notes.</source>
+        <source>Open a talk first: the speaker&apos;s window shows its notes.</source>
         <translation>Avage enne ettekanne: esineja aken näitab selle märkmeid.</translation>
     </message>
 </context>
@@ -9730,7 +9730,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>väljas</translation>
     </message>
     <message>
-        <source>this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
+        <source>this computer&apos;s OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
         <translation>selle arvuti OpenGL ei võta vastu šeiderit, mida see stseen vajab: pilt joonistatakse ilma selleta ja õiged on ainult arvutatud arvud</translation>
     </message>
     <message>
@@ -9870,7 +9870,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kaamera pöördub iga kaadriga 1°: iga kaader korrutab selle teljed sama väikese pöördega ja iga korrutis ümardatakse. Pärast 360° peaks see olema lähtekohas tagasi. Kahvatu pilt on õige ja selle kõrval on see, mida kaamera näeb: üks maatriksikorrutis kaadri kohta kahe siinuse asemel nõuab oma hinda. Iga kümnenda kaadriga saab telgi uuesti normeerida; see parandab nende pikkused ja täisnurgad, aga mitte suunda.</translation>
     </message>
     <message>
-        <source>A field of view from lecture 001; the camera moves so that things at the target's distance keep their size</source>
+        <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
         <translation>Üks loengu 001 frustumi nurkadest; kaamera liigub nii, et asjad sihtpunkti kaugusel jäävad sama suureks</translation>
     </message>
     <message>
@@ -9878,11 +9878,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Lamp mingis punktis või päike: lõpmatuspunkt</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall's foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
+        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall&apos;s foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
         <translation>Logaritmilisel sügavusel jätkub numbrikohti igale kaugusele. Kui see arvutatakse iga tipu jaoks, maksab see ühe logaritmi tipu kohta ja varajane sügavustest jääb sisse. Aga tippude vahel interpoleerib rasterdaja seda ekraanil lineaarselt, kus 1/w on lineaarne ja log w ei ole. Nii joonistatakse pikk tahk liiga kaugele: seina alusmüür, mis on põrandast allpool, paistab sellest läbi. Abi on lühematest tükkidest või logaritmist iga piksli jaoks.</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye's coordinates with 1/w, a difference of nearly equal numbers. Far from the world's origin, float32 then misses the point by parts of its distance. If the pixel's ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
+        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye&apos;s coordinates with 1/w, a difference of nearly equal numbers. Far from the world&apos;s origin, float32 then misses the point by parts of its distance. If the pixel&apos;s ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
         <translation>Piksel ja selle sügavus viivad tagasi punktini, mis seal joonistati. P V pöördmaatriks teeb seda ühe korrutisega, aga see korrutab silma koordinaate arvuga 1/w, mis on peaaegu võrdsete arvude vahe. Maailma alguspunktist kaugel läheb float32 siis punktist mööda, ja seda märgatava osa võrra selle kaugusest. Kui piksli kiir korrutatakse sügavusega või kui P ja V võetakse tagasi üksteise järel, siis silma ainult liidetakse ja see ümardatakse üks kord. Teel pildini peaaegu ei loe, kas P ja V on üks maatriks või kaks: et vahe tuleb sellest, on müüt.</translation>
     </message>
     <message>
@@ -9894,7 +9894,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Vari on projektsioon, mille keskpunkt on valgusallikas: maatriks S joonistab objekti veel kord, ühe värviga. Päikese puhul, mis on lõpmatuses asuv valgusallikas, kus w = 0, on projektsioon paralleelne. Objekti osadel, mis on lambist kõrgemal, on w &lt; 0. Kui neid ei kärbita, joonistatakse need teisele poole lampi antivarjuna.</translation>
     </message>
     <message>
-        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.</source>
+        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL&apos;s.</source>
         <translation>Kujund nähtava ruumi sees joonistatakse, sellest väljas olev kujund mitte. Selle piiri ületava kujundi lõikab iga tasand oma järjekorras läbi ja kus serv tasandit läbib, tekib uus nurk. Lähitasand eemaldab kõik, mis on silma juures või taga, kus w ≤ 0 ja jagada ei saa, ja kaugtasand piirab sügavusi. Kärbitakse kanoonilises ruumis, enne jagamist, sest seal on tasandid iga objektiivi jaoks samad: OpenGL-is −w ≤ x, y, z ≤ w.</translation>
     </message>
     <message>
@@ -9970,7 +9970,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Cavalier: 1 ×</translation>
     </message>
     <message>
-        <source>Changes the lens, but keeps the picture of the target's plane</source>
+        <source>Changes the lens, but keeps the picture of the target&apos;s plane</source>
         <translation>Vahetab objektiivi, aga säilitab sihtpunkti tasandi pildi</translation>
     </message>
     <message>
@@ -10046,7 +10046,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Võrrelge mõlemat filmi: mis on ümber pööratud?</translation>
     </message>
     <message>
-        <source>Cone (the eye's own)</source>
+        <source>Cone (the eye&apos;s own)</source>
         <translation>Koonus (silma oma)</translation>
     </message>
     <message>
@@ -10062,7 +10062,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Praod</translation>
     </message>
     <message>
-        <source>Crossed, left eye's on the right</source>
+        <source>Crossed, left eye&apos;s on the right</source>
         <translation>Ristatud, vasaku silma pilt paremal</translation>
     </message>
     <message>
@@ -10126,7 +10126,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Pinna 2 kaugus pinna 1 taga, piki vaate suunda</translation>
     </message>
     <message>
-        <source>Distance of the eye from the window's middle; the window stays in the world</source>
+        <source>Distance of the eye from the window&apos;s middle; the window stays in the world</source>
         <translation>Silma kaugus akna keskkohast; aken jääb maailmas paigale</translation>
     </message>
     <message>
@@ -10146,8 +10146,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kas lähi- ja kaugtasand muudavad kaart?</translation>
     </message>
     <message>
-        <source>Double d: how large is h'?</source>
-        <translation>Kahekordistage d: kui suur on h'?</translation>
+        <source>Double d: how large is h&apos;?</source>
+        <translation>Kahekordistage d: kui suur on h&apos;?</translation>
     </message>
     <message>
         <source>Double d: what are x_p and y_p now?</source>
@@ -10206,7 +10206,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Triiv</translation>
     </message>
     <message>
-        <source>Each coordinate is stored as an integer over the mesh's box</source>
+        <source>Each coordinate is stored as an integer over the mesh&apos;s box</source>
         <translation>Iga koordinaat salvestatakse täisarvuna üle võrgu risttahuka</translation>
     </message>
     <message>
@@ -10226,7 +10226,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Suurenda 105-mm fotot</translation>
     </message>
     <message>
-        <source>Enlarges the middle of the picture until things at the target's distance are as large as on the 29-mm photograph; this narrows the field of view</source>
+        <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
         <translation>Suurendab pildi keskosa, kuni asjad sihtpunkti kaugusel on sama suured kui 29-mm fotol; see kitsendab frustumi nurka</translation>
     </message>
     <message>
@@ -10258,7 +10258,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Alguspunktist kaugel: nihutage alguspunkti.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex's exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
         <translation>Vähemad bitid teevad pildi väiksemaks ja kiiremaks, aga ka vähem täpseks. Iga tipp salvestatakse ja projitseeritakse valitud vormingutes ning joonistatakse sinna, kuhu need selle panevad. Iga tipu täpsest pikslist osutab nool joonistatud piksli poole, suurendatud nii palju, nagu selle kõrval kirjas. Tõke ennustatakse ainult vormingute järgi ja ükski viga ei ole sellest suurem. 1996. aasta mängukonsool joonistas täispiksleid ja afiinseid tekstuure ning selle tipud hüppasid iga kord, kui kaamera liikus.</translation>
     </message>
     <message>
@@ -10366,7 +10366,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Tasandi kõrgus</translation>
     </message>
     <message>
-        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene's box</source>
+        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene&apos;s box</source>
         <translation>Kuidas koordinaat salvestatakse; 8 kuni 16 bitti on täisarvud üle stseeni risttahuka</translation>
     </message>
     <message>
@@ -10394,11 +10394,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kuidas iga kaader oma teljed leiab: kiire pöördruutjuur loeb bitte logaritmina ja teeb ühe Newtoni sammu</translation>
     </message>
     <message>
-        <source>How far away the world's origin lies, along x: coordinates are measured from there</source>
+        <source>How far away the world&apos;s origin lies, along x: coordinates are measured from there</source>
         <translation>Kui kaugel piki x-telge on maailma alguspunkt: koordinaate mõõdetakse sealt</translation>
     </message>
     <message>
-        <source>How far from the eye the world's origin lies: coordinates are measured from there</source>
+        <source>How far from the eye the world&apos;s origin lies: coordinates are measured from there</source>
         <translation>Kui kaugel silmast on maailma alguspunkt: koordinaate mõõdetakse sealt</translation>
     </message>
     <message>
@@ -10418,7 +10418,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Mitu korda pöördub kaamera 360°, igaüks 360 kaadriga</translation>
     </message>
     <message>
-        <source>How the texture's coordinates are spread over a face</source>
+        <source>How the texture&apos;s coordinates are spread over a face</source>
         <translation>Kuidas tekstuuri koordinaadid tahule jaotatakse</translation>
     </message>
     <message>
@@ -10442,7 +10442,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Inimese silm: 120° laiuselt</translation>
     </message>
     <message>
-        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane's window are no longer opposite. Things in the window's own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
+        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane&apos;s window are no longer opposite. Things in the window&apos;s own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
         <translation>Kui te aknast mööda kõnnite, jääb see oma seina. Frustum teie silmast läbi akna on kaldu ning lähitasandi akna vasak ja parem ei ole enam vastandarvud. Akna enda tasandil olevad asjad säilitavad pildil oma koha. Kaks kõrvuti ekraani on kaks sellist ühise silmaga frustumit ja nende pildid liituvad ilma vaheta.</translation>
     </message>
     <message>
@@ -10498,8 +10498,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Valgus L</translation>
     </message>
     <message>
-        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h' = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
-        <translation>Valgus tuleb väikese ava kaudu pimedasse kasti. Kiired ristuvad seal, nii et pilt ava taga oleval filmil on tagurpidi ja vasak on paremal: h' = −d·h/z. Sünteetilise kaamera keskpunkt on ava kohal ja selle film samal kaugusel ava ees. Pilt on sama suur, aga püstine: muutub ainult märk.</translation>
+        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h&apos; = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
+        <translation>Valgus tuleb väikese ava kaudu pimedasse kasti. Kiired ristuvad seal, nii et pilt ava taga oleval filmil on tagurpidi ja vasak on paremal: h&apos; = −d·h/z. Sünteetilise kaamera keskpunkt on ava kohal ja selle film samal kaugusel ava ees. Pilt on sama suur, aga püstine: muutub ainult märk.</translation>
     </message>
     <message>
         <source>Logarithm</source>
@@ -10546,7 +10546,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Liigutage lähi- ja kaugtasandit: millised kaardid on piiril?</translation>
     </message>
     <message>
-        <source>Moves the eye; the field of view keeps the sizes at the target's distance</source>
+        <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
         <translation>Liigutab silma; frustumi nurk säilitab suurused sihtpunkti kaugusel</translation>
     </message>
     <message>
@@ -10618,7 +10618,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>P liigub piki</translation>
     </message>
     <message>
-        <source>P's image is at infinity</source>
+        <source>P&apos;s image is at infinity</source>
         <translation>P kujutis on lõpmatuses</translation>
     </message>
     <message>
@@ -10898,7 +10898,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Kaks silma</translation>
     </message>
     <message>
-        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen's middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye's and the rest from the right eye's, for glasses with red on the left.</source>
+        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen&apos;s middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye&apos;s and the rest from the right eye&apos;s, for glasses with red on the left.</source>
         <translation>Kaks silma näevad maailma kahest kohast ja seepärast on stereopaaris kaks pilti. Teljeväliste frustumitega vaatavad mõlemad silmad läbi ühe akna, milleks on ekraanitasand: mis sellel asub, ei liigu piltide vahel, selle taga olev liigub paremale ja ees olev vasakule. Kaamerad, mis on ekraani keskkoha poole kokku pööratud, kallutavad oma pilte üksteise suhtes ja äärtes olevad punktid ei ole enam ühel kõrgusel. Puna-tsüaan pilt võtab punase valguse vasaku silma pildilt ja ülejäänu parema silma pildilt, prillide jaoks, mille vasak klaas on punane.</translation>
     </message>
     <message>
@@ -11034,7 +11034,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Vasaku võrgu laius</translation>
     </message>
     <message>
-        <source>Width of the left mesh's box, whose steps grow with it</source>
+        <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
         <translation>Vasaku võrgu risttahuka laius; selle astmed kasvavad kaasa</translation>
     </message>
     <message>
@@ -11042,11 +11042,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Parema võrgu laius</translation>
     </message>
     <message>
-        <source>Width of the right mesh's box, whose steps grow with it</source>
+        <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
         <translation>Parema võrgu risttahuka laius; selle astmed kasvavad kaasa</translation>
     </message>
     <message>
-        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target's distance keep their size (a dolly zoom). One unit is 10 cm.</source>
+        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
         <translation>Laiema frustumi nurgaga peab kaamera olema lähemal, et motiiv jääks sama suureks. Selle lähedased osad paistavad siis kaugetega võrreldes suuremad: perspektiivne lühenemine sõltub ainult kaugusest. Kui te kaugust muudate, muutub frustumi nurk kaasa, nii et asjad sihtpunkti kaugusel jäävad sama suureks (dolly zoom). Üks ühik on 10 cm.</translation>
     </message>
     <message>
@@ -11078,8 +11078,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>paralleelne objektiiv jagab 1-ga ja sellel ei ole silmatasandit: valige perspektiivne objektiiv</translation>
     </message>
     <message>
-        <source>a parallel lens divides by 1: its own z' is affine, and nothing is bent</source>
-        <translation>paralleelne objektiiv jagab 1-ga: selle z' on ise afiinne ja midagi ei kõverdu</translation>
+        <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
+        <translation>paralleelne objektiiv jagab 1-ga: selle z&apos; on ise afiinne ja midagi ei kõverdu</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
@@ -11174,7 +11174,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>sihtpunkti hägusus</translation>
     </message>
     <message>
-        <source>both agree only if the lens's axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
+        <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
         <translation>mõlemad langevad kokku ainult siis, kui objektiivi telg läbib pildi keskkoha; siin läbib see kohta ({0}, {1}) px ja nende summa on sellest kaks korda suurem</translation>
     </message>
     <message>
@@ -11238,7 +11238,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>ühine ruudustik</translation>
     </message>
     <message>
-        <source>computed: gap and codes are finer than the graphics card's float32, so the picture shows its noise instead</source>
+        <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
         <translation>arvutatud: vahe ja koodid on graafikakaardi float32-st peenemad, nii et pilt näitab hoopis selle müra</translation>
     </message>
     <message>
@@ -11278,8 +11278,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>teravussügavus</translation>
     </message>
     <message>
-        <source>depth z' = A + B/z along the marked edge is, too</source>
-        <translation>sügavus z' = A + B/z piki märgitud serva samuti</translation>
+        <source>depth z&apos; = A + B/z along the marked edge is, too</source>
+        <translation>sügavus z&apos; = A + B/z piki märgitud serva samuti</translation>
     </message>
     <message>
         <source>diameter, mm</source>
@@ -11490,7 +11490,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>punktist P punkti V</translation>
     </message>
     <message>
-        <source>from there to the ray's end</source>
+        <source>from there to the ray&apos;s end</source>
         <translation>sealt kiire lõpuni</translation>
     </message>
     <message>
@@ -11722,7 +11722,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>ükski vaadeldud võrgu servadest ei ole nähtavas ruumis</translation>
     </message>
     <message>
-        <source>none of the subject's compared points is in the picture</source>
+        <source>none of the subject&apos;s compared points is in the picture</source>
         <translation>pildil ei ole ühtki motiivi võrreldavat punkti</translation>
     </message>
     <message>
@@ -11750,19 +11750,19 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>teljeväline</translation>
     </message>
     <message>
-        <source>on the film: h' = −d·h / z</source>
-        <translation>filmil: h' = −d·h / z</translation>
+        <source>on the film: h&apos; = −d·h / z</source>
+        <translation>filmil: h&apos; = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
         <translation>üks mõlemale</translation>
     </message>
     <message>
-        <source>only the {0} longest of the mesh's {1} edges are drawn and counted</source>
+        <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
         <translation>joonistatakse ja võetakse arvesse ainult pikimad servad, {0} võrgu {1} servast</translation>
     </message>
     <message>
-        <source>only {0} of the mesh's {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
+        <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
         <translation>joonistatakse ja võetakse arvesse ainult {0} võrgu {1} servast: enne need, mis läbivad silmatasandit, siis pikimad</translation>
     </message>
     <message>
@@ -11922,7 +11922,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>venita</translation>
     </message>
     <message>
-        <source>subject's height, at the target's distance</source>
+        <source>subject&apos;s height, at the target&apos;s distance</source>
         <translation>motiivi kõrgus, sihtpunkti kaugusel</translation>
     </message>
     <message>
@@ -11974,7 +11974,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>nool on ava taga või kõrval: sellest ei tule kasti valgust</translation>
     </message>
     <message>
-        <source>the arrow's height h</source>
+        <source>the arrow&apos;s height h</source>
         <translation>noole kõrgus h</translation>
     </message>
     <message>
@@ -11990,7 +11990,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>kaamera vaatab otse alla või üles: lähedalt kaugele ulatuvat põrandat ei ole</translation>
     </message>
     <message>
-        <source>the edge's pixels are too many or too few for float64 to measure</source>
+        <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
         <translation>serva piksleid on float64-ga mõõtmiseks liiga palju või liiga vähe</translation>
     </message>
     <message>
@@ -12018,7 +12018,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>kujutis tasandil</translation>
     </message>
     <message>
-        <source>the light is inside the object's bounds: move it out to see the whole shadow</source>
+        <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
         <translation>valgus on objekti piiride sees: viige see välja, et kogu varju näha</translation>
     </message>
     <message>
@@ -12050,7 +12050,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>pilt on püstsihis venitatud {0} korda rohkem kui rõhtsihis: tahud ei säilita oma kuju</translation>
     </message>
     <message>
-        <source>the picture is stretched: the target's disc is an ellipse of this width and height</source>
+        <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
         <translation>pilt on venitatud: sihtpunkti ketas on selle laiuse ja kõrgusega ellips</translation>
     </message>
     <message>
@@ -12094,7 +12094,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>vari on kaugemal kui 1e30</translation>
     </message>
     <message>
-        <source>the subject's pixels are more than float64 can hold on one of the screens</source>
+        <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
         <translation>ühel ekraanidest on motiivi piksleid rohkem, kui float64 suudab hoida</translation>
     </message>
     <message>
@@ -12106,16 +12106,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>sihtpunkt on objektiivile nii lähedal, et selle kettal ei ole lõplikku suurust</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; only the {0} triangles with the longest sides are examined</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
         <translation>tekstuur on laotatud võrgu kahe suurima mõõtme peale; vaadeldakse ainult kõige pikemate külgedega kolmnurki: {0}</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; texture coordinates in its file are not used</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
         <translation>tekstuur on laotatud võrgu kahe suurima mõõtme peale; failis olevaid tekstuuri koordinaate ei kasutata</translation>
     </message>
     <message>
-        <source>the view volume cuts PQ: the part inside it, from P' to Q', is measured</source>
-        <translation>nähtav ruum lõikab PQ läbi: mõõdetakse selle sees olevat osa P'-st Q'-ni</translation>
+        <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
+        <translation>nähtav ruum lõikab PQ läbi: mõõdetakse selle sees olevat osa P&apos;-st Q&apos;-ni</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
@@ -12258,8 +12258,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>kuhu põrand joonistatakse</translation>
     </message>
     <message>
-        <source>where: w = √(w_P'·w_Q')</source>
-        <translation>kus: w = √(w_P'·w_Q')</translation>
+        <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
+        <translation>kus: w = √(w_P&apos;·w_Q&apos;)</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
@@ -12294,8 +12294,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>paralleelse objektiivi puhul on kaugus ise ekraanil lineaarne: selle logaritmi ei vaja keegi</translation>
     </message>
     <message>
-        <source>with far at infinity, no affine z' = A z + B covers all depths: choose a finite far plane</source>
-        <translation>kui kaugtasand on lõpmatuses, ei kata ükski afiinne z' = A z + B kõiki sügavusi: valige lõplik kaugtasand</translation>
+        <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
+        <translation>kui kaugtasand on lõpmatuses, ei kata ükski afiinne z&apos; = A z + B kõiki sügavusi: valige lõplik kaugtasand</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
@@ -12314,8 +12314,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z' = {divided_z} it stays straight.</source>
-        <translation>x ja y jagatakse kaugusega w. Kui z-i ainult skaleeritaks ja nihutataks, z' = A z + B, oleks sirge lõik PQ kuubis kaar. Selle otste vahel ei saaks siis midagi interpoleerida ega kärpida nagu sirgel. Valikuga z' = {divided_z} jääb see sirgeks.</translation>
+        <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
+        <translation>x ja y jagatakse kaugusega w. Kui z-i ainult skaleeritaks ja nihutataks, z&apos; = A z + B, oleks sirge lõik PQ kuubis kaar. Selle otste vahel ei saaks siis midagi interpoleerida ega kärpida nagu sirgel. Valikuga z&apos; = {divided_z} jääb see sirgeks.</translation>
     </message>
     <message>
         <source>y</source>

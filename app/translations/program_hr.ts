@@ -144,7 +144,7 @@
         <translation>Pono&amp;vi</translation>
     </message>
     <message>
-        <source>&amp;Reset the panes' own views</source>
+        <source>&amp;Reset the panes&apos; own views</source>
         <translation>Vrati po&amp;glede okana</translation>
     </message>
     <message>
@@ -296,7 +296,7 @@
         <translation>Pogled n&amp;a svijet</translation>
     </message>
     <message>
-        <source>Measure the cost of every step: the model, each pane's matrices and repaint</source>
+        <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
         <translation>Mjeri trošak svakog koraka: model te matrice i crtanje svakog okna</translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation>Okna u st&amp;upcima</translation>
     </message>
     <message>
-        <source>Play or pause the camera's orbit</source>
+        <source>Play or pause the camera&apos;s orbit</source>
         <translation>Pokreće ili zaustavlja kruženje kamere</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Prikazuje okna i najvažnije kontrole preko cijelog ekrana, za nastavu</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes</source>
         <translation>Prikazuje korak kakav je u datoteci lekcije, bez vaših promjena</translation>
     </message>
     <message>
@@ -436,7 +436,7 @@
         <translation>Scene u slikama, lekcije, izlaganja i nedavne datoteke</translation>
     </message>
     <message>
-        <source>Try everything in the lesson's file</source>
+        <source>Try everything in the lesson&apos;s file</source>
         <translation>Isprobava sve u datoteci lekcije</translation>
     </message>
     <message>
@@ -506,7 +506,7 @@
         <translation>Visina</translation>
     </message>
     <message>
-        <source>How the eye's y changes during the walk (the exercise of lecture 004).</source>
+        <source>How the eye&apos;s y changes during the walk (the exercise of lecture 004).</source>
         <translation>Kako se tijekom obilaska mijenja y kamere (vježba iz predavanja 004).</translation>
     </message>
     <message>
@@ -522,7 +522,7 @@
         <translation>glatko se njiše</translation>
     </message>
     <message>
-        <source>The eye's y swings between the lowest and the highest value.</source>
+        <source>The eye&apos;s y swings between the lowest and the highest value.</source>
         <translation>y kamere njiše se između najniže i najviše vrijednosti.</translation>
     </message>
     <message>
@@ -530,7 +530,7 @@
         <translation>u skokovima</translation>
     </message>
     <message>
-        <source>The eye's y jumps to the next of four values every 2 seconds.</source>
+        <source>The eye&apos;s y jumps to the next of four values every 2 seconds.</source>
         <translation>y kamere skače svake 2 sekunde na sljedeću od četiri vrijednosti.</translation>
     </message>
     <message>
@@ -578,7 +578,7 @@
         <translation>horizontalno</translation>
     </message>
     <message>
-        <source>The target gets the eye's y: the camera looks horizontally.</source>
+        <source>The target gets the eye&apos;s y: the camera looks horizontally.</source>
         <translation>Cilj dobiva y kamere: kamera gleda horizontalno.</translation>
     </message>
     <message>
@@ -681,7 +681,7 @@
         <translation>Po&amp;kaži</translation>
     </message>
     <message>
-        <source>Show the picture with your number beside that with the model's (Alt+M)</source>
+        <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
         <translation>Prikazuje sliku s vašim brojem pokraj slike s brojem iz modela (Alt+M)</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
         <translation>Dvaput kliknite ili pritisnite Enter i upišite drugi broj ili razlomak, npr. 1/3.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
         <translation>Globalna komponenta {1} osi kamere {0}: dodaje {3} puta {1} koordinati {2}.</translation>
     </message>
     <message>
@@ -716,7 +716,7 @@
         <translation>Koordinata {0} položaja kamere, u kojem je ishodište koordinatnog sustava kamere.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
         <translation>Globalna komponenta {1} osi kamere {0}.</translation>
     </message>
     <message>
@@ -783,7 +783,7 @@
 <context>
     <name>ChainEditor</name>
     <message>
-        <source>View: the camera's moves undone</source>
+        <source>View: the camera&apos;s moves undone</source>
         <translation>Pogled: poništeni pokreti kamere</translation>
     </message>
     <message>
@@ -834,7 +834,7 @@
         <translation>Odgovor je {0}.</translation>
     </message>
     <message>
-        <source>The model's answer</source>
+        <source>The model&apos;s answer</source>
         <translation>Odgovor modela</translation>
     </message>
     <message>
@@ -850,7 +850,7 @@
         <translation>Prikazuje što se događa</translation>
     </message>
     <message>
-        <source>Show the model's answer once more</source>
+        <source>Show the model&apos;s answer once more</source>
         <translation>Prikazuje odgovor modela još jednom</translation>
     </message>
 </context>
@@ -1020,8 +1020,8 @@
         <translation>--step: treba lekciju ili izlaganje kao FILE.</translation>
     </message>
     <message>
-        <source>--sweep {0} = '': must be LOW:HIGH, such as 0.001:10.</source>
-        <translation>--sweep {0} = '': mora biti LOW:HIGH, npr. 0.001:10.</translation>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: mora biti LOW:HIGH, npr. 0.001:10.</translation>
     </message>
     <message>
         <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
@@ -1228,7 +1228,7 @@
         <translation>Qt ne može doći do poslužitelja X, jer nedostaje biblioteka sustava ({0}); {1} doctor kaže koji je paket sadrži.</translation>
     </message>
     <message>
-        <source>Qt's platform {0} shows no OpenGL windows. {1}</source>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
         <translation>Qt-ova platforma {0} ne prikazuje prozore s OpenGL-om. {1}</translation>
     </message>
     <message>
@@ -1392,7 +1392,7 @@
         <translation>ne može se učitati: {0}</translation>
     </message>
     <message>
-        <source>capitals are {0:.1%} of the screen's height; must be from {1:.1%} to {2:.1%}.</source>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
         <translation>velika slova imaju {0:.1%} visine ekrana; mora biti od {1:.1%} do {2:.1%}.</translation>
     </message>
     <message>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>key</source>
-        <translation>ključ</translation>
+        <translation>rješenja</translation>
     </message>
     <message>
         <source>largest error in px</source>
@@ -1637,10 +1637,10 @@
     </message>
     <message>
         <source>packages</source>
-        <translation>pakete</translation>
+        <translation>paketi</translation>
     </message>
     <message>
-        <source>part of the text is only in the speaker's notes: {0}</source>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
         <translation>dio teksta je samo u bilješkama predavača: {0}</translation>
     </message>
     <message>
@@ -1712,7 +1712,7 @@
         <translation>paketi za Python nisu se mogli instalirati</translation>
     </message>
     <message>
-        <source>the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0</source>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
         <translation>kamera gleda duž +z, y dolje; K je u pikselima, sredina prvog piksela je u 0, 0</translation>
     </message>
     <message>
@@ -1736,7 +1736,7 @@
         <translation>paket {0} je oštećen ({1}); zamijenite ga i pokrenite ponovno: {2}</translation>
     </message>
     <message>
-        <source>the path {folder} is too long: move the folder of the code nearer to the drive's root</source>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
         <translation>putanja {folder} je preduga: premjestite mapu s kodom bliže korijenu diska</translation>
     </message>
     <message>
@@ -1788,7 +1788,7 @@
         <translation>nema mjesta</translation>
     </message>
     <message>
-        <source>this machine's rules forbid programs in {folder}; ask who set it up</source>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
         <translation>pravila ovog računala zabranjuju programe u {folder}; pitajte onoga tko ga je postavio</translation>
     </message>
     <message>
@@ -1909,7 +1909,7 @@
     </message>
     <message>
         <source>{0} has no bound</source>
-        <translation>{0} nema granicu</translation>
+        <translation>{0} nema granice</translation>
     </message>
     <message>
         <source>{0} has no figures: its first row names columns, the others are one.</source>
@@ -1945,11 +1945,11 @@
     </message>
     <message>
         <source>{0} lacks {1} although pip installed them; remove it and start again: {2}</source>
-        <translation>{0} nema {1} iako ih je pip instalirao; uklonite to i pokrenite ponovno: {2}</translation>
+        <translation>u {0} nedostaje: {1}, iako je pip to instalirao; uklonite to i pokrenite ponovno: {2}</translation>
     </message>
     <message>
         <source>{0} lacks {1}; start again: {2}</source>
-        <translation>{0} nema {1}; pokrenite ponovno: {2}</translation>
+        <translation>u {0} nedostaje: {1}; pokrenite ponovno: {2}</translation>
     </message>
     <message>
         <source>{0} must go to different files.</source>
@@ -1977,7 +1977,7 @@
     </message>
     <message>
         <source>{0} was made by another program and lacks {1}; complete it with that program, or remove it and start again: {2}</source>
-        <translation>{0} je načinio drugi program i nema {1}; dopunite to tim programom, ili uklonite i pokrenite ponovno: {2}</translation>
+        <translation>{0} je načinio drugi program, a nedostaje: {1}; dopunite to tim programom ili uklonite i pokrenite ponovno: {2}</translation>
     </message>
     <message>
         <source>{0} wrong</source>
@@ -2080,8 +2080,8 @@
         <translation>{0}: nema dopuštenja za pisanje</translation>
     </message>
     <message>
-        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX'{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
-        <translation>{0}: pokrenite program na radnoj površini, preko ssh s -X, ili s xvfb-run -s '+extension GLX'{1} ispred; „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” i „doctor” ne trebaju ekran.</translation>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: pokrenite program na radnoj površini, preko ssh s -X, ili s xvfb-run -s &apos;+extension GLX&apos;{1} ispred; „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” i „doctor” ne trebaju ekran.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -2141,7 +2141,7 @@
     </message>
     <message>
         <source>the pose</source>
-        <translation>položaj</translation>
+        <translation>položaj i orijentacija</translation>
     </message>
     <message>
         <source>There is no OpenGL 3.2 to draw with: update the graphics driver; on Linux install Mesa (libegl1 libegl-mesa0 libgl1-mesa-dri) or start with LIBGL_ALWAYS_SOFTWARE=1.</source>
@@ -2152,7 +2152,7 @@
         <translation>cijelih brojeva od 0 do {0}</translation>
     </message>
     <message>
-        <source>the opposite of the segment's other end</source>
+        <source>the opposite of the segment&apos;s other end</source>
         <translation>suprotnoj drugom kraju dužine</translation>
     </message>
     <message>
@@ -2164,7 +2164,7 @@
         <translation>naredbe, svaka s vlastitim --help:</translation>
     </message>
     <message>
-        <source>language of messages, lessons and figures (default: the system's)</source>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
         <translation>jezik poruka, lekcija i slika (zadano: jezik sustava)</translation>
     </message>
     <message>
@@ -2481,7 +2481,7 @@
 <context>
     <name>Description</name>
     <message>
-        <source>All of the scene's objects lie inside the view volume.</source>
+        <source>All of the scene&apos;s objects lie inside the view volume.</source>
         <translation>Svi objekti scene leže unutar volumena pogleda.</translation>
     </message>
     <message>
@@ -2509,11 +2509,11 @@
         <translation>Objektiv: {0}.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie behind the eye, where a point has no picture.</source>
+        <source>Parts of the scene&apos;s objects lie behind the eye, where a point has no picture.</source>
         <translation>Dijelovi objekata scene leže iza kamere, gdje točka nema sliku.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie outside of these planes: {0}.</source>
+        <source>Parts of the scene&apos;s objects lie outside of these planes: {0}.</source>
         <translation>Dijelovi objekata scene leže izvan ovih ravnina: {0}.</translation>
     </message>
     <message>
@@ -2541,7 +2541,7 @@
         <translation>Vertikalno vidno polje iznosi {0}°.</translation>
     </message>
     <message>
-        <source>World: the scene along the camera's axis, in parallel projection.</source>
+        <source>World: the scene along the camera&apos;s axis, in parallel projection.</source>
         <translation>Svijet: scena duž osi kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@
         <translation>Svijet: scena odozgo iznad kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
-        <source>World: the scene from the camera's side, in parallel projection.</source>
+        <source>World: the scene from the camera&apos;s side, in parallel projection.</source>
         <translation>Svijet: scena sa strane kamere, u paralelnoj projekciji.</translation>
     </message>
     <message>
@@ -2634,7 +2634,7 @@
         <translation>Čak i najgrublja slika traje {0} ms po kadru umjesto {1}</translation>
     </message>
     <message>
-        <source>This computer's OpenGL gives {0} per pixel instead of {1}</source>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
         <translation>OpenGL ovog računala daje {0} po pikselu umjesto {1}</translation>
     </message>
 </context>
@@ -2789,7 +2789,7 @@
         <translation>Visina slova u točkama</translation>
     </message>
     <message>
-        <source>The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
         <translation>Format datoteke; SVG, PDF i TEX (TikZ) imaju oblike i tekst, bez piksela. Pokretne slike i mnogo slika odjednom: naredba „export”</translation>
     </message>
     <message>
@@ -3079,7 +3079,7 @@
         <translation>Donji rub</translation>
     </message>
     <message>
-        <source>Bottom edge of the picture's window on the near plane: where the view volume begins in y of view space.</source>
+        <source>Bottom edge of the picture&apos;s window on the near plane: where the view volume begins in y of view space.</source>
         <translation>Donji rub prozora slike na bliskoj ravnini: gdje volumen pogleda počinje po y u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -3131,7 +3131,7 @@
         <translation>Udaljenost</translation>
     </message>
     <message>
-        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider's end.</source>
+        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider&apos;s end.</source>
         <translation>Udaljenost od kamere do daleke ravnine: ništa udaljenije se ne crta. Perspektivni objektiv prima i inf (∞), na kraju klizača.</translation>
     </message>
     <message>
@@ -3215,11 +3215,11 @@
         <translation>Žarišna duljina e</translation>
     </message>
     <message>
-        <source>Focal length in pixel heights: K's second diagonal entry. Equal to fx if the pixels are square.</source>
+        <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
         <translation>Žarišna duljina u visinama piksela: drugi dijagonalni element matrice K. Jednaka fx ako su pikseli kvadratni.</translation>
     </message>
     <message>
-        <source>Focal length in pixel widths: K's first diagonal entry.</source>
+        <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
         <translation>Žarišna duljina u širinama piksela: prvi dijagonalni element matrice K.</translation>
     </message>
     <message>
@@ -3227,11 +3227,11 @@
         <translation>Žarišna duljina fotoaparata za film od 35 mm (36 × 24 mm) s istim dijagonalnim vidnim poljem: ispod 35 je širokokutni objektiv, iznad 70 teleobjektiv.</translation>
     </message>
     <message>
-        <source>Half the height of the picture on the near plane: glFrustum's top, and −bottom. With near it sets the field of view.</source>
+        <source>Half the height of the picture on the near plane: glFrustum&apos;s top, and −bottom. With near it sets the field of view.</source>
         <translation>Pola visine slike na bliskoj ravnini: top iz glFrustum, i −bottom. Zajedno s bliskom ravninom određuje vidno polje.</translation>
     </message>
     <message>
-        <source>Half the width of the picture on the near plane: glFrustum's right, and −left. With near it sets the field of view.</source>
+        <source>Half the width of the picture on the near plane: glFrustum&apos;s right, and −left. With near it sets the field of view.</source>
         <translation>Pola širine slike na bliskoj ravnini: right iz glFrustum, i −left. Zajedno s bliskom ravninom određuje vidno polje.</translation>
     </message>
     <message>
@@ -3247,7 +3247,7 @@
         <translation>Visina</translation>
     </message>
     <message>
-        <source>Height above the target's horizon as an angle: 90 looks straight down.</source>
+        <source>Height above the target&apos;s horizon as an angle: 90 looks straight down.</source>
         <translation>Visina iznad horizonta cilja kao kut: 90 gleda ravno dolje.</translation>
     </message>
     <message>
@@ -3271,7 +3271,7 @@
         <translation>Vrsta projekcije. Kad se promijeni, objekti kod cilja zadržavaju veličinu.</translation>
     </message>
     <message>
-        <source>Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
+        <source>Lecture 003&apos;s focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
         <translation>Žarišna duljina e = 1/tan(fov/2) iz predavanja 003, s horizontalnim vidnim poljem: na toj udaljenosti slika seže od x = −1 do 1.</translation>
     </message>
     <message>
@@ -3279,7 +3279,7 @@
         <translation>Lijevi rub</translation>
     </message>
     <message>
-        <source>Left edge of the picture's window on the near plane: where the view volume begins in x of view space.</source>
+        <source>Left edge of the picture&apos;s window on the near plane: where the view volume begins in x of view space.</source>
         <translation>Lijevi rub prozora slike na bliskoj ravnini: gdje volumen pogleda počinje po x u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -3315,11 +3315,11 @@
         <translation>OpenGL: −1 do 1</translation>
     </message>
     <message>
-        <source>Principal point, downwards from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, downwards from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Glavna točka, prema dolje od središta prvog piksela. U središtu slike objektiv je simetričan, inače je asimetričan.</translation>
     </message>
     <message>
-        <source>Principal point, to the right from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, to the right from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Glavna točka, udesno od središta prvog piksela. U središtu slike objektiv je simetričan, inače je asimetričan.</translation>
     </message>
     <message>
@@ -3335,7 +3335,7 @@
         <translation>Desni rub</translation>
     </message>
     <message>
-        <source>Right edge of the picture's window on the near plane: where the view volume ends in x of view space.</source>
+        <source>Right edge of the picture&apos;s window on the near plane: where the view volume ends in x of view space.</source>
         <translation>Desni rub prozora slike na bliskoj ravnini: gdje volumen pogleda završava po x u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -3367,7 +3367,7 @@
         <translation>Centar projekcije, u globalnim koordinatama.</translation>
     </message>
     <message>
-        <source>The direction that is vertical in the picture (the lectures' view-up vector); its length does not matter.</source>
+        <source>The direction that is vertical in the picture (the lectures&apos; view-up vector); its length does not matter.</source>
         <translation>Smjer koji je na slici vertikalan (view-up vector iz predavanja); duljina mu nije važna.</translation>
     </message>
     <message>
@@ -3403,7 +3403,7 @@
         <translation>Gornji rub</translation>
     </message>
     <message>
-        <source>Top edge of the picture's window on the near plane: where the view volume ends in y of view space.</source>
+        <source>Top edge of the picture&apos;s window on the near plane: where the view volume ends in y of view space.</source>
         <translation>Gornji rub prozora slike na bliskoj ravnini: gdje volumen pogleda završava po y u koordinatnom sustavu kamere.</translation>
     </message>
     <message>
@@ -3642,7 +3642,7 @@
         <translation>Mreže ({0});;Sve datoteke (*)</translation>
     </message>
     <message>
-        <source>Use a mesh in place of the scene's own objects</source>
+        <source>Use a mesh in place of the scene&apos;s own objects</source>
         <translation>Koristi mrežu umjesto vlastitih objekata scene</translation>
     </message>
     <message>
@@ -3713,7 +3713,7 @@
         <translation>Os</translation>
     </message>
     <message>
-        <source>Along the camera's axis, flat</source>
+        <source>Along the camera&apos;s axis, flat</source>
         <translation>Duž osi kamere, ravno</translation>
     </message>
     <message>
@@ -3917,11 +3917,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Health</name>
     <message>
-        <source>A GPU's float32 cannot hold this picture: it is computed in float64</source>
+        <source>A GPU&apos;s float32 cannot hold this picture: it is computed in float64</source>
         <translation>float32 grafičke kartice ne može prikazati ovu sliku: računa se u float64</translation>
     </message>
     <message>
-        <source>A GPU's float32 could be up to {0} px off: the picture is computed in float64</source>
+        <source>A GPU&apos;s float32 could be up to {0} px off: the picture is computed in float64</source>
         <translation>float32 grafičke kartice mogao bi pogriješiti do {0} px: slika se računa u float64</translation>
     </message>
     <message>
@@ -3937,7 +3937,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>U float64 bilo bi sigurno malo decimala, {0} piksela i {1} dubine: brojevi se računaju egzaktno</translation>
     </message>
     <message>
-        <source>None of the scene's objects is in the picture: all lie outside the {0} plane</source>
+        <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
         <translation>Nijedan objekt scene nije na slici: svi leže izvan ove ravnine: {0}</translation>
     </message>
     <message>
@@ -3949,7 +3949,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Slobodna matrica je gotovo singularna: krnja piramida se ne crta</translation>
     </message>
     <message>
-        <source>The free matrix's view volume reaches infinity: no frustum is drawn</source>
+        <source>The free matrix&apos;s view volume reaches infinity: no frustum is drawn</source>
         <translation>Volumen pogleda slobodne matrice seže u beskonačnost: krnja piramida se ne crta</translation>
     </message>
     <message>
@@ -3957,7 +3957,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Scena je {0} puta veća od udaljenosti bliske ravnine: od 1e7 naviše VTK sam ne crta ono što je blizu</translation>
     </message>
     <message>
-        <source>VTK's own camera would clamp the field of view to {0}°</source>
+        <source>VTK&apos;s own camera would clamp the field of view to {0}°</source>
         <translation>Kamera samog VTK-a ograničila bi vidno polje na {0}°</translation>
     </message>
 </context>
@@ -3996,7 +3996,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Laserski pokazivač; slike na njega ne reagiraju</translation>
     </message>
     <message>
-        <source>A pane's own view (the model does not change)</source>
+        <source>A pane&apos;s own view (the model does not change)</source>
         <translation>Vlastiti pogled okna (model se ne mijenja)</translation>
     </message>
     <message>
@@ -4060,8 +4060,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Zatvara ono što je na vrhu ili prekida povlačenje</translation>
     </message>
     <message>
-        <source>Column vectors, &lt;i&gt;p' = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
-        <translation>Vektori stupci, &lt;i&gt;p' = M p&lt;/i&gt;. Globalni sustav i sustav kamere su desni, s osi y prema gore; kamera gleda duž −z svojega koordinatnog sustava.</translation>
+        <source>Column vectors, &lt;i&gt;p&apos; = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
+        <translation>Vektori stupci, &lt;i&gt;p&apos; = M p&lt;/i&gt;. Globalni sustav i sustav kamere su desni, s osi y prema gore; kamera gleda duž −z svojega koordinatnog sustava.</translation>
     </message>
     <message>
         <source>Compare side by side or overlaid</source>
@@ -4128,7 +4128,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>E</translation>
     </message>
     <message>
-        <source>Enlarge or shrink the speaker's notes</source>
+        <source>Enlarge or shrink the speaker&apos;s notes</source>
         <translation>Povećava ili smanjuje bilješke predavača</translation>
     </message>
     <message>
@@ -4196,7 +4196,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Skriva ili prikazuje kontrole</translation>
     </message>
     <message>
-        <source>Highlight the same thing everywhere; the keyboard's focus does the same</source>
+        <source>Highlight the same thing everywhere; the keyboard&apos;s focus does the same</source>
         <translation>Ističe isto svuda; isto čini i fokus tipkovnice</translation>
     </message>
     <message>
@@ -4216,7 +4216,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kako kamera 3D scenu pretvara u sliku: svijet, kocka NDC i slika, iz jednog modela.</translation>
     </message>
     <message>
-        <source>Image: origin top left, x right, y down, in pixels; the first pixel's centre is at 0.5.</source>
+        <source>Image: origin top left, x right, y down, in pixels; the first pixel&apos;s centre is at 0.5.</source>
         <translation>Slika: ishodište gore lijevo, x udesno, y prema dolje, u pikselima; središte prvog piksela je na 0.5.</translation>
     </message>
     <message>
@@ -4332,7 +4332,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pokreće ga naprijed-natrag</translation>
     </message>
     <message>
-        <source>Play or pause the camera's walk</source>
+        <source>Play or pause the camera&apos;s walk</source>
         <translation>Pokreće ili zaustavlja obilazak kamere</translation>
     </message>
     <message>
@@ -4356,7 +4356,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Izlaganje</translation>
     </message>
     <message>
-        <source>Presenting a talk, and in the speaker's window</source>
+        <source>Presenting a talk, and in the speaker&apos;s window</source>
         <translation>Pri izlaganju i u prozoru predavača</translation>
     </message>
     <message>
@@ -4476,7 +4476,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Okreće ga; uz Shift ga pomiče; + i − približavaju ili udaljavaju; Home ga vraća</translation>
     </message>
     <message>
-        <source>Type a number, even beyond the slider's ends, and press Enter; Esc discards it</source>
+        <source>Type a number, even beyond the slider&apos;s ends, and press Enter; Esc discards it</source>
         <translation>Upišite broj, i izvan krajeva klizača, pa pritisnite Enter; Esc ga odbacuje</translation>
     </message>
     <message>
@@ -4871,7 +4871,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Prethodni korak ({0})</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes ({0})</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes ({0})</source>
         <translation>Prikazuje korak kakav je u datoteci lekcije, bez vaših promjena ({0})</translation>
     </message>
     <message>
@@ -4911,7 +4911,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Najprije predvidite: odaberite, zatim potvrdite.</translation>
     </message>
     <message>
-        <source>Nothing is wrong in this lesson's file.</source>
+        <source>Nothing is wrong in this lesson&apos;s file.</source>
         <translation>U datoteci ove lekcije nema pogrešaka.</translation>
     </message>
     <message>
@@ -5067,7 +5067,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Matrice</translation>
     </message>
     <message>
-        <source>Every stage's matrix: numbers, formulas, factors and products</source>
+        <source>Every stage&apos;s matrix: numbers, formulas, factors and products</source>
         <translation>Matrica svake etape: brojevi, formule, faktori i umnošci</translation>
     </message>
     <message>
@@ -5075,7 +5075,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Koordinatni sustav kamere</translation>
     </message>
     <message>
-        <source>The camera's axes, step by step: eye, target and up make the view matrix</source>
+        <source>The camera&apos;s axes, step by step: eye, target and up make the view matrix</source>
         <translation>Osi kamere, korak po korak: položaj kamere, cilj i smjer prema gore daju matricu pogleda</translation>
     </message>
     <message>
@@ -5256,7 +5256,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>lijevi sustav: gleda duž +z, y prema gore; z od {0} na bliskoj do {1} na dalekoj ravnini; {2}, bliska {3}, daleka {4}</translation>
     </message>
     <message>
-        <source>looks along −z, the picture's y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
+        <source>looks along −z, the picture&apos;s y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
         <translation>gleda duž −z, y slike prema dolje; z od {0} na bliskoj do {1} na dalekoj ravnini; {2}, bliska {3}, daleka {4}</translation>
     </message>
     <message>
@@ -5293,15 +5293,15 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>zatim se x, y i z dijele s w</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: w = z</source>
+        <source>with lecture 002&apos;s sign: w = z</source>
         <translation>s predznakom predavanja 002: w = z</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s sign: z runs from 1 at near to −1</source>
         <translation>s predznakom predavanja 002: z ide od 1 na bliskoj ravnini do −1</translation>
     </message>
     <message>
-        <source>with lecture 002's signs: w = z, and z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s signs: w = z, and z runs from 1 at near to −1</source>
         <translation>s predznacima predavanja 002: w = z, a z ide od 1 na bliskoj ravnini do −1</translation>
     </message>
     <message>
@@ -5389,7 +5389,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Djelomični umnošci</translation>
     </message>
     <message>
-        <source>Also the product of all stages so far, and the view matrix's inverse, whose columns are the camera's axes and the eye</source>
+        <source>Also the product of all stages so far, and the view matrix&apos;s inverse, whose columns are the camera&apos;s axes and the eye</source>
         <translation>I umnožak svih dosadašnjih etapa te inverz matrice pogleda, čiji su stupci osi kamere i njezin položaj</translation>
     </message>
     <message>
@@ -5626,7 +5626,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Niz: smjer prema gore</translation>
     </message>
     <message>
-        <source>VTK's transform</source>
+        <source>VTK&apos;s transform</source>
         <translation>transformacija iz VTK-a</translation>
     </message>
     <message>
@@ -5826,7 +5826,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>logaritamski</translation>
     </message>
     <message>
-        <source>matplotlib's proj3d</source>
+        <source>matplotlib&apos;s proj3d</source>
         <translation>proj3d iz matplotliba</translation>
     </message>
     <message>
@@ -5842,7 +5842,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>bliska ravnina je najviše daleka / 4</translation>
     </message>
     <message>
-        <source>no edge of the scene's box is in the picture</source>
+        <source>no edge of the scene&apos;s box is in the picture</source>
         <translation>nijedan brid kvadra scene nije na slici</translation>
     </message>
     <message>
@@ -5874,7 +5874,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ns po točki</translation>
     </message>
     <message>
-        <source>numpy's hstack</source>
+        <source>numpy&apos;s hstack</source>
         <translation>hstack iz numpyja</translation>
     </message>
     <message>
@@ -6431,7 +6431,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>u LaTeX-u: formule u ćelijama umjesto brojeva</translation>
     </message>
     <message>
-        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>u LaTeX-u: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
@@ -6467,15 +6467,15 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ostavlja pozadinu prozirnom</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's, or the lesson's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz dokumenta ili iz lekcije)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
         <translation>slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz izlaganja)</translation>
     </message>
     <message>
@@ -6487,7 +6487,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mjeri samo pola minute, manje točno</translation>
     </message>
     <message>
-        <source>measure the errors over a parameter's range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
+        <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
         <translation>mjeri pogreške kroz raspon parametra; NAME je jedno od near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
@@ -6515,7 +6515,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>uz --sweep: ispisuje vrijednosti ispod okana</translation>
     </message>
     <message>
-        <source>of --wheels, such as 3.12; may be repeated (default: this one's)</source>
+        <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
         <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: ona ovdje)</translation>
     </message>
     <message>
@@ -6535,7 +6535,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>uz pokretnu sliku: koliko kadrova u sekundi (zadano: 25)</translation>
     </message>
     <message>
-        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson's)</source>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
         <translation>uz check i print: slova osi i formula: own, 000, 001, 002, 003, 004 ili ona iz datoteke poput letters.toml (zadano: ona iz lekcije)</translation>
     </message>
     <message>
@@ -6583,7 +6583,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>format ispisa (zadano: text)</translation>
     </message>
     <message>
-        <source>print every stage's matrix</source>
+        <source>print every stage&apos;s matrix</source>
         <translation>ispisuje matricu svake etape</translation>
     </message>
     <message>
@@ -6599,7 +6599,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>sprema sliku prozora kao PNG i završava</translation>
     </message>
     <message>
-        <source>show program's version number and exit</source>
+        <source>show program&apos;s version number and exit</source>
         <translation>ispisuje verziju programa i završava</translation>
     </message>
     <message>
@@ -6623,7 +6623,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>koordinatni sustav koordinata (zadano: world)</translation>
     </message>
     <message>
-        <source>the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
+        <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
         <translation>slika koju treba zapisati (.png; .svg, .pdf ili TikZ-ov .tex za oblike i tekst; .html za stranicu koju prikazuju telefoni) te dokument, slika, mreža, kamera, lekcija ili izlaganje za crtanje (zadano: slovo F); uz --batch, mapa za slike; uz --sweep, --orbit, --stages ili --transition, film (.gif, .apng, .webp ili .mp4 s ffmpegom), stranica s klizačem (.html) ili ime s %03d za sliku svakog kadra</translation>
     </message>
     <message>
@@ -6736,7 +6736,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Pane</name>
     <message>
-        <source>Reset this pane's own view (double-click)</source>
+        <source>Reset this pane&apos;s own view (double-click)</source>
         <translation>Vraća vlastiti pogled ovog okna (dvoklik)</translation>
     </message>
     <message>
@@ -7034,11 +7034,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>pokraj kamere: nijedan broj nije dovoljno velik</translation>
     </message>
     <message>
-        <source>the pixel's ray, from near to far</source>
+        <source>the pixel&apos;s ray, from near to far</source>
         <translation>zraka piksela, od bliske do daleke ravnine</translation>
     </message>
     <message>
-        <source>the pixel's ray, as far as it is in front of the eye</source>
+        <source>the pixel&apos;s ray, as far as it is in front of the eye</source>
         <translation>zraka piksela, dokle je ispred kamere</translation>
     </message>
     <message>
@@ -7053,7 +7053,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>ProbePanel</name>
     <message>
-        <source>The probes' numbers at every stage</source>
+        <source>The probes&apos; numbers at every stage</source>
         <translation>Brojevi sonda u svakoj etapi</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Refusal</name>
     <message>
-        <source>A film's frames have one size: leave out crop and width.</source>
+        <source>A film&apos;s frames have one size: leave out crop and width.</source>
         <translation>Kadrovi filma imaju istu veličinu: izostavite crop i width.</translation>
     </message>
     <message>
@@ -7646,7 +7646,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kao dokument nema pogled {0}</translation>
     </message>
     <message>
-        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV's K, R, t</source>
+        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
         <translation>ne čita se, jer je datoteka programa {0}: izvezite njezine kamere kao COLMAP-ov tekst, transforms.json ili K, R, t iz OpenCV-a</translation>
     </message>
     <message>
@@ -7830,7 +7830,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti 0 ili po veličini bar {0}</translation>
     </message>
     <message>
-        <source>must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1</source>
+        <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
         <translation>mora biti 16 brojeva ili K kalibrirane kamere: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
@@ -7842,8 +7842,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti NAME=VALUE ili document: FILE.json</translation>
     </message>
     <message>
-        <source>must be [SECTION], or NAME = "LETTER", or begin with # as a comment</source>
-        <translation>mora biti [SECTION] ili NAME = "LETTER", ili počinjati s # kao komentar</translation>
+        <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
+        <translation>mora biti [SECTION] ili NAME = &quot;LETTER&quot;, ili počinjati s # kao komentar</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
@@ -7870,7 +7870,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti konačan broj ili inf</translation>
     </message>
     <message>
-        <source>must be a list of 2 to {0} pictures, exactly one of them the document's own</source>
+        <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
         <translation>mora biti popis od 2 do {0} slika, od kojih je točno jedna slika samog dokumenta</translation>
     </message>
     <message>
@@ -8078,11 +8078,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti fx, fy, cx, cy ili K: tri retka fx, 0, cx i 0, fy, cy i 0, 0, 1</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx</source>
+        <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
         <translation>mora biti veće od 0; ispod 0 os x slike pokazuje ulijevo: uzmite fx = {0} i cx = W - 1 - cx</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy</source>
+        <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
         <translation>mora biti veće od 0; ispod 0 os y slike pokazuje prema gore: uzmite fy = {0} i cy = H - 1 - cy</translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti jedan redak teksta</translation>
     </message>
     <message>
-        <source>must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
+        <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
         <translation>mora biti jedna od usporedbi same scene ({0}) ili PATH=VALUE, s ; između vrijednosti jedne slike, | između slika i NAME: ispred slike koja ima ime</translation>
     </message>
     <message>
@@ -8166,7 +8166,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti jedno od {0}; najbliže je {1}</translation>
     </message>
     <message>
-        <source>must be the document's own, {0}</source>
+        <source>must be the document&apos;s own, {0}</source>
         <translation>mora biti vlastito dokumentu, {0}</translation>
     </message>
     <message>
@@ -8222,7 +8222,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora imati dva broja piksela, širinu i visinu</translation>
     </message>
     <message>
-        <source>must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
+        <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
         <translation>mora biti world ili ndc s položajem kamere okna, ili s njezinim položajem i ciljem, npr. world: 6,4,8 ili ndc: 1.3,0.2,0.3,0,0,0; znak | odvaja ta dva okna (što vide studenti, kaže view.slide)</translation>
     </message>
     <message>
@@ -8442,7 +8442,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>ponavlja ime iz retka {0}; svaki treba svoje</translation>
     </message>
     <message>
-        <source>says another number than its formula's value, {0}</source>
+        <source>says another number than its formula&apos;s value, {0}</source>
         <translation>kaže drugi broj, a ne vrijednost svoje formule, {0}</translation>
     </message>
     <message>
@@ -8538,7 +8538,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: datoteka mreže mora završavati na {1} ili {2}; pretvorite je u jedno od toga.</translation>
     </message>
     <message>
-        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size; move the mesh to the origin.</source>
+        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
         <translation>{0}: vrh ima koordinatu {1}, a ona mora biti unutar ±{2}, 1e12 puta veličina mreže; pomaknite mrežu u ishodište.</translation>
     </message>
     <message>
@@ -8646,7 +8646,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: datoteka je prazna; ponovno je spremite ili preuzmite.</translation>
     </message>
     <message>
-        <source>{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
+        <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
         <translation>{0}: broj vrhova strane je {1}, a mora biti od 3 do {2}; podijelite je ili popravite.</translation>
     </message>
     <message>
@@ -8686,7 +8686,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>{0}: izmjerio je drugi Frustum Lab: njegova je verzija {1}, ovaj čita {2}.</translation>
     </message>
     <message>
-        <source>{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}.</source>
+        <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
         <translation>{0}: imalo bi {1} MB; TeX-ova memorija prima slike od {2} MB: zapišite {3}.</translation>
     </message>
     <message>
@@ -8727,7 +8727,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Moja mreža…</translation>
     </message>
     <message>
-        <source>Replace the scene's own objects with a mesh from a file</source>
+        <source>Replace the scene&apos;s own objects with a mesh from a file</source>
         <translation>Zamjenjuje vlastite objekte scene mrežom iz datoteke</translation>
     </message>
     <message>
@@ -8739,7 +8739,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Vlastiti objekti</translation>
     </message>
     <message>
-        <source>Restore the scene's own objects</source>
+        <source>Restore the scene&apos;s own objects</source>
         <translation>Vraća vlastite objekte scene</translation>
     </message>
     <message>
@@ -8955,7 +8955,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>SpeakerWindow</name>
     <message>
-        <source>Speaker's window – Frustum Lab</source>
+        <source>Speaker&apos;s window – Frustum Lab</source>
         <translation>Prozor predavača – Frustum Lab</translation>
     </message>
     <message>
@@ -9133,7 +9133,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Stage</name>
     <message>
-        <source>the scene's objects are given in world coordinates</source>
+        <source>the scene&apos;s objects are given in world coordinates</source>
         <translation>objekti scene zadani su u globalnim koordinatama</translation>
     </message>
     <message>
@@ -9216,7 +9216,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Objekt</translation>
     </message>
     <message>
-        <source>The object's own space</source>
+        <source>The object&apos;s own space</source>
         <translation>Vlastiti koordinatni sustav objekta</translation>
     </message>
     <message>
@@ -9236,7 +9236,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Slijeva: svako pomicanje u osima koje su pomaknula prethodna pomicanja</translation>
     </message>
     <message>
-        <source>Read from the right: each move in the world's axes</source>
+        <source>Read from the right: each move in the world&apos;s axes</source>
         <translation>Čitano zdesna: svako pomicanje u osima svijeta</translation>
     </message>
     <message>
@@ -9466,7 +9466,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Tolerancija crtanja</translation>
     </message>
     <message>
-        <source>A GPU's own arithmetic (float32) may draw with an error of up to this many pixels:</source>
+        <source>A GPU&apos;s own arithmetic (float32) may draw with an error of up to this many pixels:</source>
         <translation>Vlastita aritmetika grafičke kartice (float32) smije crtati s pogreškom do ovoliko piksela:</translation>
     </message>
 </context>
@@ -9511,7 +9511,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>TalkActions</name>
     <message>
-        <source>Speaker's &amp;window</source>
+        <source>Speaker&apos;s &amp;window</source>
         <translation>Prozor predava&amp;ča</translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Datoteka je promijenjena i ne može se pročitati.</translation>
     </message>
     <message>
-        <source>Open a talk first: the speaker's window shows its notes.</source>
+        <source>Open a talk first: the speaker&apos;s window shows its notes.</source>
         <translation>Najprije otvorite izlaganje: prozor predavača prikazuje njegove bilješke.</translation>
     </message>
 </context>
@@ -9746,7 +9746,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>isključeno</translation>
     </message>
     <message>
-        <source>this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
+        <source>this computer&apos;s OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
         <translation>OpenGL ovog računala odbija program za sjenčanje koji ova scena treba: slika se crta bez njega i točni su samo izračunani brojevi</translation>
     </message>
     <message>
@@ -9886,7 +9886,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kamera se okreće za 1° po kadru: svaki kadar množi njezine osi istim malim zakretom, a svaki se umnožak zaokružuje. Nakon 360° trebala bi biti na početku. Blijeda slika je prava, a uz nju je ono što kamera vidi: jedan umnožak matrica po kadru umjesto dvaju sinusa ima svoju cijenu. Svakih deset kadrova osi se mogu renormirati, što popravlja njihove duljine i prave kutove, ali ne i smjer.</translation>
     </message>
     <message>
-        <source>A field of view from lecture 001; the camera moves so that things at the target's distance keep their size</source>
+        <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
         <translation>Vidno polje iz predavanja 001; kamera se pomiče tako da stvari na udaljenosti cilja zadržavaju veličinu</translation>
     </message>
     <message>
@@ -9894,11 +9894,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Svjetiljka u točki ili sunce: beskonačno daleka točka</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall's foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
+        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall&apos;s foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
         <translation>Logaritamska dubina ima znamenke za svaku udaljenost. Kad se računa za svaki vrh, stoji jedan logaritam po vrhu, a rani test dubine ostaje uključen. Ali između vrhova rasterizator je interpolira linearno na ekranu, gdje je 1/w linearan, a log w nije. Zato se duga strana crta predaleko: kroz nju se vidi temelj zida, koji je ispod poda. To popravljaju kraći komadi ili logaritam za svaki piksel.</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye's coordinates with 1/w, a difference of nearly equal numbers. Far from the world's origin, float32 then misses the point by parts of its distance. If the pixel's ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
+        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye&apos;s coordinates with 1/w, a difference of nearly equal numbers. Far from the world&apos;s origin, float32 then misses the point by parts of its distance. If the pixel&apos;s ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
         <translation>Piksel i njegova dubina vode natrag do točke koja je ondje nacrtana. Inverz od P V čini to u jednom umnošku, ali množi koordinate kamere s 1/w, razlikom gotovo jednakih brojeva. Daleko od ishodišta svijeta float32 tada promašuje točku za dijelove njezine udaljenosti. Ako se zraka piksela množi dubinom ili ako se P i V poništavaju jedna za drugom, položaj kamere samo se pribraja i zaokružuje jednom. Na putu do slike jedva je važno jesu li P i V jedna matrica ili dvije: da je u tome razlika, mit je.</translation>
     </message>
     <message>
@@ -9910,7 +9910,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Sjena je projekcija s centrom u svjetlu: matrica S crta objekt još jednom, u jednoj boji. Za sunce, beskonačno daleko svjetlo s w = 0, projekcija je paralelna. Dijelovi objekta iznad svjetiljke imaju w &lt; 0. Ako se ne odsijeku, crtaju se s druge strane svjetiljke kao protusjena.</translation>
     </message>
     <message>
-        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.</source>
+        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL&apos;s.</source>
         <translation>Lik unutar volumena pogleda se crta, a lik izvan njega ne. Lik koji ga siječe odsijecaju redom sve ravnine, i dobiva nov vrh gdje mu brid prolazi kroz ravninu. Bliska ravnina uklanja sve što je kod kamere ili iza nje, gdje je w ≤ 0 i dijeljenje zakaže, a daleka ograničava dubine. Odsijeca se u kanonskom volumenu, prije dijeljenja, jer su ondje ravnine iste za svaki objektiv: −w ≤ x, y, z ≤ w u OpenGL-ovu.</translation>
     </message>
     <message>
@@ -9986,7 +9986,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kavalirski: 1 ×</translation>
     </message>
     <message>
-        <source>Changes the lens, but keeps the picture of the target's plane</source>
+        <source>Changes the lens, but keeps the picture of the target&apos;s plane</source>
         <translation>Mijenja objektiv, ali zadržava sliku ravnine kroz cilj</translation>
     </message>
     <message>
@@ -10062,7 +10062,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Usporedite oba filma: što je okrenuto?</translation>
     </message>
     <message>
-        <source>Cone (the eye's own)</source>
+        <source>Cone (the eye&apos;s own)</source>
         <translation>Stožac (vidno polje oka)</translation>
     </message>
     <message>
@@ -10078,7 +10078,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pukotine</translation>
     </message>
     <message>
-        <source>Crossed, left eye's on the right</source>
+        <source>Crossed, left eye&apos;s on the right</source>
         <translation>Unakrsno, slika lijevog oka desno</translation>
     </message>
     <message>
@@ -10142,7 +10142,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Udaljenost plohe 2 iza plohe 1, duž smjera gledanja</translation>
     </message>
     <message>
-        <source>Distance of the eye from the window's middle; the window stays in the world</source>
+        <source>Distance of the eye from the window&apos;s middle; the window stays in the world</source>
         <translation>Udaljenost kamere od sredine prozora; prozor ostaje u svijetu</translation>
     </message>
     <message>
@@ -10162,8 +10162,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Mijenjaju li bliska i daleka ravnina luk?</translation>
     </message>
     <message>
-        <source>Double d: how large is h'?</source>
-        <translation>Udvostručite d: koliko je velik h'?</translation>
+        <source>Double d: how large is h&apos;?</source>
+        <translation>Udvostručite d: koliko je velik h&apos;?</translation>
     </message>
     <message>
         <source>Double d: what are x_p and y_p now?</source>
@@ -10222,7 +10222,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Odlutavanje</translation>
     </message>
     <message>
-        <source>Each coordinate is stored as an integer over the mesh's box</source>
+        <source>Each coordinate is stored as an integer over the mesh&apos;s box</source>
         <translation>Svaka koordinata sprema se kao cijeli broj nad kvadrom mreže</translation>
     </message>
     <message>
@@ -10242,7 +10242,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Povećaj fotografiju od 105 mm</translation>
     </message>
     <message>
-        <source>Enlarges the middle of the picture until things at the target's distance are as large as on the 29-mm photograph; this narrows the field of view</source>
+        <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
         <translation>Povećava sredinu slike dok stvari na udaljenosti cilja ne budu velike kao na fotografiji od 29 mm; to sužava vidno polje</translation>
     </message>
     <message>
@@ -10274,7 +10274,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Daleko od ishodišta: pomaknite ishodište.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex's exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
         <translation>S manje bitova slika je manja i brža, ali i manje točna. Svaki se vrh sprema i projicira u odabranim formatima i crta ondje kamo ga oni stave. Strelica ide od točnog piksela svakog vrha prema nacrtanom, povećana onoliko koliko piše uz nju. Granica se predviđa samo iz formata i nijedna pogreška nije veća. Konzola iz 1996. crtala je cijele piksele i afine teksture, a vrhovi su joj skakali kad god se kamera pomaknula.</translation>
     </message>
     <message>
@@ -10382,7 +10382,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Visina ravnine</translation>
     </message>
     <message>
-        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene's box</source>
+        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene&apos;s box</source>
         <translation>Kako se sprema koordinata; 8 do 16 bitova su cijeli brojevi nad kvadrom scene</translation>
     </message>
     <message>
@@ -10410,11 +10410,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Kako svaki kadar nalazi svoje osi: brzi inverzni korijen uzima bitove za logaritam, i jedan Newtonov korak</translation>
     </message>
     <message>
-        <source>How far away the world's origin lies, along x: coordinates are measured from there</source>
+        <source>How far away the world&apos;s origin lies, along x: coordinates are measured from there</source>
         <translation>Koliko je daleko ishodište svijeta, duž x: koordinate se mjere odande</translation>
     </message>
     <message>
-        <source>How far from the eye the world's origin lies: coordinates are measured from there</source>
+        <source>How far from the eye the world&apos;s origin lies: coordinates are measured from there</source>
         <translation>Koliko je ishodište svijeta daleko od kamere: koordinate se mjere odande</translation>
     </message>
     <message>
@@ -10434,7 +10434,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Koliko se puta kamera okrene za 360°, svaki put u 360 kadrova</translation>
     </message>
     <message>
-        <source>How the texture's coordinates are spread over a face</source>
+        <source>How the texture&apos;s coordinates are spread over a face</source>
         <translation>Kako se koordinate teksture raspoređuju po strani</translation>
     </message>
     <message>
@@ -10458,7 +10458,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Ljudsko oko: 120° u širinu</translation>
     </message>
     <message>
-        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane's window are no longer opposite. Things in the window's own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
+        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane&apos;s window are no longer opposite. Things in the window&apos;s own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
         <translation>Ako hodate pokraj prozora, on ostaje u svojem zidu. Krnja piramida od kamere kroz njega nagne se, a lijevo i desno kod prozora na bliskoj ravnini više nisu suprotni. Stvari u ravnini samog prozora zadržavaju mjesto na slici. Dva ekrana jedan uz drugi dvije su takve krnje piramide s istom kamerom, i slike im se spajaju bez procjepa.</translation>
     </message>
     <message>
@@ -10514,8 +10514,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Svjetlo L</translation>
     </message>
     <message>
-        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h' = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
-        <translation>Svjetlo ulazi u tamnu kutiju kroz malu rupicu. Zrake se ondje križaju, pa je slika na filmu iza rupice naopačke, a lijevo i desno su zamijenjeni: h' = −d·h/z. Sintetička kamera ima centar na mjestu rupice, a film na istoj udaljenosti ispred njega. Slika je jednako velika, ali uspravna: mijenja se samo predznak.</translation>
+        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h&apos; = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
+        <translation>Svjetlo ulazi u tamnu kutiju kroz malu rupicu. Zrake se ondje križaju, pa je slika na filmu iza rupice naopačke, a lijevo i desno su zamijenjeni: h&apos; = −d·h/z. Sintetička kamera ima centar na mjestu rupice, a film na istoj udaljenosti ispred njega. Slika je jednako velika, ali uspravna: mijenja se samo predznak.</translation>
     </message>
     <message>
         <source>Logarithm</source>
@@ -10562,7 +10562,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Pomaknite blisku i daleku ravninu: koje ih kartice sijeku?</translation>
     </message>
     <message>
-        <source>Moves the eye; the field of view keeps the sizes at the target's distance</source>
+        <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
         <translation>Pomiče kameru; vidno polje čuva veličine na udaljenosti cilja</translation>
     </message>
     <message>
@@ -10634,7 +10634,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>P ide duž</translation>
     </message>
     <message>
-        <source>P's image is at infinity</source>
+        <source>P&apos;s image is at infinity</source>
         <translation>Slika točke P je u beskonačnosti</translation>
     </message>
     <message>
@@ -10914,7 +10914,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Dva oka</translation>
     </message>
     <message>
-        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen's middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye's and the rest from the right eye's, for glasses with red on the left.</source>
+        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen&apos;s middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye&apos;s and the rest from the right eye&apos;s, for glasses with red on the left.</source>
         <translation>Dva oka vide svijet s dva mjesta, pa stereopar ima dvije slike. Kod asimetričnih krnjih piramida oba oka gledaju kroz isti prozor, ravninu ekrana: što leži u njoj, ne pomiče se između slika, što je iza nje, pomiče se udesno, a što je ispred nje, ulijevo. Kamere okrenute prema sredini ekrana naginju slike jednu prema drugoj, i točke sa strana više nisu na istoj visini. Crveno-cijan slika uzima crveno svjetlo iz slike lijevog oka, a ostalo iz slike desnoga, za naočale s crvenim lijevo.</translation>
     </message>
     <message>
@@ -11050,7 +11050,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Širina lijeve mreže</translation>
     </message>
     <message>
-        <source>Width of the left mesh's box, whose steps grow with it</source>
+        <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
         <translation>Širina kvadra lijeve mreže, s kojom rastu njezini koraci</translation>
     </message>
     <message>
@@ -11058,11 +11058,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Širina desne mreže</translation>
     </message>
     <message>
-        <source>Width of the right mesh's box, whose steps grow with it</source>
+        <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
         <translation>Širina kvadra desne mreže, s kojom rastu njezini koraci</translation>
     </message>
     <message>
-        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target's distance keep their size (a dolly zoom). One unit is 10 cm.</source>
+        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
         <translation>Sa širim vidnim poljem kamera mora biti bliže da prikaže motiv jednako velikim. Njegovi bliži dijelovi tada izgledaju veći u odnosu na udaljenije: perspektivno skraćenje ovisi samo o udaljenosti. Ako promijenite udaljenost, vidno polje to slijedi, tako da stvari na udaljenosti cilja zadržavaju veličinu (dolly zoom). Jedna jedinica je 10 cm.</translation>
     </message>
     <message>
@@ -11094,8 +11094,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>paralelni objektiv dijeli s 1 i nema ravninu kamere: odaberite perspektivni objektiv</translation>
     </message>
     <message>
-        <source>a parallel lens divides by 1: its own z' is affine, and nothing is bent</source>
-        <translation>paralelni objektiv dijeli s 1: njegov z' je afin i ništa se ne savija</translation>
+        <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
+        <translation>paralelni objektiv dijeli s 1: njegov z&apos; je afin i ništa se ne savija</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
@@ -11190,7 +11190,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>neoštrina cilja</translation>
     </message>
     <message>
-        <source>both agree only if the lens's axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
+        <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
         <translation>oba se slažu samo ako os objektiva pogađa sredinu slike; ovdje pogađa ({0}, {1}) px, a njihov je zbroj dvostruko veći</translation>
     </message>
     <message>
@@ -11254,7 +11254,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>zajednička rešetka</translation>
     </message>
     <message>
-        <source>computed: gap and codes are finer than the graphics card's float32, so the picture shows its noise instead</source>
+        <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
         <translation>izračunano: razmak i kodovi finiji su od tipa float32 grafičke kartice, pa slika umjesto toga pokazuje njezin šum</translation>
     </message>
     <message>
@@ -11294,8 +11294,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>dubinska oštrina</translation>
     </message>
     <message>
-        <source>depth z' = A + B/z along the marked edge is, too</source>
-        <translation>dubina z' = A + B/z duž označenog brida također</translation>
+        <source>depth z&apos; = A + B/z along the marked edge is, too</source>
+        <translation>dubina z&apos; = A + B/z duž označenog brida također</translation>
     </message>
     <message>
         <source>diameter, mm</source>
@@ -11506,7 +11506,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>od P do V</translation>
     </message>
     <message>
-        <source>from there to the ray's end</source>
+        <source>from there to the ray&apos;s end</source>
         <translation>odande do kraja zrake</translation>
     </message>
     <message>
@@ -11738,7 +11738,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>nijedan ispitani brid mreže ne leži u volumenu pogleda</translation>
     </message>
     <message>
-        <source>none of the subject's compared points is in the picture</source>
+        <source>none of the subject&apos;s compared points is in the picture</source>
         <translation>nijedna uspoređena točka motiva nije na slici</translation>
     </message>
     <message>
@@ -11766,19 +11766,19 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>asimetrične</translation>
     </message>
     <message>
-        <source>on the film: h' = −d·h / z</source>
-        <translation>na filmu: h' = −d·h / z</translation>
+        <source>on the film: h&apos; = −d·h / z</source>
+        <translation>na filmu: h&apos; = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
         <translation>jedna za obje</translation>
     </message>
     <message>
-        <source>only the {0} longest of the mesh's {1} edges are drawn and counted</source>
+        <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
         <translation>crtaju se i broje samo najdulji bridovi ({0} od {1}) mreže</translation>
     </message>
     <message>
-        <source>only {0} of the mesh's {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
+        <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
         <translation>crta se i broji samo dio bridova mreže ({0} od {1}): najprije oni koji sijeku ravninu kamere, zatim najdulji</translation>
     </message>
     <message>
@@ -11938,7 +11938,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>rastegni</translation>
     </message>
     <message>
-        <source>subject's height, at the target's distance</source>
+        <source>subject&apos;s height, at the target&apos;s distance</source>
         <translation>visina motiva, na udaljenosti cilja</translation>
     </message>
     <message>
@@ -11990,7 +11990,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>strelica je iza rupice ili pokraj nje: od nje u kutiju ne dolazi svjetlo</translation>
     </message>
     <message>
-        <source>the arrow's height h</source>
+        <source>the arrow&apos;s height h</source>
         <translation>visina strelice h</translation>
     </message>
     <message>
@@ -12006,7 +12006,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kamera gleda ravno dolje ili gore: nema poda od bliske do daleke ravnine</translation>
     </message>
     <message>
-        <source>the edge's pixels are too many or too few for float64 to measure</source>
+        <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
         <translation>piksela brida je previše ili premalo da bi ih float64 izmjerio</translation>
     </message>
     <message>
@@ -12034,7 +12034,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>slika na ravnini</translation>
     </message>
     <message>
-        <source>the light is inside the object's bounds: move it out to see the whole shadow</source>
+        <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
         <translation>svjetlo je unutar granica objekta: pomaknite ga van da vidite cijelu sjenu</translation>
     </message>
     <message>
@@ -12066,7 +12066,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>slika je u visinu rastegnuta {0} puta više nego u širinu: strane ne zadržavaju oblik</translation>
     </message>
     <message>
-        <source>the picture is stretched: the target's disc is an ellipse of this width and height</source>
+        <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
         <translation>slika je rastegnuta: krug cilja je elipsa ove širine i visine</translation>
     </message>
     <message>
@@ -12110,7 +12110,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>sjena je dalje od 1e30</translation>
     </message>
     <message>
-        <source>the subject's pixels are more than float64 can hold on one of the screens</source>
+        <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
         <translation>piksela motiva na jednom je ekranu više nego što float64 može zapisati</translation>
     </message>
     <message>
@@ -12122,16 +12122,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>cilj je tako blizu objektivu da njegov krug nema konačnu veličinu</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; only the {0} triangles with the longest sides are examined</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
         <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; ispituju se samo trokuti s najduljim stranicama ({0})</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; texture coordinates in its file are not used</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
         <translation>tekstura je položena po dvjema najvećim dimenzijama mreže; koordinate teksture iz njezine datoteke ne koriste se</translation>
     </message>
     <message>
-        <source>the view volume cuts PQ: the part inside it, from P' to Q', is measured</source>
-        <translation>volumen pogleda odsijeca PQ: mjeri se dio unutar njega, od P' do Q'</translation>
+        <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
+        <translation>volumen pogleda odsijeca PQ: mjeri se dio unutar njega, od P&apos; do Q&apos;</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
@@ -12274,8 +12274,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>gdje se pod crta</translation>
     </message>
     <message>
-        <source>where: w = √(w_P'·w_Q')</source>
-        <translation>gdje: w = √(w_P'·w_Q')</translation>
+        <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
+        <translation>gdje: w = √(w_P&apos;·w_Q&apos;)</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
@@ -12310,8 +12310,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>kod paralelnog objektiva sama je udaljenost linearna na ekranu: nitko ne treba njezin logaritam</translation>
     </message>
     <message>
-        <source>with far at infinity, no affine z' = A z + B covers all depths: choose a finite far plane</source>
-        <translation>s dalekom ravninom u beskonačnosti nijedan afini z' = A z + B ne pokriva sve dubine: odaberite konačnu daleku ravninu</translation>
+        <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
+        <translation>s dalekom ravninom u beskonačnosti nijedan afini z&apos; = A z + B ne pokriva sve dubine: odaberite konačnu daleku ravninu</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
@@ -12330,8 +12330,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>x</translation>
     </message>
     <message>
-        <source>x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z' = {divided_z} it stays straight.</source>
-        <translation>x i y se dijele s udaljenošću w. Kad bi se z samo skalirao i pomaknuo, z' = A z + B, ravna dužina PQ u kocki bi bila luk. Ništa između njezinih krajeva tada se ne bi moglo interpolirati ni odsjeći kao na pravcu. Sa z' = {divided_z} ostaje ravna.</translation>
+        <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
+        <translation>x i y se dijele s udaljenošću w. Kad bi se z samo skalirao i pomaknuo, z&apos; = A z + B, ravna dužina PQ u kocki bi bila luk. Ništa između njezinih krajeva tada se ne bi moglo interpolirati ni odsjeći kao na pravcu. Sa z&apos; = {divided_z} ostaje ravna.</translation>
     </message>
     <message>
         <source>y</source>

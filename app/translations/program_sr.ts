@@ -144,7 +144,7 @@
         <translation>&amp;Понови</translation>
     </message>
     <message>
-        <source>&amp;Reset the panes' own views</source>
+        <source>&amp;Reset the panes&apos; own views</source>
         <translation>Врати сопствене по&amp;гледе приказа</translation>
     </message>
     <message>
@@ -296,7 +296,7 @@
         <translation>Поглед &amp;на свет</translation>
     </message>
     <message>
-        <source>Measure the cost of every step: the model, each pane's matrices and repaint</source>
+        <source>Measure the cost of every step: the model, each pane&apos;s matrices and repaint</source>
         <translation>Измери цену сваког корака: модела, матрица и исцртавања сваког приказа</translation>
     </message>
     <message>
@@ -344,7 +344,7 @@
         <translation>Прикази у колон&amp;ама</translation>
     </message>
     <message>
-        <source>Play or pause the camera's orbit</source>
+        <source>Play or pause the camera&apos;s orbit</source>
         <translation>Пусти или паузирај кружење камере</translation>
     </message>
     <message>
@@ -420,7 +420,7 @@
         <translation>Прикажи приказе и најважније контроле на целом екрану, за слушаоце</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes</source>
         <translation>Прикажи корак онако како стоји у датотеци лекције, без ваших измена</translation>
     </message>
     <message>
@@ -436,7 +436,7 @@
         <translation>Сцене као слике, лекције, презентације и недавне датотеке</translation>
     </message>
     <message>
-        <source>Try everything in the lesson's file</source>
+        <source>Try everything in the lesson&apos;s file</source>
         <translation>Испробај све што је у датотеци лекције</translation>
     </message>
     <message>
@@ -506,7 +506,7 @@
         <translation>Висина</translation>
     </message>
     <message>
-        <source>How the eye's y changes during the walk (the exercise of lecture 004).</source>
+        <source>How the eye&apos;s y changes during the walk (the exercise of lecture 004).</source>
         <translation>Како се y позиције камере мења током кружења (задатак из предавања 004).</translation>
     </message>
     <message>
@@ -522,7 +522,7 @@
         <translation>глатко њихање</translation>
     </message>
     <message>
-        <source>The eye's y swings between the lowest and the highest value.</source>
+        <source>The eye&apos;s y swings between the lowest and the highest value.</source>
         <translation>y позиције камере њише се између најмање и највеће вредности.</translation>
     </message>
     <message>
@@ -530,7 +530,7 @@
         <translation>у скоковима</translation>
     </message>
     <message>
-        <source>The eye's y jumps to the next of four values every 2 seconds.</source>
+        <source>The eye&apos;s y jumps to the next of four values every 2 seconds.</source>
         <translation>y позиције камере сваке 2 секунде скаче на следећу од четири вредности.</translation>
     </message>
     <message>
@@ -578,7 +578,7 @@
         <translation>водоравно</translation>
     </message>
     <message>
-        <source>The target gets the eye's y: the camera looks horizontally.</source>
+        <source>The target gets the eye&apos;s y: the camera looks horizontally.</source>
         <translation>Циљ добија y позиције камере: камера гледа хоризонтално.</translation>
     </message>
     <message>
@@ -681,7 +681,7 @@
         <translation>При&amp;кажи то</translation>
     </message>
     <message>
-        <source>Show the picture with your number beside that with the model's (Alt+M)</source>
+        <source>Show the picture with your number beside that with the model&apos;s (Alt+M)</source>
         <translation>Прикажи слику са вашим бројем поред слике са бројем модела (Alt+M)</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
         <translation>Двапут кликните или притисните Enter да бисте унели други број, или разломак као 1/3.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}: it adds {3} times {1} to {2}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}: it adds {3} times {1} to {2}.</source>
         <translation>Компонента {1} осе {0} камере у координатном систему света: додаје {3} пута {1} на {2}.</translation>
     </message>
     <message>
@@ -716,7 +716,7 @@
         <translation>Координата {0} позиције камере, где је почетак координатног система камере.</translation>
     </message>
     <message>
-        <source>The world's {1} component of the camera's axis {0}.</source>
+        <source>The world&apos;s {1} component of the camera&apos;s axis {0}.</source>
         <translation>Компонента {1} осе {0} камере у координатном систему света.</translation>
     </message>
     <message>
@@ -783,7 +783,7 @@
 <context>
     <name>ChainEditor</name>
     <message>
-        <source>View: the camera's moves undone</source>
+        <source>View: the camera&apos;s moves undone</source>
         <translation>Поглед: поништени покрети камере</translation>
     </message>
     <message>
@@ -834,7 +834,7 @@
         <translation>Одговор је {0}.</translation>
     </message>
     <message>
-        <source>The model's answer</source>
+        <source>The model&apos;s answer</source>
         <translation>Одговор модела</translation>
     </message>
     <message>
@@ -850,7 +850,7 @@
         <translation>Прикажи шта се дешава</translation>
     </message>
     <message>
-        <source>Show the model's answer once more</source>
+        <source>Show the model&apos;s answer once more</source>
         <translation>Прикажи још једном одговор модела</translation>
     </message>
 </context>
@@ -1020,8 +1020,8 @@
         <translation>--step: тражи лекцију или презентацију као FILE.</translation>
     </message>
     <message>
-        <source>--sweep {0} = '': must be LOW:HIGH, such as 0.001:10.</source>
-        <translation>--sweep {0} = '': мора да буде LOW:HIGH, као 0.001:10.</translation>
+        <source>--sweep {0} = &apos;&apos;: must be LOW:HIGH, such as 0.001:10.</source>
+        <translation>--sweep {0} = &apos;&apos;: мора да буде LOW:HIGH, као 0.001:10.</translation>
     </message>
     <message>
         <source>--sweep {0} = {1!r}: must be LOW:HIGH, such as 0.001:10.</source>
@@ -1228,7 +1228,7 @@
         <translation>Qt не може да дође до X сервера, јер недостаје системска библиотека ({0}); {1} doctor каже који је пакет садржи.</translation>
     </message>
     <message>
-        <source>Qt's platform {0} shows no OpenGL windows. {1}</source>
+        <source>Qt&apos;s platform {0} shows no OpenGL windows. {1}</source>
         <translation>Qt платформа {0} не приказује прозоре са OpenGL-ом. {1}</translation>
     </message>
     <message>
@@ -1392,7 +1392,7 @@
         <translation>не може да се учита: {0}</translation>
     </message>
     <message>
-        <source>capitals are {0:.1%} of the screen's height; must be from {1:.1%} to {2:.1%}.</source>
+        <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
         <translation>велика слова имају {0:.1%} висине екрана; мора бити од {1:.1%} до {2:.1%}.</translation>
     </message>
     <message>
@@ -1505,7 +1505,7 @@
     </message>
     <message>
         <source>key</source>
-        <translation>кључ</translation>
+        <translation>решења</translation>
     </message>
     <message>
         <source>largest error in px</source>
@@ -1589,7 +1589,7 @@
     </message>
     <message>
         <source>no version fits {python} on this machine; use another Python</source>
-        <translation>ниједна верзија не одговара за {python} на овом рачунару; користите други Python</translation>
+        <translation>за {python} на овом рачунару нема одговарајуће верзије; користите други Python</translation>
     </message>
     <message>
         <source>none</source>
@@ -1633,14 +1633,14 @@
     </message>
     <message>
         <source>overwritten</source>
-        <translation>преписано</translation>
+        <translation>замењено</translation>
     </message>
     <message>
         <source>packages</source>
-        <translation>пакете</translation>
+        <translation>пакета</translation>
     </message>
     <message>
-        <source>part of the text is only in the speaker's notes: {0}</source>
+        <source>part of the text is only in the speaker&apos;s notes: {0}</source>
         <translation>део текста је само у белешкама предавача: {0}</translation>
     </message>
     <message>
@@ -1653,7 +1653,7 @@
     </message>
     <message>
         <source>positional arguments</source>
-        <translation>аргументи по месту</translation>
+        <translation>позициони аргументи</translation>
     </message>
     <message>
         <source>put Frustum Lab into a folder that you may write to</source>
@@ -1669,7 +1669,7 @@
     </message>
     <message>
         <source>scale = {0} is free, and so is its sign</source>
-        <translation>scale = {0} је слободно, а тако и знак</translation>
+        <translation>scale = {0} је слободно, а слободан је и знак</translation>
     </message>
     <message>
         <source>see Window</source>
@@ -1712,7 +1712,7 @@
         <translation>пакети за Python нису могли да се инсталирају</translation>
     </message>
     <message>
-        <source>the camera looks along +z, y down; K is in pixels, the first pixel's centre at 0, 0</source>
+        <source>the camera looks along +z, y down; K is in pixels, the first pixel&apos;s centre at 0, 0</source>
         <translation>камера гледа дуж +z, y надоле; K је у пикселима, средина првог пиксела је у 0, 0</translation>
     </message>
     <message>
@@ -1736,7 +1736,7 @@
         <translation>пакет {0} је оштећен ({1}); замените га и покрените поново: {2}</translation>
     </message>
     <message>
-        <source>the path {folder} is too long: move the folder of the code nearer to the drive's root</source>
+        <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
         <translation>путања {folder} је предуга: преместите фасциклу са кодом ближе корену диска</translation>
     </message>
     <message>
@@ -1788,12 +1788,12 @@
         <translation>нема места</translation>
     </message>
     <message>
-        <source>this machine's rules forbid programs in {folder}; ask who set it up</source>
+        <source>this machine&apos;s rules forbid programs in {folder}; ask who set it up</source>
         <translation>правила овог рачунара забрањују програме у {folder}; питајте онога ко га је поставио</translation>
     </message>
     <message>
         <source>this system lacks {0}; install what provides them, and start again</source>
-        <translation>на овом систему недостаје: {0}; инсталирајте шта је потребно и покрените поново</translation>
+        <translation>на овом систему недостаје: {0}; инсталирајте оно што то садржи и покрените поново</translation>
     </message>
     <message>
         <source>this system lacks {0}; run: {1}</source>
@@ -1805,7 +1805,7 @@
     </message>
     <message>
         <source>too little space is left: free {space} GB beside {folder}, or set TMPDIR if the folder of temporary files is full, and run again: {again}</source>
-        <translation>премало је слободног места: ослободите {space} GB поред {folder}, или поставите TMPDIR ако је пуна фасцикла привремених датотека, и покрените поново: {again}</translation>
+        <translation>премало је слободног места: ослободите {space} GB на диску на ком је {folder}, или поставите TMPDIR ако је пуна фасцикла привремених датотека, и покрените поново: {again}</translation>
     </message>
     <message>
         <source>unrecognized arguments: %s</source>
@@ -1829,7 +1829,7 @@
     </message>
     <message>
         <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
-        <translation>нацртано покрива {0:.0%} ширине и {1:.0%} висине; потребно је бар {2:.0%} једног од тога, а испод {3:.0%} и {4:.0%} површине.</translation>
+        <translation>нацртано покрива {0:.0%} ширине и {1:.0%} висине; потребно је бар {2:.0%} једног од тога, а ако је мање од {3:.0%}, онда још и {4:.0%} површине.</translation>
     </message>
     <message>
         <source>without a display through {0}, {1}</source>
@@ -1841,7 +1841,7 @@
     </message>
     <message>
         <source>x, y and z divided by w</source>
-        <translation>x, y и z подељено са w</translation>
+        <translation>x, y и z подељени са w</translation>
     </message>
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
@@ -2080,8 +2080,8 @@
         <translation>{0}: нема дозволе за писање</translation>
     </message>
     <message>
-        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s '+extension GLX'{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
-        <translation>{0}: покрените програм на радној површини, преко ssh са -X, или са xvfb-run -s '+extension GLX'{1} испред; за „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” и „doctor” екран није потребан.</translation>
+        <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
+        <translation>{0}: покрените програм на радној површини, преко ssh са -X, или са xvfb-run -s &apos;+extension GLX&apos;{1} испред; за „export”, „project”, „matrices”, „measure”, „lesson”, „talk --check”, „talk --handout” и „doctor” екран није потребан.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -2152,7 +2152,7 @@
         <translation>целих бројева од 0 до {0}</translation>
     </message>
     <message>
-        <source>the opposite of the segment's other end</source>
+        <source>the opposite of the segment&apos;s other end</source>
         <translation>супротној другом крају дужи</translation>
     </message>
     <message>
@@ -2164,7 +2164,7 @@
         <translation>наредбе, свака са сопственим --help:</translation>
     </message>
     <message>
-        <source>language of messages, lessons and figures (default: the system's)</source>
+        <source>language of messages, lessons and figures (default: the system&apos;s)</source>
         <translation>језик порука, лекција и цртежа (подразумевано: језик система)</translation>
     </message>
     <message>
@@ -2481,7 +2481,7 @@
 <context>
     <name>Description</name>
     <message>
-        <source>All of the scene's objects lie inside the view volume.</source>
+        <source>All of the scene&apos;s objects lie inside the view volume.</source>
         <translation>Сви објекти сцене су унутар запремине погледа.</translation>
     </message>
     <message>
@@ -2509,11 +2509,11 @@
         <translation>Објектив: {0}.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie behind the eye, where a point has no picture.</source>
+        <source>Parts of the scene&apos;s objects lie behind the eye, where a point has no picture.</source>
         <translation>Делови објеката сцене су иза камере, где тачка нема слику.</translation>
     </message>
     <message>
-        <source>Parts of the scene's objects lie outside of these planes: {0}.</source>
+        <source>Parts of the scene&apos;s objects lie outside of these planes: {0}.</source>
         <translation>Делови објеката сцене су са спољне стране ових равни: {0}.</translation>
     </message>
     <message>
@@ -2541,7 +2541,7 @@
         <translation>Вертикално видно поље је {0}°.</translation>
     </message>
     <message>
-        <source>World: the scene along the camera's axis, in parallel projection.</source>
+        <source>World: the scene along the camera&apos;s axis, in parallel projection.</source>
         <translation>Свет: сцена дуж осе камере, у паралелној пројекцији.</translation>
     </message>
     <message>
@@ -2557,7 +2557,7 @@
         <translation>Свет: сцена изнад камере, у паралелној пројекцији.</translation>
     </message>
     <message>
-        <source>World: the scene from the camera's side, in parallel projection.</source>
+        <source>World: the scene from the camera&apos;s side, in parallel projection.</source>
         <translation>Свет: сцена са бока камере, у паралелној пројекцији.</translation>
     </message>
     <message>
@@ -2634,7 +2634,7 @@
         <translation>Чак и најгрубља слика траје {0} ms по кадру уместо {1}</translation>
     </message>
     <message>
-        <source>This computer's OpenGL gives {0} per pixel instead of {1}</source>
+        <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>
         <translation>OpenGL овог рачунара даје {0} по пикселу уместо {1}</translation>
     </message>
 </context>
@@ -2789,7 +2789,7 @@
         <translation>Висина слова у тачкама</translation>
     </message>
     <message>
-        <source>The file's format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
+        <source>The file&apos;s format; SVG, PDF and TEX (TikZ) have shapes and text, no pixels. Moving pictures and many at once: the command “export”</source>
         <translation>Формат датотеке; SVG, PDF и TEX (TikZ) имају облике и текст, без пиксела. Покретне слике и више слика одједном: наредба „export”</translation>
     </message>
     <message>
@@ -3079,7 +3079,7 @@
         <translation>Доле</translation>
     </message>
     <message>
-        <source>Bottom edge of the picture's window on the near plane: where the view volume begins in y of view space.</source>
+        <source>Bottom edge of the picture&apos;s window on the near plane: where the view volume begins in y of view space.</source>
         <translation>Доња ивица прозора слике на предњој равни: где запремина погледа почиње по y координатног система камере.</translation>
     </message>
     <message>
@@ -3131,7 +3131,7 @@
         <translation>Растојање</translation>
     </message>
     <message>
-        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider's end.</source>
+        <source>Distance from the eye to the far plane: nothing farther is drawn. A perspective lens also takes inf (∞), at the slider&apos;s end.</source>
         <translation>Растојање од позиције камере до задње равни: ништа даље се не црта. Перспективни објектив прима и inf (∞), на крају клизача.</translation>
     </message>
     <message>
@@ -3215,11 +3215,11 @@
         <translation>Жижна даљина e</translation>
     </message>
     <message>
-        <source>Focal length in pixel heights: K's second diagonal entry. Equal to fx if the pixels are square.</source>
+        <source>Focal length in pixel heights: K&apos;s second diagonal entry. Equal to fx if the pixels are square.</source>
         <translation>Жижна даљина у висинама пиксела: други дијагонални елемент матрице K. Једнака је fx ако су пиксели квадратни.</translation>
     </message>
     <message>
-        <source>Focal length in pixel widths: K's first diagonal entry.</source>
+        <source>Focal length in pixel widths: K&apos;s first diagonal entry.</source>
         <translation>Жижна даљина у ширинама пиксела: први дијагонални елемент матрице K.</translation>
     </message>
     <message>
@@ -3227,11 +3227,11 @@
         <translation>Жижна даљина фотоапарата за филм од 35 mm (36 × 24 mm) са истим дијагоналним видним пољем: испод 35 је широкоугаони објектив, изнад 70 телеобјектив.</translation>
     </message>
     <message>
-        <source>Half the height of the picture on the near plane: glFrustum's top, and −bottom. With near it sets the field of view.</source>
+        <source>Half the height of the picture on the near plane: glFrustum&apos;s top, and −bottom. With near it sets the field of view.</source>
         <translation>Половина висине слике на предњој равни: top у glFrustum, и −bottom. Заједно са предњом равни одређује видно поље.</translation>
     </message>
     <message>
-        <source>Half the width of the picture on the near plane: glFrustum's right, and −left. With near it sets the field of view.</source>
+        <source>Half the width of the picture on the near plane: glFrustum&apos;s right, and −left. With near it sets the field of view.</source>
         <translation>Половина ширине слике на предњој равни: right у glFrustum, и −left. Заједно са предњом равни одређује видно поље.</translation>
     </message>
     <message>
@@ -3247,7 +3247,7 @@
         <translation>Висина</translation>
     </message>
     <message>
-        <source>Height above the target's horizon as an angle: 90 looks straight down.</source>
+        <source>Height above the target&apos;s horizon as an angle: 90 looks straight down.</source>
         <translation>Висина изнад хоризонта циља као угао: 90 гледа право надоле.</translation>
     </message>
     <message>
@@ -3271,7 +3271,7 @@
         <translation>Врста пројекције. Објекти код циља задржавају величину када се она промени.</translation>
     </message>
     <message>
-        <source>Lecture 003's focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
+        <source>Lecture 003&apos;s focal length e = 1/tan(fov/2), with the horizontal fov: at this distance the picture reaches from x = −1 to 1.</source>
         <translation>Жижна даљина из предавања 003, e = 1/tan(fov/2), са хоризонталним видним пољем: на том растојању слика досеже од x = −1 до 1.</translation>
     </message>
     <message>
@@ -3279,7 +3279,7 @@
         <translation>Лево</translation>
     </message>
     <message>
-        <source>Left edge of the picture's window on the near plane: where the view volume begins in x of view space.</source>
+        <source>Left edge of the picture&apos;s window on the near plane: where the view volume begins in x of view space.</source>
         <translation>Лева ивица прозора слике на предњој равни: где запремина погледа почиње по x координатног система камере.</translation>
     </message>
     <message>
@@ -3315,11 +3315,11 @@
         <translation>OpenGL: −1 до 1</translation>
     </message>
     <message>
-        <source>Principal point, downwards from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, downwards from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Главна тачка, надоле од средишта првог пиксела. У средишту слике објектив је симетричан, другде је ван осе.</translation>
     </message>
     <message>
-        <source>Principal point, to the right from the centre of the first pixel. At the image's centre the lens is symmetric, elsewhere off-axis.</source>
+        <source>Principal point, to the right from the centre of the first pixel. At the image&apos;s centre the lens is symmetric, elsewhere off-axis.</source>
         <translation>Главна тачка, удесно од средишта првог пиксела. У средишту слике објектив је симетричан, другде је ван осе.</translation>
     </message>
     <message>
@@ -3335,7 +3335,7 @@
         <translation>Десно</translation>
     </message>
     <message>
-        <source>Right edge of the picture's window on the near plane: where the view volume ends in x of view space.</source>
+        <source>Right edge of the picture&apos;s window on the near plane: where the view volume ends in x of view space.</source>
         <translation>Десна ивица прозора слике на предњој равни: где се запремина погледа завршава по x координатног система камере.</translation>
     </message>
     <message>
@@ -3367,7 +3367,7 @@
         <translation>Центар пројекције, у координатама света.</translation>
     </message>
     <message>
-        <source>The direction that is vertical in the picture (the lectures' view-up vector); its length does not matter.</source>
+        <source>The direction that is vertical in the picture (the lectures&apos; view-up vector); its length does not matter.</source>
         <translation>Смер који је на слици вертикалан (вектор нагоре из предавања); дужина му није важна.</translation>
     </message>
     <message>
@@ -3403,7 +3403,7 @@
         <translation>Горе</translation>
     </message>
     <message>
-        <source>Top edge of the picture's window on the near plane: where the view volume ends in y of view space.</source>
+        <source>Top edge of the picture&apos;s window on the near plane: where the view volume ends in y of view space.</source>
         <translation>Горња ивица прозора слике на предњој равни: где се запремина погледа завршава по y координатног система камере.</translation>
     </message>
     <message>
@@ -3642,7 +3642,7 @@
         <translation>Мреже ({0});;Све датотеке (*)</translation>
     </message>
     <message>
-        <source>Use a mesh in place of the scene's own objects</source>
+        <source>Use a mesh in place of the scene&apos;s own objects</source>
         <translation>Употреби мрежу уместо сопствених објеката сцене</translation>
     </message>
     <message>
@@ -3713,7 +3713,7 @@
         <translation>Дуж осе</translation>
     </message>
     <message>
-        <source>Along the camera's axis, flat</source>
+        <source>Along the camera&apos;s axis, flat</source>
         <translation>Дуж осе камере, у равни</translation>
     </message>
     <message>
@@ -3917,11 +3917,11 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>Health</name>
     <message>
-        <source>A GPU's float32 cannot hold this picture: it is computed in float64</source>
+        <source>A GPU&apos;s float32 cannot hold this picture: it is computed in float64</source>
         <translation>float32 графичког процесора не може да прими ову слику: рачуна се у float64</translation>
     </message>
     <message>
-        <source>A GPU's float32 could be up to {0} px off: the picture is computed in float64</source>
+        <source>A GPU&apos;s float32 could be up to {0} px off: the picture is computed in float64</source>
         <translation>float32 графичког процесора могао би да погреши и до {0} px: слика се рачуна у float64</translation>
     </message>
     <message>
@@ -3937,7 +3937,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>У float64 било би сигурно само неколико децимала, {0} пиксела и {1} дубине: бројеви се рачунају тачно</translation>
     </message>
     <message>
-        <source>None of the scene's objects is in the picture: all lie outside the {0} plane</source>
+        <source>None of the scene&apos;s objects is in the picture: all lie outside the {0} plane</source>
         <translation>Ниједан објекат сцене није на слици: сви леже са спољне стране равни „{0}”</translation>
     </message>
     <message>
@@ -3949,7 +3949,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Слободна матрица је превише близу сингуларној: зарубљена пирамида се не црта</translation>
     </message>
     <message>
-        <source>The free matrix's view volume reaches infinity: no frustum is drawn</source>
+        <source>The free matrix&apos;s view volume reaches infinity: no frustum is drawn</source>
         <translation>Запремина погледа слободне матрице досеже до бесконачности: зарубљена пирамида се не црта</translation>
     </message>
     <message>
@@ -3957,7 +3957,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Сцена је {0} пута већа од растојања предње равни: од 1e7 па надаље сам VTK не црта оно што је близу</translation>
     </message>
     <message>
-        <source>VTK's own camera would clamp the field of view to {0}°</source>
+        <source>VTK&apos;s own camera would clamp the field of view to {0}°</source>
         <translation>Сопствена камера програма VTK ограничила би видно поље на {0}°</translation>
     </message>
 </context>
@@ -3996,7 +3996,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Ласерски показивач; слике на њега не реагују</translation>
     </message>
     <message>
-        <source>A pane's own view (the model does not change)</source>
+        <source>A pane&apos;s own view (the model does not change)</source>
         <translation>Сопствени поглед приказа (модел се не мења)</translation>
     </message>
     <message>
@@ -4060,8 +4060,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Затвара оно што је на врху, или отказује превлачење</translation>
     </message>
     <message>
-        <source>Column vectors, &lt;i&gt;p' = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
-        <translation>Вектори-колоне, &lt;i&gt;p' = M p&lt;/i&gt;. Координатни системи света и камере су десни, са y нагоре; камера гледа дуж −z свог координатног система.</translation>
+        <source>Column vectors, &lt;i&gt;p&apos; = M p&lt;/i&gt;. World and view are right-handed with y up; the camera looks along −z of view space.</source>
+        <translation>Вектори-колоне, &lt;i&gt;p&apos; = M p&lt;/i&gt;. Координатни системи света и камере су десни, са y нагоре; камера гледа дуж −z свог координатног система.</translation>
     </message>
     <message>
         <source>Compare side by side or overlaid</source>
@@ -4128,7 +4128,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>E</translation>
     </message>
     <message>
-        <source>Enlarge or shrink the speaker's notes</source>
+        <source>Enlarge or shrink the speaker&apos;s notes</source>
         <translation>Увећава или смањује белешке предавача</translation>
     </message>
     <message>
@@ -4196,7 +4196,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Скрива контроле, или их приказује</translation>
     </message>
     <message>
-        <source>Highlight the same thing everywhere; the keyboard's focus does the same</source>
+        <source>Highlight the same thing everywhere; the keyboard&apos;s focus does the same</source>
         <translation>Истиче исту ствар на свим местима; исто чини и фокус тастатуре</translation>
     </message>
     <message>
@@ -4216,7 +4216,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Како камера претвара 3D сцену у слику: свет, NDC коцка и слика, из једног модела.</translation>
     </message>
     <message>
-        <source>Image: origin top left, x right, y down, in pixels; the first pixel's centre is at 0.5.</source>
+        <source>Image: origin top left, x right, y down, in pixels; the first pixel&apos;s centre is at 0.5.</source>
         <translation>Слика: координатни почетак горе лево, x удесно, y надоле, у пикселима; средиште првог пиксела је у 0.5.</translation>
     </message>
     <message>
@@ -4332,7 +4332,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Пушта напред-назад</translation>
     </message>
     <message>
-        <source>Play or pause the camera's walk</source>
+        <source>Play or pause the camera&apos;s walk</source>
         <translation>Пушта или паузира кружење камере</translation>
     </message>
     <message>
@@ -4356,7 +4356,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Излагање</translation>
     </message>
     <message>
-        <source>Presenting a talk, and in the speaker's window</source>
+        <source>Presenting a talk, and in the speaker&apos;s window</source>
         <translation>При излагању презентације, и у прозору предавача</translation>
     </message>
     <message>
@@ -4476,7 +4476,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Окреће; уз Shift, помера; + и − приближавају и удаљавају; Home враћа на почетно</translation>
     </message>
     <message>
-        <source>Type a number, even beyond the slider's ends, and press Enter; Esc discards it</source>
+        <source>Type a number, even beyond the slider&apos;s ends, and press Enter; Esc discards it</source>
         <translation>Унесите број, чак и преко крајева клизача, па притисните Enter; Esc га одбацује</translation>
     </message>
     <message>
@@ -4871,7 +4871,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Претходни корак ({0})</translation>
     </message>
     <message>
-        <source>Show the step as the lesson's file has it, without your changes ({0})</source>
+        <source>Show the step as the lesson&apos;s file has it, without your changes ({0})</source>
         <translation>Прикажи корак онако како стоји у датотеци лекције, без ваших измена ({0})</translation>
     </message>
     <message>
@@ -4911,7 +4911,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Прво дајте своје предвиђање: изаберите једно, па притисните „Потврди”.</translation>
     </message>
     <message>
-        <source>Nothing is wrong in this lesson's file.</source>
+        <source>Nothing is wrong in this lesson&apos;s file.</source>
         <translation>У датотеци ове лекције ништа није погрешно.</translation>
     </message>
     <message>
@@ -5067,7 +5067,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Матрице</translation>
     </message>
     <message>
-        <source>Every stage's matrix: numbers, formulas, factors and products</source>
+        <source>Every stage&apos;s matrix: numbers, formulas, factors and products</source>
         <translation>Матрица сваке фазе: бројеви, формуле, чиниоци и производи</translation>
     </message>
     <message>
@@ -5075,7 +5075,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Координатни систем камере</translation>
     </message>
     <message>
-        <source>The camera's axes, step by step: eye, target and up make the view matrix</source>
+        <source>The camera&apos;s axes, step by step: eye, target and up make the view matrix</source>
         <translation>Осе камере, корак по корак: позиција камере, циљ и вектор нагоре дају матрицу погледа</translation>
     </message>
     <message>
@@ -5256,7 +5256,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>леви систем: гледа дуж +z, y нагоре; z од {0} на предњој до {1} на задњој равни; {2}, предња раван {3}, задња {4}</translation>
     </message>
     <message>
-        <source>looks along −z, the picture's y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
+        <source>looks along −z, the picture&apos;s y down; z from {0} at near to {1} at far; {2}, near {3}, far {4}</source>
         <translation>гледа дуж −z, y слике надоле; z од {0} на предњој до {1} на задњој равни; {2}, предња раван {3}, задња {4}</translation>
     </message>
     <message>
@@ -5293,15 +5293,15 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>затим се x, y и z деле са w</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: w = z</source>
+        <source>with lecture 002&apos;s sign: w = z</source>
         <translation>са предзнаком из предавања 002: w = z</translation>
     </message>
     <message>
-        <source>with lecture 002's sign: z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s sign: z runs from 1 at near to −1</source>
         <translation>са предзнаком из предавања 002: z иде од 1 на предњој равни до −1</translation>
     </message>
     <message>
-        <source>with lecture 002's signs: w = z, and z runs from 1 at near to −1</source>
+        <source>with lecture 002&apos;s signs: w = z, and z runs from 1 at near to −1</source>
         <translation>са предзнацима из предавања 002: w = z, а z иде од 1 на предњој равни до −1</translation>
     </message>
     <message>
@@ -5389,7 +5389,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Међупроизводи</translation>
     </message>
     <message>
-        <source>Also the product of all stages so far, and the view matrix's inverse, whose columns are the camera's axes and the eye</source>
+        <source>Also the product of all stages so far, and the view matrix&apos;s inverse, whose columns are the camera&apos;s axes and the eye</source>
         <translation>И производ свих досадашњих фаза, као и инверз матрице погледа, чије су колоне осе камере и њена позиција</translation>
     </message>
     <message>
@@ -5626,7 +5626,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Низ мерења: вектор нагоре</translation>
     </message>
     <message>
-        <source>VTK's transform</source>
+        <source>VTK&apos;s transform</source>
         <translation>трансформација VTK-а</translation>
     </message>
     <message>
@@ -5826,7 +5826,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>логаритамски</translation>
     </message>
     <message>
-        <source>matplotlib's proj3d</source>
+        <source>matplotlib&apos;s proj3d</source>
         <translation>proj3d из matplotlib-а</translation>
     </message>
     <message>
@@ -5842,7 +5842,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>растојање предње равни је највише (растојање задње) / 4</translation>
     </message>
     <message>
-        <source>no edge of the scene's box is in the picture</source>
+        <source>no edge of the scene&apos;s box is in the picture</source>
         <translation>ниједна ивица оквира сцене није на слици</translation>
     </message>
     <message>
@@ -5874,7 +5874,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>ns по тачки</translation>
     </message>
     <message>
-        <source>numpy's hstack</source>
+        <source>numpy&apos;s hstack</source>
         <translation>hstack из numpy-ја</translation>
     </message>
     <message>
@@ -6431,7 +6431,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>у LaTeX-у: формуле у пољима уместо бројева</translation>
     </message>
     <message>
-        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>in LaTeX: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>у LaTeX-у: слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа)</translation>
     </message>
     <message>
@@ -6467,15 +6467,15 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>остави позадину провидном</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s)</source>
         <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document's, or the lesson's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the document&apos;s, or the lesson&apos;s)</source>
         <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из документа, или из лекције)</translation>
     </message>
     <message>
-        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk's)</source>
+        <source>letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the talk&apos;s)</source>
         <translation>слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из презентације)</translation>
     </message>
     <message>
@@ -6487,7 +6487,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мери само пола минута, мање прецизно</translation>
     </message>
     <message>
-        <source>measure the errors over a parameter's range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
+        <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
         <translation>измери грешке у опсегу једног параметра; NAME је једно од near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
@@ -6515,7 +6515,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>уз --sweep: испиши вредности испод приказа</translation>
     </message>
     <message>
-        <source>of --wheels, such as 3.12; may be repeated (default: this one's)</source>
+        <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
         <translation>уз --wheels, као 3.12; може да се понови (подразумевано: верзија овог)</translation>
     </message>
     <message>
@@ -6535,7 +6535,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>за покретну слику: колико кадрова у секунди (подразумевано: 25)</translation>
     </message>
     <message>
-        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson's)</source>
+        <source>of check and print: letters of axes and formulas: own, 000, 001, 002, 003, 004, or those of a file such as letters.toml (default: the lesson&apos;s)</source>
         <translation>уз check и print: слова оса и формула: own, 000, 001, 002, 003, 004, или она из датотеке као letters.toml (подразумевано: она из лекције)</translation>
     </message>
     <message>
@@ -6583,7 +6583,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>излазни формат (подразумевано: text)</translation>
     </message>
     <message>
-        <source>print every stage's matrix</source>
+        <source>print every stage&apos;s matrix</source>
         <translation>испиши матрицу сваке фазе</translation>
     </message>
     <message>
@@ -6599,7 +6599,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>сачувај слику прозора као PNG и изађи</translation>
     </message>
     <message>
-        <source>show program's version number and exit</source>
+        <source>show program&apos;s version number and exit</source>
         <translation>прикажи број верзије програма и изађи</translation>
     </message>
     <message>
@@ -6623,7 +6623,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>координатни систем координата (подразумевано: world)</translation>
     </message>
     <message>
-        <source>the figure to write (.png; .svg, .pdf or TikZ's .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
+        <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
         <translation>цртеж који се уписује (.png; .svg, .pdf или TikZ-ов .tex за облике и текст; .html за страницу коју приказују телефони), и документ, слика, мрежа, камера, лекција или презентација која се црта (подразумевано: слово F); уз --batch, фасцикла цртежа; уз --sweep, --orbit, --stages или --transition, филм (.gif, .apng, .webp, или .mp4 са програмом ffmpeg), страница са клизачем (.html), или име са %03d за цртеж сваког кадра</translation>
     </message>
     <message>
@@ -6736,7 +6736,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>Pane</name>
     <message>
-        <source>Reset this pane's own view (double-click)</source>
+        <source>Reset this pane&apos;s own view (double-click)</source>
         <translation>Врати сопствени поглед овог приказа на почетни (двоклик)</translation>
     </message>
     <message>
@@ -7034,11 +7034,11 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>поред камере: ниједан број није довољно велик</translation>
     </message>
     <message>
-        <source>the pixel's ray, from near to far</source>
+        <source>the pixel&apos;s ray, from near to far</source>
         <translation>зрак пиксела, од предње до задње равни</translation>
     </message>
     <message>
-        <source>the pixel's ray, as far as it is in front of the eye</source>
+        <source>the pixel&apos;s ray, as far as it is in front of the eye</source>
         <translation>зрак пиксела, докле год је испред камере</translation>
     </message>
     <message>
@@ -7053,7 +7053,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>ProbePanel</name>
     <message>
-        <source>The probes' numbers at every stage</source>
+        <source>The probes&apos; numbers at every stage</source>
         <translation>Бројеви сонди у свакој фази</translation>
     </message>
     <message>
@@ -7218,7 +7218,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>Refusal</name>
     <message>
-        <source>A film's frames have one size: leave out crop and width.</source>
+        <source>A film&apos;s frames have one size: leave out crop and width.</source>
         <translation>Кадрови филма имају исту величину: изоставите опсецање и ширину.</translation>
     </message>
     <message>
@@ -7646,7 +7646,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>је документ и нема поглед {0}</translation>
     </message>
     <message>
-        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV's K, R, t</source>
+        <source>is a file of {0}, which is not read: export its cameras as COLMAP text, transforms.json or OpenCV&apos;s K, R, t</source>
         <translation>је датотека програма {0}, која се не чита: извезите њене камере као COLMAP текст, transforms.json или OpenCV-ове K, R, t</translation>
     </message>
     <message>
@@ -7830,7 +7830,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде 0 или по величини бар {0}</translation>
     </message>
     <message>
-        <source>must be 16 numbers, or a calibrated camera's K: fx 0 cx, 0 fy cy, 0 0 1</source>
+        <source>must be 16 numbers, or a calibrated camera&apos;s K: fx 0 cx, 0 fy cy, 0 0 1</source>
         <translation>мора да буде 16 бројева, или матрица K калибрисане камере: fx 0 cx, 0 fy cy, 0 0 1</translation>
     </message>
     <message>
@@ -7842,8 +7842,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде NAME=VALUE, или document: FILE.json</translation>
     </message>
     <message>
-        <source>must be [SECTION], or NAME = "LETTER", or begin with # as a comment</source>
-        <translation>мора да буде [SECTION], или NAME = "LETTER", или да почиње са # као коментар</translation>
+        <source>must be [SECTION], or NAME = &quot;LETTER&quot;, or begin with # as a comment</source>
+        <translation>мора да буде [SECTION], или NAME = &quot;LETTER&quot;, или да почиње са # као коментар</translation>
     </message>
     <message>
         <source>must be a Latin letter or word, or one of {0}, with an index after _ if it has one, such as x_min, and of at most {1} characters</source>
@@ -7870,7 +7870,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде коначан број или inf</translation>
     </message>
     <message>
-        <source>must be a list of 2 to {0} pictures, exactly one of them the document's own</source>
+        <source>must be a list of 2 to {0} pictures, exactly one of them the document&apos;s own</source>
         <translation>мора да буде списак од 2 до {0} слика, од којих је тачно једна из самог документа</translation>
     </message>
     <message>
@@ -8078,11 +8078,11 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде fx, fy, cx, cy, или K: три врсте fx, 0, cx и 0, fy, cy и 0, 0, 1</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's x points left: take fx = {0} and cx = W - 1 - cx</source>
+        <source>must be greater than 0; below 0 the image&apos;s x points left: take fx = {0} and cx = W - 1 - cx</source>
         <translation>мора да буде веће од 0; испод 0 је x слике окренуто улево: узмите fx = {0} и cx = W - 1 - cx</translation>
     </message>
     <message>
-        <source>must be greater than 0; below 0 the image's y points up: take fy = {0} and cy = H - 1 - cy</source>
+        <source>must be greater than 0; below 0 the image&apos;s y points up: take fy = {0} and cy = H - 1 - cy</source>
         <translation>мора да буде веће од 0; испод 0 је y слике окренуто нагоре: узмите fy = {0} и cy = H - 1 - cy</translation>
     </message>
     <message>
@@ -8134,7 +8134,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде један ред текста</translation>
     </message>
     <message>
-        <source>must be one of the scene's own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
+        <source>must be one of the scene&apos;s own comparisons ({0}), or PATH=VALUE, with ; between the values of a picture, | between pictures, and NAME: before a picture that has a name</source>
         <translation>мора да буде једно од сопствених поређења сцене ({0}), или PATH=VALUE, са ; између вредности једне слике, | између слика, и NAME: испред слике која има име</translation>
     </message>
     <message>
@@ -8166,7 +8166,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде једно од {0}; најближе је {1}</translation>
     </message>
     <message>
-        <source>must be the document's own, {0}</source>
+        <source>must be the document&apos;s own, {0}</source>
         <translation>мора да буде оно из самог документа, {0}</translation>
     </message>
     <message>
@@ -8222,7 +8222,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде два броја пиксела, ширина и висина</translation>
     </message>
     <message>
-        <source>must be world or ndc with the pane's eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
+        <source>must be world or ndc with the pane&apos;s eye, or its eye and its target, as in world: 6,4,8 or ndc: 1.3,0.2,0.3,0,0,0; a | separates the two panes (what a class sees is view.slide)</source>
         <translation>мора да буде world или ndc са позицијом камере приказа, или са њом и циљем, као у world: 6,4,8 или ndc: 1.3,0.2,0.3,0,0,0; знак | раздваја два приказа (оно што виде слушаоци је view.slide)</translation>
     </message>
     <message>
@@ -8442,7 +8442,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>понавља име из реда {0}; свако мора да има своје</translation>
     </message>
     <message>
-        <source>says another number than its formula's value, {0}</source>
+        <source>says another number than its formula&apos;s value, {0}</source>
         <translation>каже други број, а не вредност своје формуле, {0}</translation>
     </message>
     <message>
@@ -8538,7 +8538,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>{0}: датотека мреже мора да се завршава на {1} или {2}; претворите је у једну од ових.</translation>
     </message>
     <message>
-        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh's size; move the mesh to the origin.</source>
+        <source>{0}: a vertex has the coordinate {1}, but it must be within ±{2}, 1e12 times the mesh&apos;s size; move the mesh to the origin.</source>
         <translation>{0}: теме има координату {1}, али она мора да буде унутар ±{2}, 1e12 пута величина мреже; померите мрежу у координатни почетак.</translation>
     </message>
     <message>
@@ -8646,7 +8646,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>{0}: датотека је празна; поново је сачувајте или преузмите.</translation>
     </message>
     <message>
-        <source>{0}: the number of a face's corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
+        <source>{0}: the number of a face&apos;s corners is {1}, but must be from 3 to {2}; divide or repair it.</source>
         <translation>{0}: број темена једне стране је {1}, а мора да буде од 3 до {2}; поделите је или поправите.</translation>
     </message>
     <message>
@@ -8686,7 +8686,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>{0}: измерио је други програм Frustum Lab: верзија је {1}, овај чита {2}.</translation>
     </message>
     <message>
-        <source>{0}: would have {1} MB; TeX's memory holds figures of {2} MB: write {3}.</source>
+        <source>{0}: would have {1} MB; TeX&apos;s memory holds figures of {2} MB: write {3}.</source>
         <translation>{0}: имало би {1} MB; меморија TeX-а прима цртеже од {2} MB: упишите {3}.</translation>
     </message>
     <message>
@@ -8727,7 +8727,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Моја мрежа…</translation>
     </message>
     <message>
-        <source>Replace the scene's own objects with a mesh from a file</source>
+        <source>Replace the scene&apos;s own objects with a mesh from a file</source>
         <translation>Замени сопствене објекте сцене мрежом из датотеке</translation>
     </message>
     <message>
@@ -8739,7 +8739,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Сопствени објекти</translation>
     </message>
     <message>
-        <source>Restore the scene's own objects</source>
+        <source>Restore the scene&apos;s own objects</source>
         <translation>Врати сопствене објекте сцене</translation>
     </message>
     <message>
@@ -8955,7 +8955,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>SpeakerWindow</name>
     <message>
-        <source>Speaker's window – Frustum Lab</source>
+        <source>Speaker&apos;s window – Frustum Lab</source>
         <translation>Прозор предавача – Frustum Lab</translation>
     </message>
     <message>
@@ -9133,7 +9133,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>Stage</name>
     <message>
-        <source>the scene's objects are given in world coordinates</source>
+        <source>the scene&apos;s objects are given in world coordinates</source>
         <translation>објекти сцене дати су у координатама света</translation>
     </message>
     <message>
@@ -9216,7 +9216,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Објекат</translation>
     </message>
     <message>
-        <source>The object's own space</source>
+        <source>The object&apos;s own space</source>
         <translation>Сопствени координатни систем објекта</translation>
     </message>
     <message>
@@ -9236,7 +9236,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Извршава се слева: сваки покрет у осама које су ранији покрети померили</translation>
     </message>
     <message>
-        <source>Read from the right: each move in the world's axes</source>
+        <source>Read from the right: each move in the world&apos;s axes</source>
         <translation>Чита се здесна: сваки покрет у осама света</translation>
     </message>
     <message>
@@ -9466,7 +9466,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Допуштено одступање цртежа</translation>
     </message>
     <message>
-        <source>A GPU's own arithmetic (float32) may draw with an error of up to this many pixels:</source>
+        <source>A GPU&apos;s own arithmetic (float32) may draw with an error of up to this many pixels:</source>
         <translation>Сопствена аритметика графичког процесора (float32) може да црта са грешком до оволико пиксела:</translation>
     </message>
 </context>
@@ -9511,7 +9511,7 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>TalkActions</name>
     <message>
-        <source>Speaker's &amp;window</source>
+        <source>Speaker&apos;s &amp;window</source>
         <translation>Прозор пре&amp;давача</translation>
     </message>
     <message>
@@ -9581,7 +9581,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Датотека је измењена и не може да се прочита.</translation>
     </message>
     <message>
-        <source>Open a talk first: the speaker's window shows its notes.</source>
+        <source>Open a talk first: the speaker&apos;s window shows its notes.</source>
         <translation>Прво отворите презентацију: прозор предавача приказује њене белешке.</translation>
     </message>
 </context>
@@ -9746,7 +9746,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>искључено</translation>
     </message>
     <message>
-        <source>this computer's OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
+        <source>this computer&apos;s OpenGL rejects the shader that this scene needs: the picture is drawn without it, and only the computed numbers are right</source>
         <translation>OpenGL овог рачунара одбија шејдер који је овој сцени потребан: слика се црта без њега, и само израчунати бројеви су тачни</translation>
     </message>
     <message>
@@ -9886,7 +9886,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Камера се окреће за 1° по кадру: сваки кадар множи њене осе истим малим окретањем, и сваки производ се заокружује. После 360° требало би да буде тамо где је почела. Бледа слика је тачна, а поред ње је оно што камера види: један производ матрица по кадру уместо два синуса има своју цену. Сваки десети кадар осе могу да се поново нормирају, што поправља њихове дужине и праве углове, али не и смер.</translation>
     </message>
     <message>
-        <source>A field of view from lecture 001; the camera moves so that things at the target's distance keep their size</source>
+        <source>A field of view from lecture 001; the camera moves so that things at the target&apos;s distance keep their size</source>
         <translation>Видно поље из предавања 001; камера се помера тако да оно што је на растојању циља задржи величину</translation>
     </message>
     <message>
@@ -9894,11 +9894,11 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Лампа у тачки, или сунце: бесконачно далека тачка</translation>
     </message>
     <message>
-        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall's foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
+        <source>A logarithmic depth has digits for every distance. Computed for each vertex, it costs one logarithm a vertex, and the early depth test stays on. But between the vertices the rasteriser interpolates it linearly on the screen, where 1/w is linear and log w is not. So a long face is drawn too far away: the wall&apos;s foundation, which is below the floor, is seen through it. Shorter pieces or a logarithm for each pixel mend that.</source>
         <translation>Логаритамска дубина има цифре за свако растојање. Израчуната за свако теме кошта један логаритам по темену, а рани тест дубине остаје укључен. Али између темена растеризатор је интерполира линеарно на екрану, где је 1/w линеарно, а log w није. Зато се дугачка страна црта предалеко: темељ зида, који је испод пода, види се кроз њега. Краћи делови или логаритам за сваки пиксел то поправљају.</translation>
     </message>
     <message>
-        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye's coordinates with 1/w, a difference of nearly equal numbers. Far from the world's origin, float32 then misses the point by parts of its distance. If the pixel's ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
+        <source>A pixel and its depth lead back to the point that was drawn there. The inverse of P V does it in one product, but it multiplies the eye&apos;s coordinates with 1/w, a difference of nearly equal numbers. Far from the world&apos;s origin, float32 then misses the point by parts of its distance. If the pixel&apos;s ray is multiplied with the depth, or if P and V are undone one after the other, the eye is only added, and is rounded once. On the way to the picture, it hardly matters whether P and V are one matrix or two: that these make the difference is a myth.</source>
         <translation>Пиксел и његова дубина воде назад до тачке која је тамо нацртана. Инверз од P V то ради у једном производу, али множи координате позиције камере са 1/w, разликом скоро једнаких бројева. Далеко од координатног почетка света float32 тада промашује тачку за делове њеног растојања. Ако се зрак пиксела множи дубином, или ако се P и V поништавају једно по једно, позиција камере се само додаје и заокружује једном. На путу ка слици једва да је важно да ли су P и V једна матрица или две: да оне праве разлику, то је мит.</translation>
     </message>
     <message>
@@ -9910,7 +9910,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Сенка је пројекција са центром у светлу: матрица S црта објекат још једном, једном бојом. За сунце, светло у бесконачности са w = 0, пројекција је паралелна. Делови објекта изнад лампе имају w &lt; 0. Ако се не одсеку, цртају се са друге стране лампе као антисенка.</translation>
     </message>
     <message>
-        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL's.</source>
+        <source>A shape inside the view volume is drawn, and a shape outside it is not. A shape that crosses it is cut by each plane in turn, and gets a new corner where an edge passes through the plane. Near removes everything at the eye or behind it, where w ≤ 0 and the divide fails, and far bounds the depths. Clipping is done in the canonical volume, before the divide, because there the planes are the same for every lens: −w ≤ x, y, z ≤ w in OpenGL&apos;s.</source>
         <translation>Облик унутар запремине погледа се црта, а облик изван ње не. Облик који пресеца њену границу одсеца се редом сваком равни, и добија ново теме где ивица пролази кроз раван. Предња раван уклања све што је код камере или иза ње, где је w ≤ 0 и дељење не успева, а задња ограничава дубине. Одсецање се ради у стандардној запремини, пре дељења, јер су тамо равни исте за сваки објектив: −w ≤ x, y, z ≤ w у OpenGL.</translation>
     </message>
     <message>
@@ -9986,7 +9986,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Кавалјер: 1 ×</translation>
     </message>
     <message>
-        <source>Changes the lens, but keeps the picture of the target's plane</source>
+        <source>Changes the lens, but keeps the picture of the target&apos;s plane</source>
         <translation>Мења објектив, али задржава слику равни циља</translation>
     </message>
     <message>
@@ -10062,7 +10062,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Упоредите оба филма: шта је преокренуто?</translation>
     </message>
     <message>
-        <source>Cone (the eye's own)</source>
+        <source>Cone (the eye&apos;s own)</source>
         <translation>Купа (самог ока)</translation>
     </message>
     <message>
@@ -10078,7 +10078,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Пукотине</translation>
     </message>
     <message>
-        <source>Crossed, left eye's on the right</source>
+        <source>Crossed, left eye&apos;s on the right</source>
         <translation>Укрштено, слика левог ока десно</translation>
     </message>
     <message>
@@ -10142,7 +10142,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Растојање површи 2 иза површи 1, дуж смера погледа</translation>
     </message>
     <message>
-        <source>Distance of the eye from the window's middle; the window stays in the world</source>
+        <source>Distance of the eye from the window&apos;s middle; the window stays in the world</source>
         <translation>Растојање камере од средине прозора; прозор остаје у свету</translation>
     </message>
     <message>
@@ -10162,8 +10162,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Мењају ли предња и задња раван лук?</translation>
     </message>
     <message>
-        <source>Double d: how large is h'?</source>
-        <translation>Удвостручите d: колико је h'?</translation>
+        <source>Double d: how large is h&apos;?</source>
+        <translation>Удвостручите d: колико је h&apos;?</translation>
     </message>
     <message>
         <source>Double d: what are x_p and y_p now?</source>
@@ -10222,7 +10222,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Заношење</translation>
     </message>
     <message>
-        <source>Each coordinate is stored as an integer over the mesh's box</source>
+        <source>Each coordinate is stored as an integer over the mesh&apos;s box</source>
         <translation>Свака координата се чува као цео број у оквиру мреже</translation>
     </message>
     <message>
@@ -10242,7 +10242,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Увећај фотографију од 105 mm</translation>
     </message>
     <message>
-        <source>Enlarges the middle of the picture until things at the target's distance are as large as on the 29-mm photograph; this narrows the field of view</source>
+        <source>Enlarges the middle of the picture until things at the target&apos;s distance are as large as on the 29-mm photograph; this narrows the field of view</source>
         <translation>Увећава средину слике док оно што је на растојању циља не буде велико као на фотографији од 29 mm; то сужава видно поље</translation>
     </message>
     <message>
@@ -10274,7 +10274,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Далеко од почетка: померите координатни почетак.</translation>
     </message>
     <message>
-        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex's exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
+        <source>Fewer bits make a picture smaller and quicker, and less exact. Every vertex is stored and projected with the chosen formats, and drawn where they put it. An arrow runs from each vertex&apos;s exact pixel towards the drawn one, enlarged as much as is written beside it. The bound is predicted from the formats alone, and no error is larger. A console of 1996 drew whole pixels and affine textures, and its vertices jumped whenever the camera moved.</source>
         <translation>Са мање битова слика је мања и бржа, али мање тачна. Свако теме се чува и пројектује у изабраним форматима, и црта тамо где га они ставе. Стрелица иде од тачног пиксела сваког темена ка нацртаном, увећана онолико колико пише поред ње. Граница се предвиђа само на основу формата, и ниједна грешка није већа. Конзола из 1996. цртала је целе пикселе и афине текстуре, и њена темена су скакала чим би се камера померила.</translation>
     </message>
     <message>
@@ -10382,7 +10382,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Висина равни</translation>
     </message>
     <message>
-        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene's box</source>
+        <source>How a coordinate is stored; 8 to 16 bits are integers over the scene&apos;s box</source>
         <translation>Како се чува координата; 8 до 16 бита су цели бројеви у оквиру сцене</translation>
     </message>
     <message>
@@ -10410,11 +10410,11 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Како сваки кадар налази своје осе: брзи инверзни корен узима битове као логаритам, и један Њутнов корак</translation>
     </message>
     <message>
-        <source>How far away the world's origin lies, along x: coordinates are measured from there</source>
+        <source>How far away the world&apos;s origin lies, along x: coordinates are measured from there</source>
         <translation>Колико је далеко координатни почетак света, дуж x: координате се мере одатле</translation>
     </message>
     <message>
-        <source>How far from the eye the world's origin lies: coordinates are measured from there</source>
+        <source>How far from the eye the world&apos;s origin lies: coordinates are measured from there</source>
         <translation>Колико је координатни почетак света далеко од камере: координате се мере одатле</translation>
     </message>
     <message>
@@ -10434,7 +10434,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Колико се пута камера окрене за 360°, сваки пут у 360 кадрова</translation>
     </message>
     <message>
-        <source>How the texture's coordinates are spread over a face</source>
+        <source>How the texture&apos;s coordinates are spread over a face</source>
         <translation>Како се координате текстуре распоређују по страни</translation>
     </message>
     <message>
@@ -10458,7 +10458,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Људско око: 120° у ширину</translation>
     </message>
     <message>
-        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane's window are no longer opposite. Things in the window's own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
+        <source>If you walk past a window, it stays in its wall. The frustum from your eye through it leans, and left and right of the near plane&apos;s window are no longer opposite. Things in the window&apos;s own plane keep their place in the image. Two screens side by side are two such frusta with one eye, and their pictures join without a gap.</source>
         <translation>Ако прођете поред прозора, он остаје у свом зиду. Зарубљена пирамида од ваше позиције кроз њега се нагиње, и лева и десна граница прозора на предњој равни више нису супротни бројеви. Оно што лежи у самој равни прозора остаје на свом месту на слици. Два екрана један поред другог су две такве пирамиде са истом позицијом камере, и њихове слике се спајају без процепа.</translation>
     </message>
     <message>
@@ -10514,8 +10514,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Светло L</translation>
     </message>
     <message>
-        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h' = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
-        <translation>Светлост улази у мрачну кутију кроз малу рупу. Зраци се ту укрштају, па је слика на филму иза рупе наопачке и са замењеним лево и десно: h' = −d·h/z. Синтетичка камера има центар на месту рупе, а филм на истом растојању испред ње. Слика је исте величине, али усправна: мења се само предзнак.</translation>
+        <source>Light enters a dark box through a small hole. The rays cross there, so the picture on the film behind the hole is upside down and left for right: h&apos; = −d·h/z. The synthetic camera has its centre in place of the hole, and its film at the same distance in front of it. The image has the same size, but it is upright: only the sign changes.</source>
+        <translation>Светлост улази у мрачну кутију кроз малу рупу. Зраци се ту укрштају, па је слика на филму иза рупе наопачке и са замењеним лево и десно: h&apos; = −d·h/z. Синтетичка камера има центар на месту рупе, а филм на истом растојању испред ње. Слика је исте величине, али усправна: мења се само предзнак.</translation>
     </message>
     <message>
         <source>Logarithm</source>
@@ -10562,7 +10562,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Померите предњу и задњу раван: које картице их секу?</translation>
     </message>
     <message>
-        <source>Moves the eye; the field of view keeps the sizes at the target's distance</source>
+        <source>Moves the eye; the field of view keeps the sizes at the target&apos;s distance</source>
         <translation>Помера камеру; видно поље задржава величине на растојању циља</translation>
     </message>
     <message>
@@ -10634,7 +10634,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>P иде дуж</translation>
     </message>
     <message>
-        <source>P's image is at infinity</source>
+        <source>P&apos;s image is at infinity</source>
         <translation>Слика тачке P је у бесконачности</translation>
     </message>
     <message>
@@ -10914,7 +10914,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Два ока</translation>
     </message>
     <message>
-        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen's middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye's and the rest from the right eye's, for glasses with red on the left.</source>
+        <source>Two eyes see the world from two places, and so a stereo pair has two pictures. With off-axis frusta both eyes look through one window, the screen plane: what lies in it does not move between the pictures, what is behind it moves right, and what is before it moves left. Cameras that are toed in to the screen&apos;s middle tilt their pictures against each other, and points at the sides are no longer equally high. A red-cyan picture takes its red light from the left eye&apos;s and the rest from the right eye&apos;s, for glasses with red on the left.</source>
         <translation>Два ока виде свет са два места, па стереопар има две слике. Са пирамидама ван осе оба ока гледају кроз један прозор, раван екрана: оно што у њој лежи не помера се између слика, оно што је иза ње помера се удесно, а оно што је испред ње улево. Камере закренуте ка средини екрана нагињу своје слике једну према другој, и тачке са стране више нису на истој висини. Црвено-цијан слика узима црвену светлост из слике левог ока, а остало из слике десног, за наочаре са црвеним стаклом лево.</translation>
     </message>
     <message>
@@ -11050,7 +11050,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Ширина леве мреже</translation>
     </message>
     <message>
-        <source>Width of the left mesh's box, whose steps grow with it</source>
+        <source>Width of the left mesh&apos;s box, whose steps grow with it</source>
         <translation>Ширина оквира леве мреже, са којом расту његови кораци</translation>
     </message>
     <message>
@@ -11058,11 +11058,11 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Ширина десне мреже</translation>
     </message>
     <message>
-        <source>Width of the right mesh's box, whose steps grow with it</source>
+        <source>Width of the right mesh&apos;s box, whose steps grow with it</source>
         <translation>Ширина оквира десне мреже, са којом расту његови кораци</translation>
     </message>
     <message>
-        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target's distance keep their size (a dolly zoom). One unit is 10 cm.</source>
+        <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
         <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (долизум). Једна јединица је 10 cm.</translation>
     </message>
     <message>
@@ -11094,8 +11094,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>паралелни објектив дели са 1 и нема раван камере: изаберите перспективни објектив</translation>
     </message>
     <message>
-        <source>a parallel lens divides by 1: its own z' is affine, and nothing is bent</source>
-        <translation>паралелни објектив дели са 1: његово z' је и само афино, и ништа се не савија</translation>
+        <source>a parallel lens divides by 1: its own z&apos; is affine, and nothing is bent</source>
+        <translation>паралелни објектив дели са 1: његово z&apos; је и само афино, и ништа се не савија</translation>
     </message>
     <message>
         <source>a parallel lens has no eye in which a cone could start: its own volume is shown</source>
@@ -11190,7 +11190,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>неоштрина циља</translation>
     </message>
     <message>
-        <source>both agree only if the lens's axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
+        <source>both agree only if the lens&apos;s axis meets the middle of the picture; here it meets ({0}, {1}) px, and their sum is twice that</source>
         <translation>оба се слажу само ако оса објектива погађа средину слике; овде погађа ({0}, {1}) px, а њихов збир је двапут толико</translation>
     </message>
     <message>
@@ -11254,7 +11254,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>заједничка решетка</translation>
     </message>
     <message>
-        <source>computed: gap and codes are finer than the graphics card's float32, so the picture shows its noise instead</source>
+        <source>computed: gap and codes are finer than the graphics card&apos;s float32, so the picture shows its noise instead</source>
         <translation>израчунато: размак и кодови су ситнији од float32 графичке картице, па слика уместо тога показује њен шум</translation>
     </message>
     <message>
@@ -11294,8 +11294,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>дубина видног поља</translation>
     </message>
     <message>
-        <source>depth z' = A + B/z along the marked edge is, too</source>
-        <translation>и дубина z' = A + B/z је дуж обележене ивице права</translation>
+        <source>depth z&apos; = A + B/z along the marked edge is, too</source>
+        <translation>и дубина z&apos; = A + B/z је дуж обележене ивице права</translation>
     </message>
     <message>
         <source>diameter, mm</source>
@@ -11506,7 +11506,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>од P до V</translation>
     </message>
     <message>
-        <source>from there to the ray's end</source>
+        <source>from there to the ray&apos;s end</source>
         <translation>одатле до краја зрака</translation>
     </message>
     <message>
@@ -11738,7 +11738,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>ниједна од испитаних ивица мреже не лежи у запремини погледа</translation>
     </message>
     <message>
-        <source>none of the subject's compared points is in the picture</source>
+        <source>none of the subject&apos;s compared points is in the picture</source>
         <translation>ниједна од поређених тачака предмета није на слици</translation>
     </message>
     <message>
@@ -11766,19 +11766,19 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>ван осе</translation>
     </message>
     <message>
-        <source>on the film: h' = −d·h / z</source>
-        <translation>на филму: h' = −d·h / z</translation>
+        <source>on the film: h&apos; = −d·h / z</source>
+        <translation>на филму: h&apos; = −d·h / z</translation>
     </message>
     <message>
         <source>one for both</source>
         <translation>једна за обе</translation>
     </message>
     <message>
-        <source>only the {0} longest of the mesh's {1} edges are drawn and counted</source>
+        <source>only the {0} longest of the mesh&apos;s {1} edges are drawn and counted</source>
         <translation>цртају се и броје само најдуже ивице мреже: {0} од {1}</translation>
     </message>
     <message>
-        <source>only {0} of the mesh's {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
+        <source>only {0} of the mesh&apos;s {1} edges are drawn and counted: first those that cross the eye plane, then the longest</source>
         <translation>цртају се и броје само неке ивице мреже, {0} од {1}: прво оне које секу раван камере, затим најдуже</translation>
     </message>
     <message>
@@ -11938,7 +11938,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>растегни</translation>
     </message>
     <message>
-        <source>subject's height, at the target's distance</source>
+        <source>subject&apos;s height, at the target&apos;s distance</source>
         <translation>висина предмета, на растојању циља</translation>
     </message>
     <message>
@@ -11990,7 +11990,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>стрелица је иза рупе или поред ње: од ње у кутију не долази светлост</translation>
     </message>
     <message>
-        <source>the arrow's height h</source>
+        <source>the arrow&apos;s height h</source>
         <translation>висина стрелице h</translation>
     </message>
     <message>
@@ -12006,7 +12006,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>камера гледа право надоле или нагоре: нема пода од предње до задње равни</translation>
     </message>
     <message>
-        <source>the edge's pixels are too many or too few for float64 to measure</source>
+        <source>the edge&apos;s pixels are too many or too few for float64 to measure</source>
         <translation>пиксела ивице има превише или премало да би их float64 измерио</translation>
     </message>
     <message>
@@ -12034,7 +12034,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>слика на равни</translation>
     </message>
     <message>
-        <source>the light is inside the object's bounds: move it out to see the whole shadow</source>
+        <source>the light is inside the object&apos;s bounds: move it out to see the whole shadow</source>
         <translation>светло је унутар граница објекта: изнесите га напоље да видите целу сенку</translation>
     </message>
     <message>
@@ -12066,7 +12066,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>слика је растегнута {0} пута више увис него у ширину: стране не задржавају облик</translation>
     </message>
     <message>
-        <source>the picture is stretched: the target's disc is an ellipse of this width and height</source>
+        <source>the picture is stretched: the target&apos;s disc is an ellipse of this width and height</source>
         <translation>слика је растегнута: диск циља је елипса ове ширине и висине</translation>
     </message>
     <message>
@@ -12110,7 +12110,7 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>сенка је даље од 1e30</translation>
     </message>
     <message>
-        <source>the subject's pixels are more than float64 can hold on one of the screens</source>
+        <source>the subject&apos;s pixels are more than float64 can hold on one of the screens</source>
         <translation>пиксела предмета има више него што float64 може да прими на једном од екрана</translation>
     </message>
     <message>
@@ -12122,16 +12122,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>циљ је толико близу објектива да његов диск нема коначну величину</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; only the {0} triangles with the longest sides are examined</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; only the {0} triangles with the longest sides are examined</source>
         <translation>текстура је положена преко две највеће димензије мреже; испитују се само троуглови са најдужим страницама: {0}</translation>
     </message>
     <message>
-        <source>the texture is laid over the mesh's two largest extents; texture coordinates in its file are not used</source>
+        <source>the texture is laid over the mesh&apos;s two largest extents; texture coordinates in its file are not used</source>
         <translation>текстура је положена преко две највеће димензије мреже; координате текстуре из датотеке се не користе</translation>
     </message>
     <message>
-        <source>the view volume cuts PQ: the part inside it, from P' to Q', is measured</source>
-        <translation>запремина погледа сече PQ: мери се део унутар ње, од P' до Q'</translation>
+        <source>the view volume cuts PQ: the part inside it, from P&apos; to Q&apos;, is measured</source>
+        <translation>запремина погледа сече PQ: мери се део унутар ње, од P&apos; до Q&apos;</translation>
     </message>
     <message>
         <source>the wall reaches behind the eye: a vertex there has no logarithm</source>
@@ -12274,8 +12274,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>где се под црта</translation>
     </message>
     <message>
-        <source>where: w = √(w_P'·w_Q')</source>
-        <translation>где: w = √(w_P'·w_Q')</translation>
+        <source>where: w = √(w_P&apos;·w_Q&apos;)</source>
+        <translation>где: w = √(w_P&apos;·w_Q&apos;)</translation>
     </message>
     <message>
         <source>where: w = √(w_P·w_Q)</source>
@@ -12310,8 +12310,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>са паралелним објективом само растојање је линеарно на екрану: његов логаритам ником није потребан</translation>
     </message>
     <message>
-        <source>with far at infinity, no affine z' = A z + B covers all depths: choose a finite far plane</source>
-        <translation>са задњом равни у бесконачности ниједно афино z' = A z + B не покрива све дубине: изаберите коначну задњу раван</translation>
+        <source>with far at infinity, no affine z&apos; = A z + B covers all depths: choose a finite far plane</source>
+        <translation>са задњом равни у бесконачности ниједно афино z&apos; = A z + B не покрива све дубине: изаберите коначну задњу раван</translation>
     </message>
     <message>
         <source>worst edge of the letter F, inside</source>
@@ -12330,8 +12330,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>x</translation>
     </message>
     <message>
-        <source>x and y are divided by the distance w. If z were only scaled and shifted, z' = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z' = {divided_z} it stays straight.</source>
-        <translation>x и y се деле растојањем w. Када би се z само скалирало и померило, z' = A z + B, права дуж PQ била би у коцки лук. Ништа између њених крајева тада не би могло да се интерполира или одсеца као на правој. Са z' = {divided_z} она остаје права.</translation>
+        <source>x and y are divided by the distance w. If z were only scaled and shifted, z&apos; = A z + B, a straight segment PQ would be a bow in the cube. Nothing between its ends could then be interpolated or clipped as on a line. With z&apos; = {divided_z} it stays straight.</source>
+        <translation>x и y се деле растојањем w. Када би се z само скалирало и померило, z&apos; = A z + B, права дуж PQ била би у коцки лук. Ништа између њених крајева тада не би могло да се интерполира или одсеца као на правој. Са z&apos; = {divided_z} она остаје права.</translation>
     </message>
     <message>
         <source>y</source>
