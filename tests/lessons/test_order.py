@@ -151,6 +151,12 @@ def test_the_key_has_each_right_order_and_a_sheet_leaves_room_for_numbers() -> N
         ("order object: rotate z; mirror x", "lens.near=1", "1 finite numbers after rotate z"),
         ("order: M_qq; view", "lens.near=1", "no matrix 'M_qq'"),
         ("order view: rotation; translation\nvalue: 3", "lens.near=1", "keep one of"),
+        (f"order: {'; '.join(['rotate z 1', 'rotate x 1'] * 4)}", "", "at most 6 tiles, but has 8"),
+        (
+            f"order: view; divide\ntiles: {'; '.join(['divide'] * 11)}",
+            "",
+            "at most 10 tiles, but has 11",
+        ),
     ],
 )
 def test_a_wrong_order_of_an_author_is_refused(body: str, state: str, said: str) -> None:

@@ -46,6 +46,7 @@ OF = {"object": FROM_OBJECT, "view": "view_from_world", "projection": "clip_from
 _MADE, _VIEWED = (1.0, 0.0, 0.0, 1.0), (1.0, 1.0, -5.0, 1.0)  # the points of worked solutions
 
 
+_MOST = 6  # tiles of a right order, since all their orders are compared
 _IN_LETTERS = QT_TRANSLATE_NOOP(
     "Exam", "Write the letters of the tiles as a product: what stands on the right acts first."
 )
@@ -88,6 +89,9 @@ class OrderQuestion(MarkedQuestion):
         right, given = (
             [part.strip() for part in item.text.split(";")] for item in (order, tiles or order)
         )
+        for item, parts, most in ((order, right, _MOST), (tiles or order, given, len(LETTERS))):
+            if len(parts) > most:
+                raise refused(item.line, REFUSALS["chain-too-many"], most, len(parts))
         chance = random.Random(f"{given} {re.findall('[0-9]+', text)}")  # in every language alike
         mixed = chance.sample(given, len(given))
         while mixed == right and len({*given}) > 1:
