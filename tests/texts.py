@@ -23,7 +23,6 @@ from app.lecture.kinds import KINDS
 from app.lessons.course import CONTENT
 from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
-from app.model import chain
 from app.model.lenses import LENSES, FreeMatrix
 from app.model.parameter import read_sections, texts_of
 from app.model.parameters import PARAMETERS
@@ -122,7 +121,7 @@ def said_texts() -> tuple[set[str], set[str]]:
     """The sentences of the commands and of the set-up, and the names of what they count."""
     texts, counted = {*sentences().values(), *ARGPARSE}, set[str]()
     page = (ROOT / "app" / "content" / "set-up.md").read_text("utf-8")
-    texts.update(re.findall("(?m)^- .*?: (.*)", page), (kind.split()[0] for kind in chain.KINDS))
+    texts.update(re.findall("(?m)^- .*?: (.*)", page))
     for node in (each for path in code() for each in ast.walk(ast.parse(path.read_text("utf-8")))):
         if isinstance(node, ast.Call):
             name = ast.unparse(node.func).rpartition(".")[2]

@@ -284,7 +284,7 @@ class FrustumDrawing(Layer):
         """Ask for a place beside each side of the window, outside it or inside."""
         state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
         window, without = state.projection.window, state.unseen | state.written
-        if state.names.wanted is None:
+        if state.names.all:
             without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
         named = [
             letter not in without and (letter in state.names or side in state.names)

@@ -131,7 +131,7 @@ class HandleMarks(Handles, Layer):
 
     def is_drawn(self, handle: Handle) -> bool:
         is_called = bool({handle.name, handle.setting} & self.called)
-        is_drawn = is_called or self._state.names.wanted is None or handle == self.held
+        is_drawn = is_called or self._state.names.all or handle == self.held
         return is_drawn or handle in self._at_rest[1]
 
     def _in_renderer(self, spot: Spot) -> Spot:

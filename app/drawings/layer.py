@@ -201,7 +201,7 @@ class PaneState:
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
         """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
-        return bool(changed) and self.names.wanted is not None
+        return bool(changed) and not self.names.all
 
     @abstractmethod
     def seen(self, points: Array) -> Sequence[Spot]:

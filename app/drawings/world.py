@@ -185,7 +185,7 @@ class WorldDrawing(Drawing):
 
     def _switch_layers(self) -> None:
         names, hidden = self.names, self.state.hidden_now
-        has_arrows = names.wanted is not None and any(axis in names for axis in AXES)
+        has_arrows = not names.all and any(axis in names for axis in AXES)
         self._scene.actors.show_grid("grid" not in hidden, pale=has_arrows)
         self.picture.actors.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:

@@ -25,7 +25,6 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, dot, eliminate, nearest, product
-from app.languages import ENGLISH, chosen, said, with_comma
 from app.model.formula import Letter
 from app.model.limits import (
     LARGEST,
@@ -154,14 +153,6 @@ KINDS: dict[str, TileKind] = {
 }  # fmt: skip
 """The kinds of tile, as their texts begin. ``rotate`` has an axis and an angle; ``shear xy`` adds a
 multiple of y to x."""
-
-
-def in_words(tile: str) -> str:
-    """Return the text of a tile for a reader of the language: ``rotacija z 30``."""
-    verb, blank, numbers = tile.partition(" ")
-    if verb not in {kind.partition(" ")[0] for kind in KINDS} or chosen() == ENGLISH:
-        return tile
-    return with_comma(f"{said(verb)}{blank}{numbers.replace(',', '; ')}")
 
 
 @dataclass(frozen=True)

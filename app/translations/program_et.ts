@@ -2176,30 +2176,6 @@
         <translation>Qt-l ei ole siin OpenGL-i: VTK joonistab paanid väljaspool ekraani.</translation>
     </message>
     <message>
-        <source>translate</source>
-        <translation>nihe</translation>
-    </message>
-    <message>
-        <source>rotate</source>
-        <translation>pööre</translation>
-    </message>
-    <message>
-        <source>scale</source>
-        <translation>skaleerimine</translation>
-    </message>
-    <message>
-        <source>shear</source>
-        <translation>kaldnihe</translation>
-    </message>
-    <message>
-        <source>mirror</source>
-        <translation>peegeldus</translation>
-    </message>
-    <message>
-        <source>matrix</source>
-        <translation>maatriks</translation>
-    </message>
-    <message>
         <source>world</source>
         <translation>maailm</translation>
     </message>

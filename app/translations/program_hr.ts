@@ -2176,30 +2176,6 @@
         <translation>Qt ovdje nema OpenGL: VTK crta okna izvan ekrana.</translation>
     </message>
     <message>
-        <source>translate</source>
-        <translation>translacija</translation>
-    </message>
-    <message>
-        <source>rotate</source>
-        <translation>rotacija</translation>
-    </message>
-    <message>
-        <source>scale</source>
-        <translation>skaliranje</translation>
-    </message>
-    <message>
-        <source>shear</source>
-        <translation>smicanje</translation>
-    </message>
-    <message>
-        <source>mirror</source>
-        <translation>zrcaljenje</translation>
-    </message>
-    <message>
-        <source>matrix</source>
-        <translation>matrica</translation>
-    </message>
-    <message>
         <source>world</source>
         <translation>svijet</translation>
     </message>

@@ -2176,30 +2176,6 @@
         <translation>Qt овде нема OpenGL: VTK црта приказе ван екрана.</translation>
     </message>
     <message>
-        <source>translate</source>
-        <translation>транслација</translation>
-    </message>
-    <message>
-        <source>rotate</source>
-        <translation>ротација</translation>
-    </message>
-    <message>
-        <source>scale</source>
-        <translation>скалирање</translation>
-    </message>
-    <message>
-        <source>shear</source>
-        <translation>смицање</translation>
-    </message>
-    <message>
-        <source>mirror</source>
-        <translation>рефлексија</translation>
-    </message>
-    <message>
-        <source>matrix</source>
-        <translation>матрица</translation>
-    </message>
-    <message>
         <source>world</source>
         <translation>свет</translation>
     </message>

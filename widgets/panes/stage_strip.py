@@ -10,6 +10,7 @@ from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
 from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
+from app.languages import with_comma
 from app.lecture.letters import in_letters
 from app.lecture.notation import called
 from app.lecture.stages import (
@@ -21,7 +22,8 @@ from app.lecture.stages import (
     VIEW,
     WORLD,
 )
-from app.model.chain import MOST_TILES, Tile, in_words
+from app.lecture.titles import tile_title
+from app.model.chain import MOST_TILES, Tile
 from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
@@ -187,7 +189,8 @@ class StageStrip(QWidget, Playing):
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
             name = called(tile.kind) + tile.kind.partition(" ")[2]
-            return [name, WORDS.say("after", in_words(tile.text))]
+            title = with_comma(tile_title(tile.kind, tile.text[len(tile.kind) :]))
+            return [name, WORDS.say("after", title)]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             return [self._names[CANONICAL_PARALLEL][0], WORDS.say("no-pyramid")]
         if self._parallel and stop == CANONICAL_PARALLEL:

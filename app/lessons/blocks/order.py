@@ -18,7 +18,7 @@ from app.document.document import Document
 from app.languages import translate
 from app.lecture.copying import latex_called
 from app.lecture.equation import USUAL
-from app.lecture.titles import stage_title
+from app.lecture.titles import stage_title, tile_title
 from app.lecture.typed_matrix import with_matrix
 from app.lecture.wrong_chains import (
     DIVIDE,
@@ -64,11 +64,8 @@ def tile_parts(text: str) -> tuple[str, str, str]:
 
 
 def _printed(text: str) -> str:
-    """Write a tile for a reader: ``rotation about z 90°``, ``translation (3, 0, 0)``."""
     kind, title, numbers = tile_parts(text)
-    parts = (group.split(",") for group in escaped(numbers).split())
-    groups = [part[0] if len(part) == 1 else f"({', '.join(part)})" for part in parts]
-    return " ".join([title, *groups]) + "°" * (kind.startswith("rotate") and bool(groups))
+    return tile_title(kind, escaped(numbers)) if kind in KINDS else title
 
 
 @dataclass(frozen=True, kw_only=True)
