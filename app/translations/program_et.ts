@@ -2889,8 +2889,8 @@
 <context>
     <name>Factor</name>
     <message>
-        <source>Divide by w</source>
-        <translation>Jagamine w-ga</translation>
+        <source>division by w</source>
+        <translation>jagamine w-ga</translation>
     </message>
     <message>
         <source>mirror</source>
@@ -8872,6 +8872,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
 <context>
     <name>Space</name>
     <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
         <source>canonical parallel</source>
         <translation>kanooniline paralleelne</translation>
     </message>
@@ -8890,10 +8894,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>image</source>
         <translation>pilt</translation>
-    </message>
-    <message>
-        <source>ndc</source>
-        <translation>ndc</translation>
     </message>
     <message>
         <source>object</source>

@@ -2904,8 +2904,8 @@
 <context>
     <name>Factor</name>
     <message>
-        <source>Divide by w</source>
-        <translation>Dijeli s w</translation>
+        <source>division by w</source>
+        <translation>dijeljenje s w</translation>
     </message>
     <message>
         <source>mirror</source>
@@ -8888,6 +8888,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
 <context>
     <name>Space</name>
     <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
         <source>canonical parallel</source>
         <translation>kanonski paralelni</translation>
     </message>
@@ -8906,10 +8910,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>image</source>
         <translation>slika</translation>
-    </message>
-    <message>
-        <source>ndc</source>
-        <translation>ndc</translation>
     </message>
     <message>
         <source>object</source>

@@ -2904,8 +2904,8 @@
 <context>
     <name>Factor</name>
     <message>
-        <source>Divide by w</source>
-        <translation>Дељење са w</translation>
+        <source>division by w</source>
+        <translation>дељење са w</translation>
     </message>
     <message>
         <source>mirror</source>
@@ -8888,6 +8888,10 @@ An error in {3} is {2} times as large in u and v.</source>
 <context>
     <name>Space</name>
     <message>
+        <source>NDC</source>
+        <translation>NDC</translation>
+    </message>
+    <message>
         <source>canonical parallel</source>
         <translation>стандардни паралелни</translation>
     </message>
@@ -8906,10 +8910,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>image</source>
         <translation>слика</translation>
-    </message>
-    <message>
-        <source>ndc</source>
-        <translation>ndc</translation>
     </message>
     <message>
         <source>object</source>

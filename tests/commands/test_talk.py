@@ -227,7 +227,7 @@ def test_the_handout_has_the_matrices_where_their_panel_opens_or_they_change(
     )
     assert len(cells) > 30
     assert {text: runs[text] for text in cells} == dict(cells)
-    assert runs["image ← ndc"] == runs["view ← world = V"] == 3
+    assert runs["image ← NDC"] == runs["view ← world = V"] == 3
     assert runs["with lecture 002's signs: w = z, and"] == 3
 
 

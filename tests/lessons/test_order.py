@@ -135,8 +135,8 @@ def test_the_key_has_each_right_order_and_a_sheet_leaves_room_for_numbers() -> N
     orders = asked.answer_text(here, str).split(" = ")
     move, scale = "translation (1, 2, 0)", "scale (2, 2, 2)"
     assert {*orders} == {
-        f"Divide by w · {move} · {scale}", f"{move} · Divide by w · {scale}",
-        f"{move} · {scale} · Divide by w",
+        f"division by w · {move} · {scale}", f"{move} · division by w · {scale}",
+        f"{move} · {scale} · division by w",
     }  # fmt: skip
     assert re.search("- .: rotation about z\n", asked.posed() + "\n"), "the student types 0"
     assert r"$M_{\mathrm{pp}}$" in question("order projection: M_z; M_pp; M_persp")[0].posed()

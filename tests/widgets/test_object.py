@@ -81,7 +81,7 @@ def test_the_dock_has_the_whole_pipeline_and_each_factor_is_a_place_to_stand(
 
     eye = window.store.document.projection.camera.eye
     moved = f"translation ({', '.join(f'{-part:.4g}' for part in eye)})".replace("-", "\u2212")
-    assert names()[:3] == ["image ← ndc", "Divide by w", "clip ← depth range"]
+    assert names()[:3] == ["image ← NDC", "division by w", "clip ← depth range"]
     assert names()[-2:] == ["rotation", moved]
     stops = []
     for button in reversed(editor.beyond):

@@ -102,7 +102,7 @@ def test_factors_of_the_pipeline_have_names_and_no_numbers(window: MainWindow) -
     view = view_of(window)
     assert not any(row.field.isVisible() for row in view.rows)
     names = {row.switch.accessibleName() for row in view.rows}
-    assert {"Divide by w", "view ← world"} <= names and len(names) == 5
+    assert {"division by w", "view ← world"} <= names and len(names) == 5
     arrange(view, "divide", "M_z", "M_pp", "M_persp", "view")
     view.check()
     settle()
