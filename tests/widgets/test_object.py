@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QLabel, QToolButton
+from PySide6.QtWidgets import QLabel, QLineEdit, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
@@ -19,7 +19,7 @@ from app.model.chain import Chain, FiveTiles
 from app.scenes.scene import load
 from tests.support.controls import enter
 from tests.support.drawings import lit_at
-from tests.support.window import move_mouse, pixels, settle, show_scene
+from tests.support.window import activate, move_mouse, pixels, settle, show_scene
 from widgets.controls.chain_editor import ChainEditor
 from widgets.parts.movable import MoveButton
 from widgets.parts.number_rows import NumberRow
@@ -146,6 +146,21 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
     assert not editor.cards
     editor.add.menu().actions()[0].trigger()
     assert chain_of(window) == FiveTiles().chain
+
+
+@pytest.mark.parametrize("other", ["scale 2,1,1", ""])
+def test_what_is_typed_for_a_tile_that_goes_away_changes_no_other(
+    window: MainWindow, other: str
+) -> None:
+    editor = build(window, "translate 3,0,0")
+    activate(window)
+    field = editor.cards[0].findChildren(QLineEdit)[0]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "7")
+    window.store.set_document(set_values(window.store.document, [f"object.chain={other}"]))
+    settle()
+    assert chain_of(window) == Chain.read(other)
 
 
 @pytest.mark.undrawn

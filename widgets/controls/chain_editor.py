@@ -270,6 +270,8 @@ class ChainEditor(QWidget, RowHolder):
         self.refusal.show_text(refusal(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
+        if card not in self.cards:  # a field that is taken away gives up what is typed in it
+            return
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
         self._attempt(

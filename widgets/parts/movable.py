@@ -23,8 +23,8 @@ class MovableColumn(QWidget):
 
     def show_parts(self, parts: Sequence[QWidget]) -> None:
         """Show other parts, from the top, in place of these."""
-        discard(self._column, self.parts)
-        self.parts = [*parts]
+        before, self.parts = self.parts, [*parts]
+        discard(self._column, before)
         for part in parts:
             self._column.addWidget(part)
 
