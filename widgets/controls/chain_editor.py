@@ -44,8 +44,11 @@ _COLUMNS = ("x", "y", "z", "origin")
 _LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
-def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, float]]:
+def _beyond(
+    projection: Projection, *, undone: bool, from_left: bool
+) -> Iterator[tuple[str, float]]:
     """Yield the factors left of the object's, each with its stop in the strip."""
+    turned, moved = (VIEW / 2.0, VIEW) if from_left else (VIEW, VIEW / 2.0)
     yield stage_title(VIEWPORT.name), IMAGE
     yield stage_title(DIVIDE), NDC
     names = names_of(projection, lettering.now)
@@ -60,10 +63,10 @@ def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, floa
     if undone:
         for tile in turns:
             angle = f"{_read(tile.numbers[0])}\N{DEGREE SIGN}"
-            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", VIEW
+            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", turned
     else:
-        yield stage_title("rotation"), VIEW
-    yield f"{stage_title('translation')} {_read(move.numbers)}", VIEW / 2.0
+        yield stage_title("rotation"), turned
+    yield f"{stage_title('translation')} {_read(move.numbers)}", moved
 
 
 def _read(numbers: object) -> str:
@@ -155,7 +158,7 @@ class ChainEditor(QWidget, RowHolder):
     def __init__(self) -> None:
         super().__init__()
         self._chain, self._reach = NOT_MOVED, 10.0
-        self._projection = Projection()
+        self._projection, self._from_left = Projection(), False
         self.beyond: list[QToolButton] = []  # the factors left of the tiles
         self._beyond, self._stops = in_column(gap=0), list[float]()  # and their stops in the strip
         self.undone = QCheckBox(self.tr("View: the camera's moves undone"))
@@ -181,12 +184,11 @@ class ChainEditor(QWidget, RowHolder):
         self.product.shrinks = True
         self.refusal = RefusalLabel()
         self.first = PlainLabel(objectName="paneNote", wordWrap=True)
+        self.own = QWidget()  # what there is of the object, unless it is fixed
         bar = in_row(self.letters, self.vectors, FREE)
-        parts = (
-            self._beyond, self.undone, self.add, self.refusal, self.tiles, self.first, self.product,
-            bar,
-        )  # fmt: skip
-        in_column(*parts, on=self, margins=(0, 0, 0, 0))
+        parts = (self.add, self.refusal, self.tiles, self.first, self.product, bar)
+        in_column(*parts, on=self.own, margins=(0, 0, 0, 0))
+        in_column(self._beyond, self.undone, self.own, on=self, margins=(0, 0, 0, 0))
         self._build(NOT_MOVED)
 
     @property
@@ -212,7 +214,8 @@ class ChainEditor(QWidget, RowHolder):
     def show_pipeline(self, projection: Projection) -> None:
         """Show the factors from the picture to the camera, which act after the tiles."""
         self._projection = projection
-        factors = [*_beyond(projection, undone=self.undone.isChecked())]
+        undone, left = self.undone.isChecked(), self._from_left
+        factors = [*_beyond(projection, undone=undone, from_left=left)]
         if len(factors) != len(self.beyond):
             discard(self._beyond, self.beyond)
             tip = self.tr("Show the scene after this factor")
@@ -224,6 +227,11 @@ class ChainEditor(QWidget, RowHolder):
         self._stops = [stop for _, stop in factors]
         for button, (name, _) in zip(self.beyond, factors, strict=True):
             button.setText(fill(name, _LINE_LETTERS))
+
+    def turn(self, from_left: bool) -> None:
+        """Read the camera's moves as the strip does."""
+        self._from_left = from_left
+        self.show_pipeline(self._projection)
 
     def set_scene(self, size: float) -> None:
         """Fit the sliders of translations to a scene."""

@@ -55,6 +55,7 @@ def _wire_components(window: Any) -> None:
             )
             for name in ("world", "image")
         ),
+        (strip.turned, controls.chain.turn),
         *((strip.turned, partial(pane.request, "from_left")) for pane in window.panes.values()),
         (strip.named, window.panes["ndc"].header.show_title),
         (strip.gesture_started, partial(look.refine, "ndc", False)),
