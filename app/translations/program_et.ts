@@ -807,6 +807,10 @@
         <translation>Reavektorid</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Näita selle tegureid paneelis Maatriksid</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Esimesena mõjub kõige alumine lüli.</translation>
     </message>

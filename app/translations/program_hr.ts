@@ -807,6 +807,10 @@
         <translation>Vektori retci</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Prikaži njegove faktore u ploči Matrice</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
     </message>

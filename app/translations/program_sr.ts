@@ -807,6 +807,10 @@
         <translation>Вектори-врсте</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Прикажи његове чиниоце у панелу „Матрице”</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
     </message>

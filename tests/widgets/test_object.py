@@ -136,6 +136,38 @@ def drag(editor: ChainEditor, place: int, to: int) -> None:
 
 
 @pytest.mark.undrawn
+def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWindow) -> None:
+    editor = build(window, "rotate z 90; off mirror x; translate 3,0,0; rotate z 20")
+    activate(window)
+    QTest.keyClick(editor.to_factors, Qt.Key.Key_Space)
+    settle()
+    panel = window.matrices
+    assert window.panels.open_panel is panel
+    views = [panel.views[f"world_from_object/{name}"] for name in ("rotation_z2", "rotation_z")]
+    assert all(view.isVisible() for view in views)
+    assert panel.views["world_from_object"].hasFocus()
+    section = window.controls.sections["object"]
+    for view, row in zip(views, ("rotate_deg2_z", "rotate_deg_z"), strict=True):
+        section.set_open(False)
+        QTest.mouseClick(
+            view, Qt.MouseButton.LeftButton, pos=view.cell_rect(1, 0).center().toPoint()
+        )
+        settle()
+        card = editor.rows[row].parentWidget()
+        place = card.mapTo(window.controls, QPoint(0, 0)).y()
+        assert section.is_open and 0 <= place < window.controls.height()
+        assert editor.rows[row].is_marked and view.hasFocus()
+        QTest.keyClick(view, Qt.Key.Key_Return)
+        settle()
+        assert editor.rows[row].isAncestorOf(window.focusWidget())
+    window.present.begin()
+    settle()
+    section.set_open(False)
+    panel.sought.emit("rotation_z", True)
+    assert not section.is_open
+
+
+@pytest.mark.undrawn
 def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> None:
     editor = build(window, "rotate z 90")
     editor.add.menu().actions()[1].trigger()  # a translation

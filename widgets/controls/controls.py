@@ -281,6 +281,18 @@ class Controls(Dock, RowHolder):
         of_scene = [row for name, row in self.card.rows.items() if f"settings.{name}" in paths]
         self.bring_into_view(*of_scene, *(self.rows[key] for key in self._keys_of(paths)))
 
+    def show_tile(self, factor: str, takes_focus: bool) -> None:
+        """Unfold the chain, and bring the tile of a factor into view."""
+        section, card = self.sections["object"], None
+        if section.isVisible():
+            section.set_open(True)
+            card = self.chain.card_of(factor)
+        if card is not None:
+            QTimer.singleShot(0, self, partial(self.bring_into_view, card))
+            if takes_focus:
+                first = next(iter(card.rows.values()), None)
+                (card.switch.setFocus if first is None else first.take_focus)()
+
     def take_back(self) -> None:
         """Put every row that was lent back into the dock."""
         if not self._lent and not self._lent_tiles and not self.card.lent:
