@@ -14,7 +14,8 @@ from app.document.document import Document
 from app.drawings import DrawingWords
 from app.drawings.label import SceneLabel
 from app.drawings.style import LIGHT
-from app.lessons.course import contained, ideas
+from app.lessons.contents import contained
+from app.lessons.course import ideas
 from app.lessons.lesson import head_of, read
 from app.lessons.translating import in_language
 from app.model.refusal import REFUSALS, Refusal

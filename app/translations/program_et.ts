@@ -1528,6 +1528,10 @@
         <translation>õppetund</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: peab olema üks järgmistest: {1}; {2} {0} avab õppetunni.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print vajab valikut --{0}.</translation>
     </message>
@@ -1848,10 +1852,6 @@
         <translation>{0!r} on praeguses kaustas, mis on kustutatud.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} ei ole fail ega käsk; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} ei ole nimi, mis failil olla saab.</translation>
     </message>
@@ -2058,6 +2058,10 @@
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
         <translation>{0}: veerge on {1}, aga peab olema kolm: x,y,z, või ka w; muud veerud nimetage esimeses reas: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} ei ole fail, õppetund ega käsk; {1}.</translation>
     </message>
     <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>

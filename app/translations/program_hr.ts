@@ -1528,6 +1528,10 @@
         <translation>lekcija</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: mora biti jedno od {1}; {2} {0} otvara lekciju.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print treba --{0}.</translation>
     </message>
@@ -1848,10 +1852,6 @@
         <translation>{0!r} je u trenutačnoj mapi, koja je izbrisana.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} nije ni datoteka ni naredba ({1}).</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} nije ime koje datoteka može imati.</translation>
     </message>
@@ -2058,6 +2058,10 @@
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
         <translation>{0}: broj stupaca je {1}, a moraju biti tri: x,y,z, ili i w; druge stupce imenujte u prvom retku: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} nije ni datoteka, ni lekcija, ni naredba ({1}).</translation>
     </message>
     <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>

@@ -1528,6 +1528,10 @@
         <translation>лекција</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: мора да буде једно од {1}; {2} {0} отвара лекцију.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print тражи --{0}.</translation>
     </message>
@@ -1848,10 +1852,6 @@
         <translation>{0!r} је у текућој фасцикли, која је избрисана.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} није ни датотека ни наредба; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} није име које датотека може да има.</translation>
     </message>
@@ -2058,6 +2058,10 @@
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
         <translation>{0}: број колона је {1}, а мора да их буде три: x,y,z, или и w; друге колоне именујте у првом реду: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} није ни датотека, ни лекција, ни наредба; {1}.</translation>
     </message>
     <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
