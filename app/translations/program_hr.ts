@@ -12355,7 +12355,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ u svijetu</translation>
+        <translation>½ u&#xa0;svijetu</translation>
     </message>
     <message>
         <source>½ on the screen</source>
