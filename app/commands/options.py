@@ -187,7 +187,7 @@ def check_file(word: str) -> None:
     """Refuse a word that is no file, lesson or talk: a scene, or a misspelt command."""
     if os.path.lexists(file_of(word)) or not re.fullmatch(r"\w[\w-]*", word):
         return
-    if (_SCENES / f"{word}.md").exists():
+    if os.path.exists(_SCENES / f"{word}.md"):
         raise CliError("{0} is a scene: write --set scene={0}.", word)
     if word in SUMMARIES:
         raise CliError("{0} is a command and must come first: {1} {0} ...", word, bootstrap.PROGRAM)
