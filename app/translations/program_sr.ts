@@ -901,7 +901,7 @@
     </message>
     <message>
         <source>--batch: takes one name, the folder of the figures.</source>
-        <translation>--batch: прима једно име, фасциклу цртежа.</translation>
+        <translation>--batch: прима једно име, име фасцикле за цртеже.</translation>
     </message>
     <message>
         <source>--chart = {0!r}: must end in {1}.</source>
@@ -1037,7 +1037,7 @@
     </message>
     <message>
         <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
-        <translation>--topics = {0!r}: мора да буде списак тема од L1 до L{1}, или датотека лекција, раздвојених зарезима.</translation>
+        <translation>--topics = {0!r}: мора да садржи теме од L1 до L{1}, или датотеке лекција, раздвојене зарезима.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: names {1} twice.</source>
@@ -1161,7 +1161,7 @@
     </message>
     <message>
         <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
-        <translation>Ниједна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
+        <translation>Ниједна погрешна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1217,7 +1217,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, број битова {1}, {2},</translation>
+        <translation>Python {0}, {1}-битни, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1333,7 +1333,7 @@
     </message>
     <message>
         <source>a part</source>
-        <translation>део</translation>
+        <translation>једног дела</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -1569,7 +1569,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>ниједно име</translation>
+        <translation>нула имена</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -2137,7 +2137,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>крај</translation>
+        <translation>краја</translation>
     </message>
     <message>
         <source>the pose</source>
@@ -4157,7 +4157,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Go nearer or farther</source>
-        <translation>Приближава или удаљава</translation>
+        <translation>Приближава или удаљава камеру</translation>
     </message>
     <message>
         <source>Go to the next number; Esc leaves the field</source>
@@ -7227,7 +7227,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation>Описује лук око координатног почетка и завршава {0} јединица далеко од свог места.</translation>
+        <translation>Описује лук око координатног почетка и завршава на растојању {0} од свог места.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -11527,7 +11527,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in focus</source>
-        <translation>у фокусу</translation>
+        <translation>у&#xa0;фокусу</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -12355,7 +12355,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ у свету</translation>
+        <translation>½ у&#xa0;свету</translation>
     </message>
     <message>
         <source>½ on the screen</source>
