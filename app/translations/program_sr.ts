@@ -11527,7 +11527,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in focus</source>
-        <translation>у фокусу</translation>
+        <translation>у&#xa0;фокусу</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -12355,7 +12355,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ у свету</translation>
+        <translation>½ у&#xa0;свету</translation>
     </message>
     <message>
         <source>½ on the screen</source>
