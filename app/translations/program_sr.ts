@@ -11043,7 +11043,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
-        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (долизум). Једна јединица је 10 cm.</translation>
+        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (доли-зум). Једна јединица је 10 cm.</translation>
     </message>
     <message>
         <source>World y of the plane; at most 0, where the object stands</source>
