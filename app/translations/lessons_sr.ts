@@ -449,7 +449,7 @@
     </message>
     <message>
         <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
-        <translation>Овде се ротира пре него што је позиција камере у координатном почетку. Матрица погледа прво помера позицију камере у координатни почетак, па ротира око њега, зато транслација стоји десно од ротације.</translation>
+        <translation>Овде се ротира пре него што је позиција камере у координатном почетку. Матрица погледа прво помера позицију камере у координатни почетак, а затим ротира око њега; зато транслација стоји десно од ротације.</translation>
     </message>
     <message>
         <source>The view comes before the object</source>
@@ -545,7 +545,7 @@
     </message>
     <message>
         <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
-        <translation>Ово је транслација за векторе-врсте. Тачке су овде колоне, {0}, па је помак последња колона. У последњој врсти његови бројеви би мењали {1}.</translation>
+        <translation>Ово је транслација за векторе врсте. Тачке су овде колоне, {0}, па је помак последња колона. У последњој врсти његови бројеви би мењали {1}.</translation>
     </message>
     <message>
         <source>One factor is enough</source>
@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation>Удаљавајте {0} од {1} док угао између њих не буде 30° или више.</translation>
+        <translation>Закрећите {0} од {1} док угао између њих не буде 30° или више.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
@@ -4407,7 +4407,7 @@
     </message>
     <message>
         <source>The centre is at {0}, and {1} pixels are 2 wide in {2}.</source>
-        <translation>Средиште је у {0}, а ред од {1} пиксела широк је 2 по {2}.</translation>
+        <translation>Средиште је у {0}, а ред од {1} пиксела има ширину 2 по {2}.</translation>
     </message>
 </context>
 <context>
@@ -4502,7 +4502,7 @@
     </message>
     <message>
         <source>Here are the test points A to E. The eye is at {0} and looks along {1}; far is 11. C is at {2}.</source>
-        <translation>Ево пробних тачака од A до E. Позиција камере је {0}, а гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
+        <translation>Ево пробних тачака од A до E. Камера је у {0} и гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
     </message>
     <message>
         <source>An edge runs from {0} to {1} in clip space. At which t does it meet {2}?</source>
@@ -7637,7 +7637,7 @@
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
+        <translation>x и y се деле са {0}, а z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7844,7 +7844,7 @@
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте у панелу „Нагоре од погледа”: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
+        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте клизач „Нагоре од погледа” у панелу: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
     </message>
     <message>
         <source>The angles of view</source>
@@ -7916,7 +7916,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају у односу на главу. Вративши се на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
+        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за доли-зум, у коме се нос и уши померају у односу на главу. Када се вратите на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите „Увећај”: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7940,7 +7940,7 @@
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation>Шта од овога двога уклања пруге?</translation>
+        <translation>Шта од ово двоје уклања пруге?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
@@ -8095,7 +8095,7 @@
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометријска, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
+        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометрија, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>

@@ -1117,7 +1117,7 @@
     </message>
     <message>
         <source>--{0}: stands alone, and needs --format text or json.</source>
-        <translation>--{0}: käib üksi ja vajab valikut --format text või json.</translation>
+        <translation>--{0}: kasutatakse üksinda ja vajab valikut --format text või json.</translation>
     </message>
     <message>
         <source>; for a film add --sweep, --orbit, --stages or --transition</source>
@@ -1197,7 +1197,7 @@
     </message>
     <message>
         <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
-        <translation>P-l on w &gt; 0 kaamera taga: võib-olla on y selle pildis suunaga üles</translation>
+        <translation>P-l on w &gt; 0 kaamera taga: võib-olla on y selle pildil suunatud üles</translation>
     </message>
     <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
@@ -1397,7 +1397,7 @@
     </message>
     <message>
         <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
-        <translation>suurtähed on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
+        <translation>suurtähtede kõrgus on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
     </message>
     <message>
         <source>check the network and run again: {again}</source>
@@ -1453,7 +1453,7 @@
     </message>
     <message>
         <source>for x right, y down, z forward; pixels from the centre of the first one</source>
-        <translation>kui x on paremale, y alla, z ette; pikslid esimese keskpunktist</translation>
+        <translation>kui x on paremale, y alla ja z ette; pikslid esimese piksli keskpunktist</translation>
     </message>
     <message>
         <source>frame {0}/{1}</source>
@@ -1473,7 +1473,7 @@
     </message>
     <message>
         <source>has {0} columns, but the first row names {1}.</source>
-        <translation>veerge on {0}, aga esimene rida nimetab {1}.</translation>
+        <translation>veerge on {0}, aga esimene rida nimetab neid {1}.</translation>
     </message>
     <message>
         <source>ignored explicit argument %r</source>
@@ -1509,7 +1509,7 @@
     </message>
     <message>
         <source>key</source>
-        <translation>võti</translation>
+        <translation>vastusevõti</translation>
     </message>
     <message>
         <source>largest error in px</source>
@@ -1530,6 +1530,10 @@
     <message>
         <source>lesson</source>
         <translation>õppetund</translation>
+    </message>
+    <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: peab olema üks järgmistest: {1}; {2} {0} avab õppetunni.</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1573,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>mitte ühtegi nime</translation>
+        <translation>null nime</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1585,7 +1589,7 @@
     </message>
     <message>
         <source>no tested version of {0} here: trying others</source>
-        <translation>siin pole paketi {0} proovitud versiooni: proovin teisi</translation>
+        <translation>siin pole paketi {0} testitud versiooni: proovin teisi</translation>
     </message>
     <message>
         <source>no transparency</source>
@@ -1593,7 +1597,7 @@
     </message>
     <message>
         <source>no version fits {python} on this machine; use another Python</source>
-        <translation>selles arvutis ei sobi ükski versioon ({python}); kasutage teist Pythonit</translation>
+        <translation>selles arvutis on {python} millega ei sobi ükski versioon; kasutage teist Pythonit</translation>
     </message>
     <message>
         <source>none</source>
@@ -1617,7 +1621,7 @@
     </message>
     <message>
         <source>options</source>
-        <translation>võtmed</translation>
+        <translation>valikud</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1641,7 +1645,7 @@
     </message>
     <message>
         <source>packages</source>
-        <translation>pakette</translation>
+        <translation>mõni pakett</translation>
     </message>
     <message>
         <source>part of the text is only in the speaker&apos;s notes: {0}</source>
@@ -1737,7 +1741,7 @@
     </message>
     <message>
         <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
-        <translation>pakett {0} on vigane ({1}); asendage see ja käivitage uuesti: {2}</translation>
+        <translation>pakett {0} on rikutud ({1}); asendage see ja käivitage uuesti: {2}</translation>
     </message>
     <message>
         <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
@@ -1773,7 +1777,7 @@
     </message>
     <message>
         <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
-        <translation>K kalle {0:.1g} on välja jäetud: nii mitu pikslit on vahe teljest 45 kraadi üles- või allapoole</translation>
+        <translation>K kalle {0:.1g} on välja jäetud: teljest 45 kraadi üles- või allapoole on viga nii mitu pikslit</translation>
     </message>
     <message>
         <source>the text is longer or higher than the two lines above the picture.</source>
@@ -1852,12 +1856,8 @@
         <translation>{0!r} on praeguses kaustas, mis on kustutatud.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} ei ole fail ega käsk; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
-        <translation>{0!r} ei ole nimi, mis failil olla saab.</translation>
+        <translation>{0!r} ei sobi faili nimeks.</translation>
     </message>
     <message>
         <source>{0} (needed: {1})</source>
@@ -1925,7 +1925,7 @@
     </message>
     <message>
         <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
-        <translation>{0} on {1} kB, telefonilehel võiks olla kõige rohkem {2} kB: küsige vähem, valik: {3}.</translation>
+        <translation>{0} on {1} kB, aga telefonile mõeldud leht võiks olla kõige rohkem {2} kB: küsige vähem, valik: {3}.</translation>
     </message>
     <message>
         <source>{0} in {1}</source>
@@ -1997,11 +1997,11 @@
     </message>
     <message>
         <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
-        <translation>{0}, ülekoormatud: {1}, tühje: {2}, peidetud: {3}, ära lõigatud: {4}; kokku: {5}</translation>
+        <translation>{0}, ülekoormatuid: {1}, tühje: {2}, peidetuid: {3}, äralõigatuid: {4}; kokku: {5}</translation>
     </message>
     <message>
         <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
-        <translation>{0}, {1}: õigeid {2}, valesid {3}, näidatud {4}, hindamata {5}</translation>
+        <translation>{0}, {1}: õigeid {2}, valesid {3}, näidatuid {4}, hindamata {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -2064,6 +2064,10 @@
         <translation>{0}: veerge on {1}, aga peab olema kolm: x,y,z, või ka w; muud veerud nimetage esimeses reas: x,y,z,name.</translation>
     </message>
     <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} ei ole fail, õppetund ega käsk; {1}.</translation>
+    </message>
+    <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
         <translation>{0}: on {1}, aga peab olema kolm: x,y,z, või ka w.</translation>
     </message>
@@ -2085,7 +2089,7 @@
     </message>
     <message>
         <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
-        <translation>{0}: käivitage programm töölaual, ssh kaudu võtmega -X, või nii, et ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
+        <translation>{0}: käivitage programm töölauaseansis, ssh kaudu valikuga -X või nii, et käsu ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -5744,7 +5748,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation>kiirmeetodil leitud pöördjuur</translation>
+        <translation>kiirmeetodil leitud pöördruutjuur</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
@@ -6252,7 +6256,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>MoveButton</name>
     <message>
         <source>Drag it to another place, or press the arrow keys up and down</source>
-        <translation>Lohistage see teise kohta või vajutage üles- ja allanoolt</translation>
+        <translation>Lohistage see teise kohta või vajutage üles- või allanoolt</translation>
     </message>
 </context>
 <context>
@@ -7743,7 +7747,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>on arvule {0} liiga lähedal, kui tasand on silmast sama kaugel kui lähitasand</translation>
+        <translation>on arvule {0} liiga lähedal tasandi jaoks, mis on silmast sama kaugel kui lähitasand</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
@@ -10303,7 +10307,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>From which distance on does P stand still?</source>
-        <translation>Mis kaugusest alates P paigal püsib?</translation>
+        <translation>Millisest kaugusest alates P paigal püsib?</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -10847,7 +10851,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The synthetic camera has a point as its lens, and its whole picture is sharp. A real lens draws only points at the focal distance as points, and all others as discs. Between the two limits the discs are no larger than the circle of confusion and pass for points: sharp posts are outlined. The picture is the average of pinhole pictures from all over the lens, and becomes finer while nothing changes. One world unit is 1 m.</source>
-        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
+        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub järjest peenemaks seni, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
     </message>
     <message>
         <source>Toe the cameras in: is P still level?</source>
@@ -11787,7 +11791,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation>korrutised, kiire pöördjuur</translation>
+        <translation>korrutised, kiire pöördruutjuur</translation>
     </message>
     <message>
         <source>products, renormalised</source>

@@ -1165,7 +1165,7 @@
     </message>
     <message>
         <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
-        <translation>Nijedna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
+        <translation>Nijedna pogrešna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1221,7 +1221,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, broj bitova {1}, {2},</translation>
+        <translation>Python {0}, {1}-bitni, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1473,7 +1473,7 @@
     </message>
     <message>
         <source>has {0} columns, but the first row names {1}.</source>
-        <translation>broj stupaca je {0}, a prvi redak imenuje ih {1}.</translation>
+        <translation>broj stupaca je {0}, a prvi ih redak imenuje {1}.</translation>
     </message>
     <message>
         <source>ignored explicit argument %r</source>
@@ -1532,6 +1532,10 @@
         <translation>lekcija</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: mora biti jedno od {1}; {2} {0} otvara lekciju.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print treba --{0}.</translation>
     </message>
@@ -1573,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>nijedno ime</translation>
+        <translation>samo opcije</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1833,7 +1837,7 @@
     </message>
     <message>
         <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
-        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ispod {3:.0%} i {4:.0%} površine.</translation>
+        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ako je to manje od {3:.0%}, onda i {4:.0%} površine.</translation>
     </message>
     <message>
         <source>without a display through {0}, {1}</source>
@@ -1850,10 +1854,6 @@
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
         <translation>{0!r} je u trenutačnoj mapi, koja je izbrisana.</translation>
-    </message>
-    <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} nije ni datoteka ni naredba ({1}).</translation>
     </message>
     <message>
         <source>{0!r} is not a name that a file can have.</source>
@@ -1973,7 +1973,7 @@
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
-        <translation>{0} prima {1}, a zadano je {2}.</translation>
+        <translation>{0} prima {1}; zadano: {2}.</translation>
     </message>
     <message>
         <source>{0} was given an empty name.</source>
@@ -2062,6 +2062,10 @@
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
         <translation>{0}: broj stupaca je {1}, a moraju biti tri: x,y,z, ili i w; druge stupce imenujte u prvom retku: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} nije ni datoteka, ni lekcija, ni naredba ({1}).</translation>
     </message>
     <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
@@ -4237,7 +4241,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, hvata ih se i za samu plohu</translation>
+        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, mogu se uhvatiti i za samu plohu</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -6336,7 +6340,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
+        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna pogrešna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
@@ -9731,7 +9735,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: dijelova na slici: {2}</translation>
+        <translation>previše je trokuta za crtanje: broj strana je {0}, dijelova po stranici {1}, a dijelova na slici {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -11267,7 +11271,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation>d u ovisnosti o w, 32 koda</translation>
+        <translation>d u ovisnosti o w, 32 od svih kodova</translation>
     </message>
     <message>
         <source>depth of field</source>
@@ -12359,7 +12363,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ u svijetu</translation>
+        <translation>½ u&#xa0;svijetu</translation>
     </message>
     <message>
         <source>½ on the screen</source>

@@ -905,7 +905,7 @@
     </message>
     <message>
         <source>--batch: takes one name, the folder of the figures.</source>
-        <translation>--batch: прима једно име, фасциклу цртежа.</translation>
+        <translation>--batch: прима једно име, име фасцикле за цртеже.</translation>
     </message>
     <message>
         <source>--chart = {0!r}: must end in {1}.</source>
@@ -1041,7 +1041,7 @@
     </message>
     <message>
         <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
-        <translation>--topics = {0!r}: мора да буде списак тема од L1 до L{1}, или датотека лекција, раздвојених зарезима.</translation>
+        <translation>--topics = {0!r}: мора да садржи теме од L1 до L{1}, или датотеке лекција, раздвојене зарезима.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: names {1} twice.</source>
@@ -1165,7 +1165,7 @@
     </message>
     <message>
         <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
-        <translation>Ниједна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
+        <translation>Ниједна погрешна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1221,7 +1221,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, број битова {1}, {2},</translation>
+        <translation>Python {0}, {1}-битни, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1337,7 +1337,7 @@
     </message>
     <message>
         <source>a part</source>
-        <translation>део</translation>
+        <translation>једног дела</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -1532,6 +1532,10 @@
         <translation>лекција</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: мора да буде једно од {1}; {2} {0} отвара лекцију.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print тражи --{0}.</translation>
     </message>
@@ -1573,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>ниједно име</translation>
+        <translation>нула имена</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1852,10 +1856,6 @@
         <translation>{0!r} је у текућој фасцикли, која је избрисана.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} није ни датотека ни наредба; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} није име које датотека може да има.</translation>
     </message>
@@ -2064,6 +2064,10 @@
         <translation>{0}: број колона је {1}, а мора да их буде три: x,y,z, или и w; друге колоне именујте у првом реду: x,y,z,name.</translation>
     </message>
     <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} није ни датотека, ни лекција, ни наредба; {1}.</translation>
+    </message>
+    <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
         <translation>{0}: има {1}, а мора да их буде три: x,y,z, или и w.</translation>
     </message>
@@ -2141,7 +2145,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>крај</translation>
+        <translation>краја</translation>
     </message>
     <message>
         <source>the pose</source>
@@ -4161,7 +4165,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Go nearer or farther</source>
-        <translation>Приближава или удаљава</translation>
+        <translation>Приближава или удаљава камеру</translation>
     </message>
     <message>
         <source>Go to the next number; Esc leaves the field</source>
@@ -7231,7 +7235,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation>Описује лук око координатног почетка и завршава {0} јединица далеко од свог места.</translation>
+        <translation>Описује лук око координатног почетка и завршава на растојању {0} од свог места.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -11043,7 +11047,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
-        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (долизум). Једна јединица је 10 cm.</translation>
+        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (доли-зум). Једна јединица је 10 cm.</translation>
     </message>
     <message>
         <source>World y of the plane; at most 0, where the object stands</source>
@@ -11531,7 +11535,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in focus</source>
-        <translation>у фокусу</translation>
+        <translation>у&#xa0;фокусу</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -12359,7 +12363,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ у свету</translation>
+        <translation>½ у&#xa0;свету</translation>
     </message>
     <message>
         <source>½ on the screen</source>
