@@ -807,6 +807,10 @@
         <translation>Vektori retci</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Prikaži njegove faktore u ploči Matrice</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
     </message>
@@ -9212,14 +9216,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Isti kvadar: Mₚₚ paralelnog objektiva je identiteta</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Slijeva: svako pomicanje u osima koje su pomaknula prethodna pomicanja</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Čitano zdesna: svako pomicanje u osima svijeta</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Kanonski paralelni</translation>
     </message>
@@ -9230,6 +9226,14 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>NDC cube</source>
         <translation>Kocka NDC</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Pomicanja objekta i kamere slijeva: svako u osima koje su pomaknula prethodna pomicanja</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Pomicanja objekta i kamere čitana zdesna: svako u nepomičnim osima</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
