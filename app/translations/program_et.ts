@@ -807,6 +807,10 @@
         <translation>Reavektorid</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Näita selle tegureid paneelis Maatriksid</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Esimesena mõjub kõige alumine lüli.</translation>
     </message>
@@ -9196,14 +9200,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Sama risttahukas: paralleelse objektiivi Mₚₚ on ühikmaatriks</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Tehakse vasakult: iga liigutus telgedes, mida varasemad liigutused on liigutanud</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Loetakse paremalt: iga liigutus maailma telgedes</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Kanooniline paralleelne</translation>
     </message>
@@ -9214,6 +9210,14 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>NDC cube</source>
         <translation>NDC kuup</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Objekti ja kaamera liigutused tehakse vasakult: iga liigutus telgedes, mida varasemad liigutused on liigutanud</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Objekti ja kaamera liigutused loetakse paremalt: iga liigutus paigalseisvates telgedes</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
