@@ -125,14 +125,20 @@ class HandleMarks(Handles, Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        for handle, spot in self.shown:
-            if self.is_drawn(handle):
-                ground.keep([self._in_renderer(spot)], DOT_EM * self._state.em)
+        for spot in self.drawn().values():
+            ground.keep([spot], DOT_EM * self._state.em)
 
-    def is_drawn(self, handle: Handle) -> bool:
-        is_called = bool({handle.name, handle.setting} & self.called)
-        is_drawn = is_called or self._state.names.all or handle == self.held
-        return is_drawn or handle in self._at_rest[1]
+    def drawn(self) -> dict[Handle, Spot]:
+        """Return the handles that are marked, each with its place in the renderer."""
+        every, at_rest = self._state.names.all, self._at_rest[1]
+        return {
+            handle: self._in_renderer(spot)
+            for handle, spot in self.shown
+            if every
+            or handle == self.held
+            or handle in at_rest
+            or not self.called.isdisjoint((handle.name, handle.setting))
+        }
 
     def _in_renderer(self, spot: Spot) -> Spot:
         left, top = self._state.corner_px
@@ -145,12 +151,12 @@ class HandleMarks(Handles, Layer):
             self._at_rest = listed, self._resting(listed)
         self._places[..., :2] = _AWAY_PX
         ring = _bytes(self._style.background)
-        for i, (handle, spot) in enumerate(self.shown):
-            if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
+        for i, (handle, spot) in enumerate(self.drawn().items()):
+            if not math.isfinite(sum(spot)):
                 continue
             out = handle == self.held
             larger = _POINTED_OUT if out else 1.0
-            self._places[i, ..., :2] = larger * self._outline + self._in_renderer(spot)
+            self._places[i, ..., :2] = larger * self._outline + spot
             fill = _bytes(self._style.accent) if out else self._colour(handle)
             self._colours[i] = ring, fill
         self._cells.changed()

@@ -807,6 +807,10 @@
         <translation>Вектори-врсте</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Прикажи његове чиниоце у панелу „Матрице”</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
     </message>
@@ -9212,14 +9216,6 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Исти квадар: Mₚₚ паралелног објектива је јединична матрица</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Извршава се слева: сваки покрет у осама које су ранији покрети померили</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Чита се здесна: сваки покрет у осама света</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Стандардна паралелна</translation>
     </message>
@@ -9230,6 +9226,14 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>NDC cube</source>
         <translation>NDC коцка</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Покрети објекта и камере извршавају се слева: сваки у осама које су ранији покрети померили</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Покрети објекта и камере читају се здесна: сваки у непомичним осама</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
