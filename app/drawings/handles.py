@@ -125,19 +125,17 @@ class HandleMarks(Handles, Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        ground.keep(self._in_renderer(*self.drawn.values()), DOT_EM * self._state.em)
+        ground.keep(self.drawn().values(), DOT_EM * self._state.em)
 
-    @property
     def drawn(self) -> dict[Handle, Spot]:
-        """The handles with a mark, of those that are `shown`."""
-        if self._state.names.all:
-            return dict(self.shown)
-        wanted = {self.held, *self._at_rest[1]}
-        return {
+        """Return the handles that are marked, each with its place in the renderer."""
+        every, wanted = self._state.names.all, {self.held, *self._at_rest[1]}
+        drawn = {
             handle: spot
             for handle, spot in self.shown
-            if handle in wanted or {handle.name, handle.setting} & self.called
+            if every or handle in wanted or {handle.name, handle.setting} & self.called
         }
+        return dict(zip(drawn, self._in_renderer(*drawn.values()), strict=True))
 
     def _in_renderer(self, *spots: Spot) -> list[Spot]:
         (left, top), height = self._state.corner_px, self._state.size_px[1]
@@ -150,10 +148,7 @@ class HandleMarks(Handles, Layer):
             self._at_rest = listed, self._resting(listed)
         self._places[..., :2] = _AWAY_PX
         ring = _bytes(self._style.background)
-        drawn = self.drawn
-        for i, (handle, spot) in enumerate(
-            zip(drawn, self._in_renderer(*drawn.values()), strict=True)
-        ):
+        for i, (handle, spot) in enumerate(self.drawn().items()):
             if not math.isfinite(sum(spot)):
                 continue
             out = handle == self.held
