@@ -807,6 +807,10 @@
         <translation>Вектори-врсте</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Прикажи његове чиниоце у панелу „Матрице”</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
     </message>
@@ -3304,7 +3308,7 @@
     </message>
     <message>
         <source>Proportions</source>
-        <translation>Размера слике</translation>
+        <translation>Пропорције</translation>
     </message>
     <message>
         <source>Receding</source>
@@ -3496,7 +3500,7 @@
     </message>
     <message>
         <source>image size ratio proportions</source>
-        <translation>величина слике однос размера</translation>
+        <translation>величина слике однос размера пропорције</translation>
     </message>
     <message>
         <source>image size resolution pixels</source>
@@ -5799,7 +5803,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation>нивои RMS</translation>
+        <translation>нивоа RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
@@ -6600,7 +6604,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation>координатни систем координата (подразумевано: world)</translation>
+        <translation>координатни систем тачака (подразумевано: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
@@ -7090,7 +7094,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0}, pinned</source>
-        <translation>{0}, закачена</translation>
+        <translation>{0}, закачено</translation>
     </message>
     <message>
         <source>Ray {0}</source>
@@ -9212,14 +9216,6 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Исти квадар: Mₚₚ паралелног објектива је јединична матрица</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Извршава се слева: сваки покрет у осама које су ранији покрети померили</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Чита се здесна: сваки покрет у осама света</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Стандардна паралелна</translation>
     </message>
@@ -9230,6 +9226,14 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>NDC cube</source>
         <translation>NDC коцка</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Покрети објекта и камере извршавају се слева: сваки у осама које су ранији покрети померили</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Покрети објекта и камере читају се здесна: сваки у непомичним осама</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
@@ -9569,7 +9573,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>TaskView</name>
     <message>
         <source>To do</source>
-        <translation>Задатак</translation>
+        <translation>Урадите</translation>
     </message>
     <message>
         <source>The window as it is now is my answer</source>
@@ -9919,7 +9923,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Aperture N</source>
-        <translation>Отвор бленде N</translation>
+        <translation>Бленда N</translation>
     </message>
     <message>
         <source>Arithmetic</source>
@@ -10551,7 +10555,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Number of parts into which each side of the board is cut</source>
-        <translation>Број делова на које се дели свака страница табле</translation>
+        <translation>Број делова на које се дели свака ивица табле</translation>
     </message>
     <message>
         <source>Number of pieces of equal length into which the floor is cut from near to far</source>
@@ -10623,7 +10627,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Parts a side</source>
-        <translation>Делова по страници</translation>
+        <translation>Делова по ивици</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -10775,11 +10779,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Simpler from</source>
-        <translation>Једноставније од</translation>
+        <translation>Простије преко</translation>
     </message>
     <message>
         <source>Simplest from</source>
-        <translation>Најједноставније од</translation>
+        <translation>Најпростије преко</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -10883,7 +10887,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Turned by</source>
-        <translation>Окренуто за</translation>
+        <translation>Окретање</translation>
     </message>
     <message>
         <source>Turns the camera about its target</source>
@@ -11259,7 +11263,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>cut</source>
-        <translation>сечење</translation>
+        <translation>исечено</translation>
     </message>
     <message>
         <source>cut at z = −0.01</source>
@@ -12319,7 +12323,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>your own</source>
-        <translation>ваша сопствена</translation>
+        <translation>сопствени</translation>
     </message>
     <message>
         <source>z</source>
