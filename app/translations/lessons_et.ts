@@ -6995,7 +6995,7 @@
     </message>
     <message>
         <source>That is another way: it makes the axes afresh from the angle of each frame, and multiplies nothing. Look at *Turned by*: one of the others keeps the products and mends the lengths.</source>
-        <translation>See on teistsugune viis: see teeb teljed iga kaadri nurgast uuesti ega korruta midagi. Vaadake sätet *Pöördenurk*: üks teistest jätab korrutised alles ja parandab pikkused.</translation>
+        <translation>See on teistsugune viis: see teeb teljed iga kaadri nurgast uuesti ega korruta midagi. Vaadake sätet *Pööramine*: üks teistest jätab korrutised alles ja parandab pikkused.</translation>
     </message>
     <message>
         <source>Which way divides each axis by its length, and exactly?</source>

@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије размеру слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
+        <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије пропорције слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
@@ -1250,7 +1250,7 @@
     </message>
     <message>
         <source>Lecture 003 has {0} for the horizontal angle, {1} for the vertical one, and {2} for the proportions, here {3}. At the distance {4} from the eye the picture reaches from {5} to {6}, and from {7} to {8}. So</source>
-        <translation>Предавање 003 има {0} за хоризонтални угао, {1} за вертикални и {2} за размеру, овде {3}. На растојању {4} од позиције камере слика досеже од {5} до {6} и од {7} до {8}. Дакле</translation>
+        <translation>Предавање 003 има {0} за хоризонтални угао, {1} за вертикални и {2} за пропорције, овде {3}. На растојању {4} од позиције камере слика досеже од {5} до {6} и од {7} до {8}. Дакле</translation>
     </message>
     <message>
         <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
@@ -2266,7 +2266,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Прозор на предњој равни широк је 4, а висок 2: {0} од -2 до 2, {1} од -1 до 1. Слика има 720 пута 720 пиксела. Растегнуто у њу, слово F је двапут више него што треба. Предавање 000 има два лека. Варијанта X замењује {2} са {3} (и {4} са {5}), тако да је размера исправна.</translation>
+        <translation>Прозор на предњој равни широк је 4, а висок 2: {0} од -2 до 2, {1} од -1 до 1. Слика има 720 пута 720 пиксела. Растегнуто у њу, слово F је двапут више него што треба. Предавање 000 има два лека. Варијанта X замењује {2} са {3} (и {4} са {5}), тако да су пропорције исправне.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -2290,7 +2290,7 @@
     </message>
     <message>
         <source>Only the proportions matter: circles stay round if</source>
-        <translation>Важна је само размера: кругови остају округли ако је</translation>
+        <translation>Важне су само пропорције: кругови остају округли ако је</translation>
     </message>
     <message>
         <source>Variant X keeps {0} and adds {1} at both ends of {2}:</source>
@@ -2298,7 +2298,7 @@
     </message>
     <message>
         <source>Here {0}, so {1} goes from {2} to {3}. Variant Y keeps {4}: {5}, and {6} goes from {7} to {8}. **World** has {9}, {10} and {11} at the window. **Image** shows the three: stretched, variant Y, variant X. In the dock they are **Proportions**, in *More of the lens*.</source>
-        <translation>Овде је {0}, па {1} иде од {2} до {3}. Варијанта Y задржава {4}: {5}, и {6} иде од {7} до {8}. **Свет** има {9}, {10} и {11} код прозора. **Слика** показује све три: растегнуто, варијанту Y, варијанту X. У бочном панелу то је **Размера слике**, у одељку *Још о објективу*.</translation>
+        <translation>Овде је {0}, па {1} иде од {2} до {3}. Варијанта Y задржава {4}: {5}, и {6} иде од {7} до {8}. **Свет** има {9}, {10} и {11} код прозора. **Слика** показује све три: растегнуто, варијанту Y, варијанту X. У бочном панелу то су **Пропорције**, у одељку *Још о објективу*.</translation>
     </message>
     <message>
         <source>stretched</source>
@@ -2322,11 +2322,11 @@
     </message>
     <message>
         <source>Give the picture its right proportions: choose keep x, fit y.</source>
-        <translation>Дајте слици исправну размеру: изаберите „задржи x, уклопи y”.</translation>
+        <translation>Дајте слици исправне пропорције: изаберите „задржи x, уклопи y”.</translation>
     </message>
     <message>
         <source>Find Proportions in the dock: More of the lens.</source>
-        <translation>Нађите „Размера слике” у бочном панелу: „Још о објективу”.</translation>
+        <translation>Нађите „Пропорције” у бочном панелу: „Још о објективу”.</translation>
     </message>
     <message>
         <source>Right: a unit of x has as many pixels as a unit of y. The fields still show the typed window.</source>
@@ -2398,7 +2398,7 @@
     </message>
     <message>
         <source>Leave Proportions at stretch, and give Bottom and Top the values that variant X would.</source>
-        <translation>Оставите „Размера слике” на „растегни” и дајте пољима „Доле” и „Горе” вредности које би дала варијанта X.</translation>
+        <translation>Оставите „Пропорције” на „растегни” и дајте пољима „Доле” и „Горе” вредности које би дала варијанта X.</translation>
     </message>
     <message>
         <source>The window must be as high as it is wide.</source>
@@ -2426,7 +2426,7 @@
     </message>
     <message>
         <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
-        <translation>Слика је растегнута. Варијанта Y задржава {0} и прави прозор онолико широк колико размера слике тражи.</translation>
+        <translation>Слика је растегнута. Варијанта Y задржава {0} и прави прозор онолико широк колико пропорције слике траже.</translation>
     </message>
     <message>
         <source>The window is {0} from {1} to {2}, {3} from {4} to {5}, the picture {6} by {7} pixels. How large is {8} in variant Y?</source>
@@ -2482,7 +2482,7 @@
     </message>
     <message>
         <source>*Proportions*, in *More of the lens*, stay at stretch.</source>
-        <translation>*Размера слике*, у одељку *Још о објективу*, остаје на „растегни”.</translation>
+        <translation>*Пропорције*, у одељку *Још о објективу*, остају на „растегни”.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Give *Bottom* and *Top* the values {1} and {2} of variant X.</source>
@@ -2502,7 +2502,7 @@
     </message>
     <message>
         <source>Both ends get the same share, so each gets half of what is missing. Look at variant X: the F has its proportions again.</source>
-        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту X: слово F поново има своју размеру.</translation>
+        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту X: слово F поново има своје пропорције.</translation>
     </message>
     <message>
         <source>Variant X *keeps* x, and you have changed it. Look at variant Y: it adjusts x as you did.</source>
@@ -4717,7 +4717,7 @@
     </message>
     <message>
         <source>*Image* shows the three ways: *naive*, divided without a cut; *cut*, at {0}; and *clipped*, in homogeneous coordinates, which need no such number.</source>
-        <translation>*Слика* показује три начина: *наивно*, подељено без сечења; *сечење*, на {0}; и *одсечено*, у хомогеним координатама, којима такав број није потребан.</translation>
+        <translation>*Слика* показује три начина: *наивно*, подељено без сечења; *исечено*, на {0}; и *одсечено*, у хомогеним координатама, којима такав број није потребан.</translation>
     </message>
     <message>
         <source>Case 4</source>
@@ -6995,7 +6995,7 @@
     </message>
     <message>
         <source>That is another way: it makes the axes afresh from the angle of each frame, and multiplies nothing. Look at *Turned by*: one of the others keeps the products and mends the lengths.</source>
-        <translation>То је други начин: осе прави изнова из угла сваког кадра, и ништа не множи. Погледајте *Окренуто за*: један од осталих задржава производе и поправља дужине.</translation>
+        <translation>То је други начин: осе прави изнова из угла сваког кадра, и ништа не множи. Погледајте *Окретање*: један од осталих начина задржава производе и поправља дужине.</translation>
     </message>
     <message>
         <source>Which way divides each axis by its length, and exactly?</source>
@@ -7709,7 +7709,7 @@
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
-        <translation>NDC не зна за размеру: коцка је коцка. Растезање настаје тамо где [-1, 1] постају пиксели, различитим чиниоцима за x и y. Да би кругови били округли, прозор мора имати размеру платна: {0}.</translation>
+        <translation>NDC не зна за пропорције: коцка је коцка. Растезање настаје тамо где [-1, 1] постају пиксели, различитим чиниоцима за x и y. Да би кругови били округли, прозор мора имати пропорције платна: {0}.</translation>
     </message>
     <message>
         <source>Variant X: y is adjusted</source>
@@ -8458,7 +8458,7 @@
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation>Свет: пирамида без врха. Што је унутра, црта се, и све то иде у коцку. Превуците предњу раван, задњу раван и један угао за њихове ручице. Овде је прозор симетричан, и његова четири броја долазе од једног угла и размере слике: то је следећи корак.</translation>
+        <translation>Свет: пирамида без врха. Што је унутра, црта се, и све то иде у коцку. Превуците предњу раван, задњу раван и један угао за њихове ручице. Овде је прозор симетричан, и његова четири броја долазе од једног угла и пропорција слике: то је следећи корак.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>

@@ -5736,7 +5736,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>eye first</source>
-        <translation>enne silm</translation>
+        <translation>silm enne</translation>
     </message>
     <message>
         <source>far</source>
@@ -5848,7 +5848,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>object first</source>
-        <translation>enne objekt</translation>
+        <translation>objekt enne</translation>
     </message>
     <message>
         <source>of the distance</source>
@@ -6115,7 +6115,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Stop, and keep the results so far</source>
-        <translation>Peatab ja jätab senised tulemused alles</translation>
+        <translation>Katkestab ja jätab senised tulemused alles</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6305,11 +6305,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation>ettekanne või õppetund, või programmiga kaasas oleva nimi, näiteks 001 või L5</translation>
+        <translation>ettekanne või õppetund, või programmiga kaasas oleva ettekande või õppetunni nimi, näiteks 001 või L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation>pärast valikut --convention (vaikimisi: selle programmi oma)</translation>
+        <translation>pärast valikut --convention (vaikimisi: seal nimetatud programmi omad)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
@@ -6361,7 +6361,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
-        <translation>joonista kõik tulemused; FILE nagu valikul --json, lõpuga .png, või vektorite jaoks .svg või .pdf</translation>
+        <translation>joonista kõik tulemused; FILE nagu valikul --json, lõpuga .png, või vektorgraafika jaoks .svg või .pdf</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
@@ -6417,7 +6417,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
-        <translation>kõigis peale .png-faili, jooned tahkude taga: jäetakse ära, on katkendlikud nagu standardis ISO 128 või peenikesed ja hallid (vaikimisi: none)</translation>
+        <translation>kõigis failides peale .png-faili: tahkude taga olevad jooned jäetakse ära, on katkendlikud nagu standardis ISO 128 või peenikesed ja hallid (vaikimisi: none)</translation>
     </message>
     <message>
         <source>instead of --size: how wide it is after it was cropped without a margin, such as 84mm; its height is free, and letters keep their size</source>
@@ -6457,7 +6457,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
-        <translation>mõõda vead üle parameetri vahemiku; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
+        <translation>mõõda vead parameetri vahemikus; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
@@ -6493,7 +6493,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või edasi ja tagasi kõigi kaadrite peale kokku (vaikimisi: repeat valikul --sweep ja ringi käies, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
+        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
@@ -6533,7 +6533,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>diagrammil, nagu joonisel; kui on antud selle või selle tähtede suurus, ei ole all märkusi</translation>
+        <translation>diagrammil, nagu joonisel; kui on antud diagrammi või selle tähtede suurus, ei ole all märkusi</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6585,7 +6585,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation>suurus paberil, näiteks 120mmx80mm, ühikutes mm, cm või in; või pikslites mastaabis 1, 300 tollis (vaikimisi: 640x640 iga paani jaoks, või ainult pildi puhul selle oma suurus); .html-failis iga paani suurus</translation>
+        <translation>suurus paberil, näiteks 120mmx80mm, ühikutes mm, cm või in; või pikslites mastaabis 1, 300 tolli kohta (vaikimisi: 640x640 iga paani jaoks, või ainult pildi puhul selle oma suurus); .html-failis iga paani suurus</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
@@ -6597,7 +6597,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation>joonistatavad paanid, kõrvuti, või komade asemel märgiga / üksteise all (vaikimisi: kõik, kõrvuti; sammu puhul selle slaidi paanid); või üksi equation: see on view.equation oma, mis on vaikimisi, kui --set seda küsib</translation>
+        <translation>joonistatavad paanid, kõrvuti, või komade asemel märgiga / üksteise all (vaikimisi: kõik, kõrvuti; sammu puhul selle slaidi paanid); või üksi equation: see on väärtuse view.equation võrrand, mis on vaikimisi, kui --set mõnda võrrandit küsib</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
@@ -6613,7 +6613,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>what the world pane frames: what is named, with the whole frustum too, or the objects alone (default: named)</source>
-        <translation>mida maailma paan raamib: nimetatut, ka koos kogu frustumiga, või ainult objekte (vaikimisi: named)</translation>
+        <translation>mida maailma paan raamib: seda, mis on nimetatud, ka koos kogu frustumiga, või ainult objekte (vaikimisi: named)</translation>
     </message>
     <message>
         <source>where to put the folder frustum-lab, with the program and all that it needs, for machines like this one without Python; and an archive of it</source>
@@ -10871,7 +10871,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Turned by</source>
-        <translation>Pöördenurk</translation>
+        <translation>Pööramine</translation>
     </message>
     <message>
         <source>Turns the camera about its target</source>
@@ -11519,7 +11519,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation>terav</translation>
+        <translation>fookus</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -11723,7 +11723,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of {0} vertices</source>
-        <translation>tippude arvust {0}</translation>
+        <translation>{0} tipust</translation>
     </message>
     <message>
         <source>off the axis, ({r} + {l})/({r} − {l})</source>

@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>&amp;Present</source>
-        <translation>&amp;Izlaganje</translation>
+        <translation>&amp;Izlaži</translation>
     </message>
     <message>
         <source>&amp;Previous step</source>
@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Present</source>
-        <translation>Izlaganje</translation>
+        <translation>Izlaži</translation>
     </message>
     <message>
         <source>Present from the beginnin&amp;g</source>
@@ -1641,7 +1641,7 @@
     </message>
     <message>
         <source>overwritten</source>
-        <translation>prepisano</translation>
+        <translation>zamijenjeno</translation>
     </message>
     <message>
         <source>packages</source>
@@ -6134,7 +6134,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Odustani</translation>
+        <translation>Prekini</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -6186,7 +6186,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation>zaustavljeno</translation>
+        <translation>pauzirano</translation>
     </message>
     <message>
         <source>Export what is shown</source>
@@ -6360,7 +6360,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>crta pokretnu sliku: vrijednost iz --set mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
+        <translation>crta pokretnu sliku: vrijednost, imenovana kao kod --set, mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
     </message>
     <message>
         <source>draw a moving picture: how --step follows from the step before</source>
@@ -6424,7 +6424,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)</source>
-        <translation>u LaTeX-u: značajne znamenke brojeva, do 17, što su sve (zadano: 4)</translation>
+        <translation>u LaTeX-u: značajne znamenke brojeva, najviše 17, a to su sve (zadano: 4)</translation>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
@@ -6476,7 +6476,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
-        <translation>mjeri ovaj kompromis; može se ponoviti (zadano, bez --sweep: sve)</translation>
+        <translation>mjeri ovaj kompromis; može se ponoviti (zadano, bez --sweep: svi)</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
@@ -6500,11 +6500,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
-        <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: ona ovdje)</translation>
+        <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: verzija ovog Pythona)</translation>
     </message>
     <message>
         <source>of --wheels; may be repeated (default: all of them)</source>
-        <translation>uz --wheels; može se ponoviti (zadano: svi)</translation>
+        <translation>uz --wheels; može se ponoviti (zadano: sve)</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
@@ -6532,7 +6532,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of print: where the PDF files go; existing files are overwritten</source>
-        <translation>uz print: kamo idu datoteke PDF; postojeće se prepisuju</translation>
+        <translation>uz print: kamo idu datoteke PDF; postojeće se zamjenjuju</translation>
     </message>
     <message>
         <source>of print: write one more file, with the answers of all variants and their ways</source>
@@ -6540,7 +6540,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of results: write a table, a row for each answer; an existing file is overwritten</source>
-        <translation>uz results: zapisuje tablicu, redak za svaki odgovor; postojeća datoteka se prepisuje</translation>
+        <translation>uz results: zapisuje tablicu, redak za svaki odgovor; postojeća datoteka se zamjenjuje</translation>
     </message>
     <message>
         <source>of the chart, as of a figure (default: screen)</source>
@@ -6600,7 +6600,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation>veličina na papiru, npr. 120mmx80mm, u mm, cm ili in; ili u pikselima pri mjerilu 1, 300 po palcu (zadano: 640x640 za svako okno, ili vlastita veličina samo za sliku); u .html, svakog okna</translation>
+        <translation>veličina na papiru, npr. 120mmx80mm, u mm, cm ili in; ili u pikselima pri mjerilu 1, 300 po palcu (zadano: 640x640 za svako okno, a kad se crta samo image, njezina vlastita veličina); u .html, svakog okna</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
@@ -6612,7 +6612,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation>okna za crtanje, jedno uz drugo, ili jedno ispod drugog uz / umjesto zareza (zadano: sva, jedno uz drugo; za korak, ona s njegova slajda); ili equation, samo: ona iz view.equation, što je zadano gdje je traži --set</translation>
+        <translation>okna za crtanje, jedno uz drugo, ili jedno ispod drugog uz / umjesto zareza (zadano: sva, jedno uz drugo; za korak, ona s njegova slajda); ili samo equation: jednadžba iz view.equation, što je zadano gdje je traži --set</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
@@ -6636,11 +6636,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>write all results; FILE is overwritten, - is standard output</source>
-        <translation>zapisuje sve rezultate; FILE se prepisuje, - je standardni izlaz</translation>
+        <translation>zapisuje sve rezultate; postojeća datoteka FILE se zamjenjuje, - je standardni izlaz</translation>
     </message>
     <message>
         <source>write the figures, text and notes of every step on A4 pages (.pdf) or as a page that phones show (.html); an existing file is overwritten</source>
-        <translation>zapisuje slike, tekst i bilješke svakog koraka na stranice A4 (.pdf) ili kao stranicu koju prikazuju telefoni (.html); postojeća datoteka se prepisuje</translation>
+        <translation>zapisuje slike, tekst i bilješke svakog koraka na stranice A4 (.pdf) ili kao stranicu koju prikazuju telefoni (.html); postojeća datoteka se zamjenjuje</translation>
     </message>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
@@ -8701,7 +8701,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Overwrite it?</source>
-        <translation>Želite li zapisati preko?</translation>
+        <translation>Želite li je zamijeniti?</translation>
     </message>
 </context>
 <context>
@@ -8960,7 +8960,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation>&amp;Vrati</translation>
+        <translation>Na n&amp;ulu</translation>
     </message>
     <message>
         <source>◀ &amp;Back</source>
@@ -9915,7 +9915,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>AB missed</source>
-        <translation>AB nedostaje</translation>
+        <translation>AB nenacrtano</translation>
     </message>
     <message>
         <source>All projectors are parallel, but slant towards the image. Faces parallel to the image keep their shape, and receding edges are drawn at one angle and one scale. Scale 1 gives a cavalier drawing, 1/2 a cabinet drawing, and 0 the orthographic drawing.</source>
@@ -10251,7 +10251,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>F missed</source>
-        <translation>F nedostaje</translation>
+        <translation>F nenacrtano</translation>
     </message>
     <message>
         <source>Far from the origin: move the origin.</source>
@@ -10703,7 +10703,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Pyramid (perspective)</source>
-        <translation>Piramida (perspektivni)</translation>
+        <translation>Piramida (perspektivna)</translation>
     </message>
     <message>
         <source>Ray times depth</source>
@@ -11195,7 +11195,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation>kartice izvan</translation>
+        <translation>kartice cijele izvan</translation>
     </message>
     <message>
         <source>cards whole inside</source>
@@ -11303,7 +11303,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>drawn at</source>
-        <translation>nacrtano u</translation>
+        <translation>nacrtani w</translation>
     </message>
     <message>
         <source>drawn by P V, off by</source>
@@ -11535,7 +11535,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation>oštro</translation>
+        <translation>izoštreno</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -11667,7 +11667,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>mesh missed</source>
-        <translation>mreža nedostaje</translation>
+        <translation>mreža nenacrtana</translation>
     </message>
     <message>
         <source>mirrored end</source>
@@ -11899,7 +11899,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>smooth jump</source>
-        <translation>gladak skok</translation>
+        <translation>glatki skok</translation>
     </message>
     <message>
         <source>smooth path</source>

@@ -3308,7 +3308,7 @@
     </message>
     <message>
         <source>Proportions</source>
-        <translation>Размера слике</translation>
+        <translation>Пропорције</translation>
     </message>
     <message>
         <source>Receding</source>
@@ -3500,7 +3500,7 @@
     </message>
     <message>
         <source>image size ratio proportions</source>
-        <translation>величина слике однос размера</translation>
+        <translation>величина слике однос размера пропорције</translation>
     </message>
     <message>
         <source>image size resolution pixels</source>
@@ -5803,7 +5803,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation>нивои RMS</translation>
+        <translation>нивоа RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
@@ -6604,7 +6604,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation>координатни систем координата (подразумевано: world)</translation>
+        <translation>координатни систем тачака (подразумевано: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
@@ -7094,7 +7094,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0}, pinned</source>
-        <translation>{0}, закачена</translation>
+        <translation>{0}, закачено</translation>
     </message>
     <message>
         <source>Ray {0}</source>
@@ -9573,7 +9573,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>TaskView</name>
     <message>
         <source>To do</source>
-        <translation>Задатак</translation>
+        <translation>Урадите</translation>
     </message>
     <message>
         <source>The window as it is now is my answer</source>
@@ -9923,7 +9923,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Aperture N</source>
-        <translation>Отвор бленде N</translation>
+        <translation>Бленда N</translation>
     </message>
     <message>
         <source>Arithmetic</source>
@@ -10555,7 +10555,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Number of parts into which each side of the board is cut</source>
-        <translation>Број делова на које се дели свака страница табле</translation>
+        <translation>Број делова на које се дели свака ивица табле</translation>
     </message>
     <message>
         <source>Number of pieces of equal length into which the floor is cut from near to far</source>
@@ -10627,7 +10627,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Parts a side</source>
-        <translation>Делова по страници</translation>
+        <translation>Делова по ивици</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -10779,11 +10779,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Simpler from</source>
-        <translation>Једноставније од</translation>
+        <translation>Простије преко</translation>
     </message>
     <message>
         <source>Simplest from</source>
-        <translation>Најједноставније од</translation>
+        <translation>Најпростије преко</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -10887,7 +10887,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Turned by</source>
-        <translation>Окренуто за</translation>
+        <translation>Окретање</translation>
     </message>
     <message>
         <source>Turns the camera about its target</source>
@@ -11263,7 +11263,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>cut</source>
-        <translation>сечење</translation>
+        <translation>исечено</translation>
     </message>
     <message>
         <source>cut at z = −0.01</source>
@@ -12323,7 +12323,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>your own</source>
-        <translation>ваша сопствена</translation>
+        <translation>сопствени</translation>
     </message>
     <message>
         <source>z</source>
