@@ -220,7 +220,7 @@ def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
     controls.bring_into_view(card)
     grip = card.findChild(MoveButton)
     activate(window)
-    grip.setFocus()
+    QTest.mouseClick(grip, Qt.MouseButton.LeftButton)
     for place in range(1, 8):
         QTest.keyClick(grip, Qt.Key.Key_Down)
         settle()

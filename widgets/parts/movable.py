@@ -53,6 +53,7 @@ class MoveButton(QToolButton):
         set_tip(self, tip)
         show_icon(self, "grip")
         self.setCursor(Qt.CursorShape.SizeVerCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._begin = -1  # the place from which the part is dragged
 
     def _place(self) -> tuple[MovableColumn, QWidget, int]:
