@@ -163,7 +163,7 @@ def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWin
     window.present.begin()
     settle()
     section.set_open(False)
-    panel.sought.emit("rotation_z", True)
+    panel.sought.emit("world_from_object/rotation_z", True)
     assert not section.is_open
 
 

@@ -20,9 +20,9 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import written
 from app.lecture.notation import names_of, object_product
 from app.lecture.stages import IMAGE, NDC, REACHED_BY, VIEW
-from app.lecture.titles import stage_title
+from app.lecture.titles import stage_title, tile_title
 from app.lecture.wrong_chains import DIVIDE, difference, tiles_of, written_numbers
-from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, lettered_kinds, view_chain
+from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, view_chain
 from app.model.parameters import TILES
 from app.model.projection import Projection
 from app.model.refusal import Refusal, format_value
@@ -44,9 +44,7 @@ _COLUMNS = ("x", "y", "z", "origin")
 _LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
-def _beyond(
-    projection: Projection, *, undone: bool, from_left: bool
-) -> Iterator[tuple[str, float]]:
+def _beyond(projection: Projection, undone: bool, from_left: bool) -> Iterator[tuple[str, float]]:
     """Yield the factors left of the object's, each with its stop in the strip."""
     turned, moved = (VIEW / 2.0, VIEW) if from_left else (VIEW, VIEW / 2.0)
     yield stage_title(VIEWPORT.name), IMAGE
@@ -60,17 +58,11 @@ def _beyond(
         yield stage_title("view_from_world"), VIEW
         return
     *turns, move = view_chain(camera.frame, camera.eye).tiles
-    if undone:
-        for tile in turns:
-            angle = f"{_read(tile.numbers[0])}\N{DEGREE SIGN}"
-            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", turned
-    else:
+    if not undone:
         yield stage_title("rotation"), turned
-    yield f"{stage_title('translation')} {_read(move.numbers)}", moved
-
-
-def _read(numbers: object) -> str:
-    return with_comma(written_numbers(numbers)).replace("-", "\N{MINUS SIGN}")
+    for tile in (*(turns if undone else ()), move):
+        title = tile_title(tile.kind, ",".join(map(written_numbers, tile.numbers)))
+        yield with_comma(title).replace("-", "\N{MINUS SIGN}"), moved if tile is move else turned
 
 
 class _TileCard(Rows):
@@ -217,8 +209,7 @@ class ChainEditor(QWidget, RowHolder):
     def show_pipeline(self, projection: Projection) -> None:
         """Show the factors from the picture to the camera, which act after the tiles."""
         self._projection = projection
-        undone, left = self.undone.isChecked(), self._from_left
-        factors = [*_beyond(projection, undone=undone, from_left=left)]
+        factors = [*_beyond(projection, self.undone.isChecked(), self._from_left)]
         if len(factors) != len(self.beyond):
             discard(self._beyond, self.beyond)
             tip = self.tr("Show the scene after this factor")
@@ -253,8 +244,8 @@ class ChainEditor(QWidget, RowHolder):
 
     def card_of(self, factor: str) -> _TileCard | None:
         """Return the tile of a factor, as the Matrices panel names it."""
-        names = [kind.factor for kind in lettered_kinds(self._chain.kinds)]
-        cards = [card for card in self.cards if card.field]
+        step, cards = self._chain.step, [card for card in self.cards if card.field]
+        names = [f"{step.name}/{name}" for name, _ in step.factors]
         return cards[names.index(factor)] if factor in names else None
 
     def return_borrowed(self) -> None:
@@ -291,12 +282,9 @@ class ChainEditor(QWidget, RowHolder):
             return
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
-        self._attempt(
-            lambda: self._chain.with_tile(
-                place, replace(tile, numbers=card.typed(tile, key, value)), over=1
-            ),
-            card.rows[key].show_error,
-        )
+        typed = partial(replace, tile, numbers=card.typed(tile, key, value))
+        refuse = card.rows[key].show_error
+        self._attempt(lambda: self._chain.with_tile(place, typed(), over=1), refuse)
 
     def join(self, card: _TileCard, key: str, row: Row) -> None:
         """Follow a new row."""
