@@ -9692,6 +9692,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Eemalda see</translation>
     </message>
     <message>
+        <source>origin</source>
+        <translation>alguspunkt</translation>
+    </message>
+    <message>
         <source>axis</source>
         <translation>telg</translation>
     </message>

@@ -9708,6 +9708,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Uklanja je</translation>
     </message>
     <message>
+        <source>origin</source>
+        <translation>ishodište</translation>
+    </message>
+    <message>
         <source>axis</source>
         <translation>os</translation>
     </message>

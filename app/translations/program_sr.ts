@@ -9708,6 +9708,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Уклони је</translation>
     </message>
     <message>
+        <source>origin</source>
+        <translation>почетак</translation>
+    </message>
+    <message>
         <source>axis</source>
         <translation>оса</translation>
     </message>

@@ -289,7 +289,7 @@ def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> N
 @pytest.mark.undrawn
 def test_the_product_is_beside_the_tiles_in_numbers_and_letters(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
-    assert editor.product.formula.startswith("T R_z S =\n[0&-1&0&3;2&0&0&0")
+    assert editor.product.formula.startswith("T R_z S =\n[0&\u22121&0&3;2&0&0&0")
     editor.vectors.setChecked(True)
     assert editor.product.formula.startswith("S R_z T =\n[0&2&0&0")
     editor.letters.setChecked(True)

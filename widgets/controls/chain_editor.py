@@ -25,13 +25,13 @@ from app.lecture.wrong_chains import DIVIDE, difference, tiles_of, written_numbe
 from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, view_chain
 from app.model.parameters import TILES
 from app.model.projection import Projection
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import Refusal
 from app.model.tables import VIEWPORT
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
-from widgets.parts.messages import lettering, parameter_text, sentence
+from widgets.parts.messages import FEW, figure_text, lettering, parameter_text, sentence
 from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
@@ -40,7 +40,6 @@ from widgets.parts.scales import Linear
 from widgets.parts.section import GAP_PX, Rows
 from widgets.parts.typeset import TypesetLabel, matrix
 
-_COLUMNS = ("x", "y", "z", "origin")
 _LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
@@ -98,7 +97,7 @@ class _TileCard(Rows):
         named = QCoreApplication.translate("Field", "{0} {1}")
         tip = parameter_text(parameter, parameter.tip)
         if tile.kind == "matrix":
-            for column in _COLUMNS:
+            for column in ("x", "y", "z", self.tr("origin")):
                 yield column, VectorRow(named.format(title, column), tip)
             return
         letters = KINDS[tile.kind].letters
@@ -329,6 +328,6 @@ class ChainEditor(QWidget, RowHolder):
         cells = [[written(cell, "own") for cell in line] for line in formulas]
         if not self.letters.isChecked():
             product = self._chain.matrix.T if rows else self._chain.matrix
-            cells = [[format_value(float(f"{x:.4g}")) for x in line] for line in product + 0.0]
+            cells = [[figure_text(x, FEW) for x in line] for line in product + 0.0]
         lead = " ".join(names) + (" =\n" if len(names) > 2 else " = ")  # many leave too little room
         self.product.set_formula(lead * bool(names) + matrix(cells))
