@@ -149,13 +149,13 @@ def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWin
     section = window.controls.sections["object"]
     for view, row in zip(views, ("rotate_deg2_z", "rotate_deg_z"), strict=True):
         section.set_open(False)
-        QTest.mouseClick(
-            view, Qt.MouseButton.LeftButton, pos=view.cell_rect(1, 0).center().toPoint()
-        )
+        place = view.cell_rect(1, 0).center().toPoint()
+        move_mouse(view, place, Qt.MouseButton.NoButton)
+        QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place)
         settle()
         card = editor.rows[row].parentWidget()
-        place = card.mapTo(window.controls, QPoint(0, 0)).y()
-        assert section.is_open and 0 <= place < window.controls.height()
+        top = card.mapTo(window.controls, QPoint(0, 0)).y()
+        assert section.is_open and 0 <= top < window.controls.height()
         assert editor.rows[row].is_marked and view.hasFocus()
         QTest.keyClick(view, Qt.Key.Key_Return)
         settle()
