@@ -145,6 +145,8 @@ def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWin
     assert window.panels.open_panel is panel
     views = [panel.views[f"world_from_object/{name}"] for name in ("rotation_z2", "rotation_z")]
     assert all(view.isVisible() for view in views)
+    titles = [card.switch.text() for card in editor.cards]
+    assert titles == ["rotation about z", "mirror x", "translation", "rotation about z 2"]
     assert panel.views["world_from_object"].hasFocus()
     section = window.controls.sections["object"]
     for view, row in zip(views, ("rotate_deg2_z", "rotate_deg_z"), strict=True):

@@ -118,6 +118,8 @@ class _TileCard(Rows):
 
     def show_tile(self, tile: Tile, field: str) -> None:
         self._tile, self.field = tile, field
+        kind = KINDS[tile.kind]  # a second one is numbered, as its factor in Matrices
+        self.switch.setText(stage_title(kind.factor + field.removeprefix(kind.field)))
         self.switch.setChecked(not tile.is_off)
         for row, value in zip(self.rows.values(), self._values(tile), strict=True):
             row.setValue(value)
