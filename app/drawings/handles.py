@@ -139,6 +139,7 @@ class HandleMarks(Handles, Layer):
         return spot[0] - left, self._state.size_px[1] - (spot[1] - top)
 
     def _mark(self, handles: list[tuple[Handle, Spot]]) -> None:
+        self._state.board.rests = False  # labels keep off them
         self.shown = handles[:_MOST]
         listed = [handle for handle, _ in self.shown]
         if listed != self._at_rest[0]:

@@ -285,6 +285,10 @@ class MatrixPanel(ReadablePanel):
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._show(shown.projection)
 
+    def prepare(self, projection: Projection) -> None:
+        """Work out the formulas, which are kept, before the panel opens."""
+        self._matrices(projection)
+
     def _show(self, projection: Projection) -> None:
         if projection == self._projection:  # made here
             return
