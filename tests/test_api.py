@@ -293,7 +293,7 @@ def test_where_an_x_server_refuses_egl_draws(chosen: str, monkeypatch: pytest.Mo
     monkeypatch.setenv(variable, chosen)
     if not chosen:
         monkeypatch.delenv(variable)
-    monkeypatch.setattr(off_screen, "_window_that_draws", cache(lambda: Window))
+    monkeypatch.setattr(off_screen, "window_that_draws", cache(lambda: Window))
     check = off_screen.check_off_screen.__wrapped__
     if chosen:
         with pytest.raises(RuntimeError, match=r"no OpenGL 3\.2"):

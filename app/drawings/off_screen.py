@@ -51,7 +51,7 @@ def check_off_screen() -> Any:
     window = _tried()
     if window is None and sys.platform == "linux" and _WINDOW_CHOICE not in os.environ:
         os.environ[_WINDOW_CHOICE] = _EGL
-        _window_that_draws.cache_clear()
+        window_that_draws.cache_clear()
         window = _tried()
     if window is None:
         raise RuntimeError(said("no-opengl"))
@@ -60,7 +60,7 @@ def check_off_screen() -> Any:
 
 def _tried() -> Any:
     """Return a window if it can draw, or None."""
-    window: Any = _window_that_draws()()
+    window: Any = window_that_draws()()
     window.SetOffScreenRendering(1)
     # VTK's last resort, a missing library, reports support untested.
     can_draw = window.SupportsOpenGL() and "Not tested" not in window.GetOpenGLSupportMessage()
@@ -74,7 +74,7 @@ class OffScreen:
     """
 
     def __init__(self, width: int, height: int) -> None:
-        self.render_window: Any = (make_window or _window_that_draws())()
+        self.render_window: Any = (make_window or window_that_draws())()
         self.render_window.SetOffScreenRendering(1)
         if hasattr(self.render_window, "SetConnectContextToNSView"):  # macOS: in any thread, then
             self.render_window.SetConnectContextToNSView(False)
@@ -174,7 +174,7 @@ def close_kept() -> None:
 
 
 @functools.cache
-def _window_that_draws() -> type:
+def window_that_draws() -> type:
     """The class of VTK's windows that works here. VTK tries each that it may choose."""
     if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
         return type(vtkRenderWindow())
