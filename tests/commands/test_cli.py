@@ -30,6 +30,7 @@ from app.document.settings import set_values
 from app.document.view import View
 from app.drawings.figure import ENDINGS, FITS, HIDDEN
 from app.drawings.style import PALETTES
+from app.lessons.contents import CONTENT, file_of
 from app.model.chain import SPACES
 from app.model.limits import SMALLEST_WINDOW, DepthRange
 from app.model.projection import (
@@ -922,17 +923,47 @@ def test_the_largest_allowed_numbers_are_finite_in_json(by_hand: Path) -> None:
 def test_a_misspelt_command_names_the_nearest(word: str, nearest: str) -> None:
     said = refused(word)
     assert said == (
-        f"{word!r} is neither a file nor a command; the nearest command is {nearest}.\n"
+        f"{word!r} is neither a file, a lesson nor a command; the nearest command is {nearest}.\n"
     )
 
 
 def test_a_word_unlike_any_command_lists_all_commands() -> None:
     commands = ", ".join(options.SUMMARIES)
-    said = f"is neither a file nor a command; the commands are {commands}.\n"
+    said = f"is neither a file, a lesson nor a command; the commands are {commands}.\n"
     assert refused("frobnicate") == f"'frobnicate' {said}"
-    assert refused("letter-f", "out.png") == f"'letter-f' {said}"
+    assert refused("L99") == f"'L99' {said}"
+
+
+def test_a_scene_that_is_given_as_a_file_names_the_option() -> None:
     scene = "letter-f is a scene: write --set scene=letter-f.\n"
-    assert refused("export", "out.png", "letter-f") == scene
+    for words in (("letter-f",), ("export", "out.png", "letter-f"), ("matrices", "letter-f")):
+        assert refused(*words) == scene
+
+
+def test_every_command_opens_a_lesson_by_its_name_as_by_its_file(tmp_path: Path) -> None:
+    own = str(CONTENT / "l05-similar-triangles.md")
+    points = tmp_path / "points.csv"
+    points.write_text("0,1,0\n")
+    for words in (
+        ["matrices", "FILE"], ["project", "FILE", str(points)], ["lesson", "list", "FILE"],
+    ):  # fmt: skip
+        by_name, by_file = (
+            run_here(*[name if word == "FILE" else word for word in words]).stdout
+            for name in ("L5", own)
+        )
+        assert by_name == by_file != "", words
+    for word, at in (("L5", 0), ("001", 0), ("L5", 1), ("tour", 1)):
+        command, words = (("", [word]), ("export", ["out.png", word]))[at]
+        assert options.Parser(command).read(words)[1][at] == file_of(word) != word
+    assert options.Parser("project").read(["L5"])[1] == ["L5"]  # its points
+    assert options.Parser("export").read(["L5"])[1] == ["L5"]  # refused for its ending
+    assert refused("--set", "lens.near=2", "L5").endswith(
+        "l05-similar-triangles.md is a lesson, whose steps set what is shown.\n"
+    )
+    assert refused("lesson", "L5") == (
+        "lesson = 'L5': must be one of check, list, names, print, results;"
+        " python3 -m app L5 opens the lesson.\n"
+    )
 
 
 def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:

@@ -8,7 +8,8 @@ import pytest
 
 from app.lessons.blocks.order import OrderQuestion
 from app.lessons.checking import CheckReport
-from app.lessons.course import AtStep, Course, contained
+from app.lessons.contents import contained
+from app.lessons.course import AtStep, Course
 from app.lessons.lesson import parse_lesson, read
 from app.lessons.practice import exercises_of
 from app.model.chain import Chain
