@@ -284,12 +284,12 @@ class MatrixPanel(ReadablePanel):
             for view in self.views.values():
                 view.fit()
 
-    def take(self, shown: ShownData, changed: Changed) -> None:
-        self._show(shown.projection)
-
     def prepare(self, projection: Projection) -> None:
         """Work out the formulas, which are kept, before the panel opens."""
         self._matrices(projection)
+
+    def take(self, shown: ShownData, changed: Changed) -> None:
+        self._show(shown.projection)
 
     def _show(self, projection: Projection) -> None:
         if projection == self._projection:  # made here
