@@ -698,7 +698,7 @@ def talks(scale: float) -> dict[str, Any]:
     A step's own work is from the key to its first picture, less the bare repaint of the same panes
     just after it: what follows is the transition. Under load both grow; compare in one run.
     """
-    from app.lessons.course import contained
+    from app.lessons.contents import contained
 
     window = open_window(size=(1366, 768))
     window.settings.speaker_window = False

@@ -14,9 +14,12 @@ from app.document.document import Document
 from app.drawings import DrawingWords
 from app.drawings.label import SceneLabel
 from app.drawings.style import LIGHT
-from app.lessons.course import contained, ideas
+from app.lessons.contents import contained
+from app.lessons.course import ideas
 from app.lessons.lesson import head_of, read
 from app.lessons.translating import in_language
+from app.measure.meaning import meaning
+from app.measure.single import shipped
 from app.model.refusal import REFUSALS, Refusal
 
 
@@ -184,6 +187,15 @@ def test_the_marks_of_a_scene_are_in_the_language() -> None:
     before = label.text
     label.set_text("2.5")
     assert (before, label.text) == ("1,5", "2,5")
+
+
+def test_what_a_measurement_means_has_its_units_in_the_language() -> None:
+    languages.choose("hr")
+    trades = [trade for each in shipped().values() for trade in each.trades]
+    for trade in trades:
+        said = meaning(trade)
+        assert trade.error_unit in ("px", "w") or trade.error_unit not in said, said
+    assert any("teksela" in meaning(trade) for trade in trades)
 
 
 def test_a_refusal_speaks_the_language() -> None:

@@ -20,7 +20,7 @@ from app.commands import options
 from app.drawings import SENTENCES as SENTENCES_OF_DRAWINGS
 from app.languages import ENGLISH, LANGUAGES, TRANSLATIONS, sentences
 from app.lecture.kinds import KINDS
-from app.lessons.course import CONTENT
+from app.lessons.contents import CONTENT
 from app.lessons.text import SPOKEN
 from app.lessons.translating import in_language
 from app.model.lenses import LENSES, FreeMatrix

@@ -38,13 +38,6 @@ def document_of(file: str | None, assignments: Sequence[str], step: str | None =
     return with_values(document_before(file, assignments, step), assignments)
 
 
-def lesson_file(name: str) -> str:
-    """Return the file of a lesson or a talk, which may have a name of its own: ``L5``, ``001``."""
-    from app.lessons.course import file_of
-
-    return str(file_of(name))
-
-
 def set_letters(options: argparse.Namespace) -> Letters | None:
     """Return what ``--letters`` asks for, of a lecture or a file, and make it a ``--set``."""
     letters: Letters | None = options.letters
@@ -60,7 +53,7 @@ def course_of(lesson: str) -> Course:
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 
-    return Course(read_lesson(full_path(lesson_file(lesson))))
+    return Course(read_lesson(full_path(lesson)))
 
 
 def place_of(course: Course, step: str | None) -> int:
@@ -161,11 +154,6 @@ def _opened(scene: str) -> Document:
 def _open(file: str, over: Document, assignments: Sequence[str]) -> Document:
     if is_mesh(file):
         return _opened(file)
-    if not os.path.lexists(file):
-        with importing():
-            from app.scenes.scene import BUILT_IN
-        if file in BUILT_IN:
-            raise CliError("{0} is a scene: write --set scene={0}.", file)
     check_file(file)
     return open_with(file, over, assignments)
 

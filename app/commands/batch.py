@@ -17,7 +17,7 @@ from urllib.parse import quote
 
 from app import languages
 from app.commands import sweep
-from app.commands.arguments import course_of, full_path, lesson_file
+from app.commands.arguments import course_of, full_path
 from app.commands.options import SETTABLE, Parser
 from app.commands.terminal import BAD_INPUT, CANNOT_DRAW, CliError, print_error, write_out
 from app.document.document import is_mesh
@@ -28,6 +28,7 @@ from app.document.files import (
     extract,
     write_bytes_atomically,
 )
+from app.lessons.contents import file_of
 from app.lessons.lesson import is_lesson
 from app.model.refusal import REFUSALS, Refusal, nearest, shown_name
 from app.strangers import decode, open_regular, printable
@@ -106,14 +107,14 @@ def _lines(options: argparse.Namespace) -> Iterator[ListedFigure]:
             else:
                 yield ListedFigure(path, {"out": f"{stem}.{ending}", "file": path}, (path,))
         return
-    if is_lesson(lesson := lesson_file(source)):
+    if is_lesson(lesson := file_of(source)):
         yield from _of_steps(lesson, ListedFigure(lesson, {"file": lesson}, (lesson,)), ending)
         return
     if options.format:
         raise CliError("--format: is for a folder or a lesson; in a list the endings decide.")
     for line in _of_list(source):
         if file := line.cells.get("file"):
-            beside, named = os.path.join(os.path.dirname(source), file), lesson_file(file)
+            beside, named = os.path.join(os.path.dirname(source), file), file_of(file)
             file = beside if os.path.lexists(beside) or named == file else named
             line = line._replace(cells=line.cells | {"file": file})
         if file and is_lesson(file) and not line.cells.get("step") and not line.wrong:

@@ -4,13 +4,15 @@ import argparse
 import os
 import re
 from collections.abc import Sequence
+from pathlib import Path
 
 from app.commands.arguments import check_drawing, check_out, importing, set_letters
 from app.commands.terminal import CliError, interrupt, write_out
 from app.document.files import write_bytes_atomically
 from app.languages import said
 from app.lessons.blocks.exercise import LARGEST_SEED
-from app.lessons.course import Course, contained, file_of
+from app.lessons.contents import contained, file_of
+from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.lessons.practice import PlacedExercise, exercises_of
 
@@ -67,7 +69,7 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
     """Return the lessons of a test by their topics, or by their files' names."""
     paths = dict[str, os.PathLike[str]]()
     for word in (word.strip() for word in text.split(",")):
-        path = file_of(word)
+        path = Path(file_of(word))
         if not os.path.isfile(path):
             stems = (re.match(r"l(\d+)-", each.stem) for each in contained())
             last = max(int(stem[1]) for stem in stems if stem)

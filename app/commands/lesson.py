@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+from app import bootstrap
 from app.commands.arguments import set_letters
 from app.commands.composed import Composed, measure, taken
 from app.commands.exam import print_tests
@@ -12,8 +13,9 @@ from app.commands.terminal import CliError, write_out
 from app.languages import said
 from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
-from app.lessons.course import contained, file_of, ideas
-from app.lessons.lesson import read
+from app.lessons.contents import contained, file_of
+from app.lessons.course import ideas
+from app.lessons.lesson import is_lesson, read
 from app.lessons.names import page
 from app.model.refusal import counted
 from app.strangers import printable
@@ -22,7 +24,10 @@ from app.strangers import printable
 def run(arguments: Sequence[str]) -> int:
     """Do what the first argument says; return 1 if something is wrong with a lesson."""
     options, (what, *names) = Parser("lesson").read(arguments)
-    one_of("lesson", what, ("check", "list", "names", "print", "results"))
+    verbs = "check", "list", "names", "print", "results"
+    if what not in verbs and is_lesson(file_of(what)):
+        raise CliError("needs-verb", what, ", ".join(verbs), bootstrap.PROGRAM)
+    one_of("lesson", what, verbs)
     if options.csv and what != "results":
         raise CliError("--csv: is an option of lesson results, not of lesson {0}.", what)
     if options.letters and what not in ("check", "print"):
@@ -39,7 +44,7 @@ def run(arguments: Sequence[str]) -> int:
     if what == "names":
         write_out([page()])
         return 0
-    files = [file_of(name) for name in names] or list(contained())
+    files = [*map(Path, names)] or list(contained())
     if what == "list":
         write_out(map(_line, files))
         return 0

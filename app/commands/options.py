@@ -20,6 +20,7 @@ from app import __version__, bootstrap, languages
 from app.commands.terminal import CliError, write_out
 from app.document.lengths import PX_PER, parse_length, parse_points, parse_size
 from app.languages import said
+from app.lessons.contents import file_of
 from app.model.numerals import number
 from app.model.refusal import counted, nearest
 
@@ -123,13 +124,16 @@ class Parser(argparse.ArgumentParser):
         command = self._command or said("The window")
         if "" in words:
             raise CliError("{0} was given an empty name.", command)
-        most = len(self._names.split())
-        if self._names.endswith("...]"):
-            most = max(most, len(words))
-        if not len(self._names.split()) - self._names.count("[") <= len(words) <= most:
+        names = self._names.split()
+        if len(words) < len(names):
+            names = [name for name in names if not name.startswith("[")]
+        elif self._names.endswith("...]"):
+            names += names[-1:] * (len(words) - len(names))
+        if len(words) != len(names):
             takes = self._names or said("no names")
             raise CliError("takes", command, takes, counted(len(words), "name"))
-        return options, words
+        named = zip(words, names, strict=True)
+        return options, [file_of(word) if "FILE" in name else word for word, name in named]
 
     def _with_usual(self, arguments: Sequence[str]) -> list[str]:
         """Give options whose number may be left out their usual one, and not the next word."""
@@ -180,15 +184,17 @@ def _is_number(text: str) -> bool:
 
 
 def check_file(word: str) -> None:
-    """Refuse a word that is not a file as a misspelt command, naming the nearest one."""
-    if os.path.lexists(word) or not re.fullmatch(r"\w[\w-]*", word):
+    """Refuse a word that is no file, lesson or talk: a scene, or a misspelt command."""
+    if os.path.lexists(file_of(word)) or not re.fullmatch(r"\w[\w-]*", word):
         return
+    if os.path.exists(_SCENES / f"{word}.md"):
+        raise CliError("{0} is a scene: write --set scene={0}.", word)
     if word in SUMMARIES:
         raise CliError("{0} is a command and must come first: {1} {0} ...", word, bootstrap.PROGRAM)
     near = difflib.get_close_matches(word.lower(), SUMMARIES, 1)
     known = said("commands are {0}", ", ".join(SUMMARIES))
     known = said("nearest command is {0}", near[0]) if near else known
-    raise CliError("{0!r} is neither a file nor a command; the {1}.", word, known)
+    raise CliError("{0!r} is neither a file, a lesson nor a command; the {1}.", word, known)
 
 
 def _size(value: str) -> tuple[int, int]:
@@ -268,6 +274,7 @@ _DETAILS: dict[str, dict[str, dict[str, Any]]] = {
     "bundle": {"--python": {"action": "append", "default": []}},
 }  # fmt: skip
 """How options are read that are not text, a choice or yes or no: arguments for argparse."""
+_SCENES = Path(__file__).parents[1] / "scenes" / "phenomena" / "content"
 _OF_A_DOCUMENT = ("", "export", "project", "matrices", "measure")  # commands with --set
 
 

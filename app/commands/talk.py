@@ -12,7 +12,7 @@ from app.document.files import write_bytes_atomically
 from app.languages import said
 from app.lecture.letters import Letters
 from app.lessons.checking import CheckReport
-from app.lessons.course import Course, file_of
+from app.lessons.course import Course, name_of
 from app.lessons.lesson import Lesson, read
 from app.model.refusal import Refusal, counted
 from app.strangers import printable
@@ -24,7 +24,7 @@ def run(arguments: Sequence[str]) -> int:
     """Draw every step of a talk, or write its handout; return 1 if something is wrong with it."""
     options, (name,) = Parser("talk").read(arguments)
     if not options.check and options.handout is None:
-        raise CliError("needs-handout", bootstrap.PROGRAM, name)
+        raise CliError("needs-handout", bootstrap.PROGRAM, name_of(Path(name)))
     if options.handout is not None:
         if not options.handout.lower().endswith((".pdf", ".html")):
             raise CliError("--handout = {0!r}: must end in .pdf or .html.", options.handout)
@@ -35,11 +35,11 @@ def run(arguments: Sequence[str]) -> int:
         raise CliError("--for: needs --handout OUT.pdf.")
     status, letters = 0, set_letters(options)
     if options.check:
-        wrong, sums = _faults_and_warnings(file_of(name), letters)
+        wrong, sums = _faults_and_warnings(Path(name), letters)
         write_out(f"{printable(line)}\n" for line in (*wrong, *sums))
         status = 1 if wrong else 0
     if options.handout is not None and not status:
-        _print(read(file_of(name), letters=letters), options.handout, answers=readers == READERS[0])
+        _print(read(name, letters=letters), options.handout, answers=readers == READERS[0])
     return status
 
 

@@ -13,6 +13,7 @@ import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
@@ -54,7 +55,7 @@ in the window, would be 3); other figures look alike."""
 CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
-_TRIES, _NEAR_PX = 6, 0.5  # until what is seen is as wide as asked for
+_TRIES, _NEAR_PX, _FITS = 6, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
@@ -261,17 +262,19 @@ class Figure:
         self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]
     ) -> tuple[Figure, Drawn]:
         """Draw it in a box in which what is seen is as wide as asked for; return both."""
-        figure, drawn = self, draw(self)
-        for _ in range(_TRIES):
-            if self.width is None or self._has_own_size:
-                break
-            larger = self.width / (wide(drawn) or self.width)
-            if abs(1.0 - larger) * self.width <= _NEAR_PX:
-                break
-            across, up = figure.full_size.px
-            figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
+        figure, tries = self, list[tuple[tuple[bool, float], Figure, Drawn]]()
+        while len(tries) <= _TRIES:
             drawn = draw(figure)
-        return figure, drawn
+            if self.width is None or self._has_own_size:
+                return figure, drawn
+            seen = wide(drawn) or self.width
+            missing = self.width - seen
+            tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
+            if abs(missing) <= _NEAR_PX:
+                break
+            (across, up), larger = figure.full_size.px, self.width / seen
+            figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
+        return min(tries, key=itemgetter(0))[1:]  # what is too wide would be cut
 
     def _seen(self, whole: Pixels) -> list[tuple[int, int]]:
         """Where a picture is not empty: from which column to which, and from which row."""
@@ -314,6 +317,10 @@ class Figure:
         width, height = self.full_size.px
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:
+            for _ in range(_FITS):  # letters keep their size, and so the first is not exact
+                larger = self.width / (box[2] - box[0])
+                shapes = [moved(shape, 0.0, 0.0, larger) for shape in shapes]
+                box = box_of(shapes, background) or box
             width, height = self.width, box[3] - box[1]
             x = (box[0] + box[2] - width) / 2.0
             shapes = [moved(shape, -x, -box[1]) for shape in shapes]

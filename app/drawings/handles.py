@@ -125,18 +125,21 @@ class HandleMarks(Handles, Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        for handle, spot in self.shown:
-            if self.is_drawn(handle):
-                ground.keep([self._in_renderer(spot)], DOT_EM * self._state.em)
+        ground.keep(self.drawn().values(), DOT_EM * self._state.em)
 
-    def is_drawn(self, handle: Handle) -> bool:
-        is_called = bool({handle.name, handle.setting} & self.called)
-        is_drawn = is_called or self._state.names.all or handle == self.held
-        return is_drawn or handle in self._at_rest[1]
+    def drawn(self) -> dict[Handle, Spot]:
+        """Return the handles that are marked, each with its place in the renderer."""
+        every, wanted = self._state.names.all, {self.held, *self._at_rest[1]}
+        drawn = {
+            handle: spot
+            for handle, spot in self.shown
+            if every or handle in wanted or {handle.name, handle.setting} & self.called
+        }
+        return dict(zip(drawn, self._in_renderer(*drawn.values()), strict=True))
 
-    def _in_renderer(self, spot: Spot) -> Spot:
-        left, top = self._state.corner_px
-        return spot[0] - left, self._state.size_px[1] - (spot[1] - top)
+    def _in_renderer(self, *spots: Spot) -> list[Spot]:
+        (left, top), height = self._state.corner_px, self._state.size_px[1]
+        return [(x - left, height - (y - top)) for x, y in spots]
 
     def _mark(self, handles: list[tuple[Handle, Spot]]) -> None:
         self.shown = handles[:_MOST]
@@ -145,12 +148,12 @@ class HandleMarks(Handles, Layer):
             self._at_rest = listed, self._resting(listed)
         self._places[..., :2] = _AWAY_PX
         ring = _bytes(self._style.background)
-        for i, (handle, spot) in enumerate(self.shown):
-            if not (math.isfinite(sum(spot)) and self.is_drawn(handle)):
+        for i, (handle, spot) in enumerate(self.drawn().items()):
+            if not math.isfinite(sum(spot)):
                 continue
             out = handle == self.held
             larger = _POINTED_OUT if out else 1.0
-            self._places[i, ..., :2] = larger * self._outline + self._in_renderer(spot)
+            self._places[i, ..., :2] = larger * self._outline + spot
             fill = _bytes(self._style.accent) if out else self._colour(handle)
             self._colours[i] = ring, fill
         self._cells.changed()
@@ -212,7 +215,7 @@ class HandleMarks(Handles, Layer):
         return frozenset((name,))
 
     def _label_at(self, pixel: Spot) -> Taken | None:
-        name = self._state.board.name_at(*self._in_renderer(pixel))
+        name = self._state.board.name_at(*self._in_renderer(pixel)[0])
         name = WINDOW.get(name, name)
         for setting, grip in self._state.grips.items():
             if name and name == grip.name:

@@ -209,7 +209,7 @@ class Board:
             if spot is not None:
                 label.set_position(*spot.centre, spot.turn)
             joined_px = None if spot is None else spot.leader
-            if joined_px is not None or leader.is_drawn:
+            if joined_px is not None or leader.used:
                 leader.begin()
                 if joined_px is not None:
                     leader.add(*joined_px)
@@ -300,7 +300,7 @@ class ScreenLines:
     """Thin lines of one colour in the plane of the screen, drawn anew by ``begin, add..., end``."""
 
     def __init__(self, canvas: PropGroup, colour: str, most: int, renderer: Any = None) -> None:
-        self._canvas, self._cells, self._used = weakref.proxy(canvas), ScreenCells(most, 2), 0
+        self._canvas, self._cells, self.used = weakref.proxy(canvas), ScreenCells(most, 2), 0
         self._cells.px[..., :2] = _AWAY_PX
         self.actor = self._cells.actor
         self.actor.GetProperty().SetColor(*rgb(colour))
@@ -311,25 +311,21 @@ class ScreenLines:
     @property
     def ends(self) -> Array:
         """The lines' ends in pixels, (n, 2, 2)."""
-        return self._cells.px[: self._used, :, :2].astype(np.float64)
-
-    @property
-    def is_drawn(self) -> bool:
-        return self._used > 0
+        return self._cells.px[: self.used, :, :2].astype(np.float64)
 
     def begin(self) -> None:
-        self._cells.px[: self._used, :, :2] = _AWAY_PX
-        self._used = 0
+        self._cells.px[: self.used, :, :2] = _AWAY_PX
+        self.used = 0
 
     def add(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw a line between two pixels, counted from the left and from the bottom."""
-        if self._used < len(self._cells.px):
-            self._cells.px[self._used, :, :2] = start_px, end_px
-            self._used += 1
+        if self.used < len(self._cells.px):
+            self._cells.px[self.used, :, :2] = start_px, end_px
+            self.used += 1
 
     def end(self) -> None:
         self._cells.changed()
-        self._canvas.set_visible(self.actor, self._used > 0)
+        self._canvas.set_visible(self.actor, self.used > 0)
 
 
 def vector(word: str) -> str:

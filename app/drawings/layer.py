@@ -154,6 +154,7 @@ class PaneState:
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()
         self.ghosts: Sequence[Chain] = ()  # the moves of pale objects beside the object on its way
+        self.from_left = False  # whether moves are done from the left
 
     @property
     def marked(self) -> Illustration | None:

@@ -15,10 +15,12 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
     """
     kept = _bounds.get(scene)
     if kept is None or kept[0] != projection:
-        bounds: list[float] = []
-        for part, space in scene.parts(projection.placement):
-            errors = iter(drawing_bounds_px(projection, part.boxes.together, scene.origin, space))
-            bounds += [max(islice(errors, len(boxes)), default=0.0) for boxes in part.boxes]
+        parts = [(part.boxes, space) for part, space in scene.parts(projection.placement)]
+        together = [(boxes.together, space) for boxes, space in parts]
+        errors = iter(drawing_bounds_px(projection, together, scene.origin))
+        bounds = [
+            max(islice(errors, len(each)), default=0.0) for kinds, _ in parts for each in kinds
+        ]
         del bounds[3:5]  # the ground has no faces and no dots
         kept = _bounds[scene] = projection, tuple(bounds)
     return kept[1]

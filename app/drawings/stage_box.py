@@ -100,8 +100,8 @@ class StageState(PaneState):
     def morph(self) -> Morph:
         """Created on demand: most steps at the NDC stop do not need it."""
         if self._morph is None:
-            corners = self.scene.reach(self.projection.placement)
-            self._morph = morph_of(self.projection, self.scene.origin, corners)
+            corners, origin = self.scene.reach(self.projection.placement), self.scene.origin
+            self._morph = morph_of(self.projection, origin, corners, self.from_left)
         return self._morph
 
     @property

@@ -12,6 +12,7 @@ from itertools import count, groupby
 from PIL import Image
 
 from app.document.lengths import DPI
+from app.drawings.label import HALO_EM, HALO_OPACITY
 from app.drawings.occlusion import Colour, Points
 from app.drawings.style import rgb
 from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
@@ -23,6 +24,12 @@ LARGEST = 1_500_000  # most bytes of a file: pdfTeX's memory, with little else, 
 _BP_PER_PX = 72.0 / DPI
 _PT_PER_BP = 72.27 / 72.0
 _FONT_PT = 10.0  # of the font that is scaled: TeX's own smaller ones are wider than a label's place
+_HALO = (
+    r"\def\halo#1{}\ifnum0\ifdefined\XeTeXversion1\fi\ifdefined\outputmode\the\outputmode\fi"
+    r"\ifdefined\pdfoutput\the\pdfoutput\fi>0 "
+    rf"\def\halo{{\csname pgfsys@invoke\endcsname{{1 Tr 1 j {2.0 * HALO_EM * _FONT_PT:g} w}}}}\fi"
+)
+"""In PDF the contours of letters; elsewhere nothing could draw them."""
 _HELD = 0xE000  # the first private letter, which stands for a formula
 _MOST_POINTS = 500  # of a path, which TeX holds in its memory
 _COMMANDS = "|".join((
@@ -66,10 +73,15 @@ def tikz(
     """
     writer = _TikzWriter(size, name)
     box, lines = f"(0,0) rectangle ({_n(size[0])},{_n(size[1])});", list[str]()
-    for is_text, part in groupby(shapes, key=lambda shape: isinstance(shape, TextShape)):
-        drawn = [line for _, each in groupby(part, key=kind_of) for line in writer.lines([*each])]
-        cut = [rf"\begin{{scope}}\clip {box}", *drawn, r"\end{scope}"]
-        lines += drawn if is_text else cut  # TeX's letters may be higher than those at the edge
+    for _, part in groupby(shapes, key=lambda shape: isinstance(shape, TextShape)):
+        drawn = [*part]
+        texts = [each for each in drawn if isinstance(each, TextShape)]
+        cut = [writer.text(each, is_halo=True) for each in texts]
+        if not texts:
+            cut = [line for _, each in groupby(drawn, kind_of) for line in writer.lines([*each])]
+        lines += [rf"\begin{{scope}}\clip {box}", *cut, r"\end{scope}"]
+        # TeX's letters may be higher than those at the edge.
+        lines += [writer.text(each, is_halo=False) for each in texts]
     head = [
         *(f"% {printable(said)}" for said in (title, text) if said),
         r"% LaTeX reads it by \input; the preamble needs \usepackage{tikz}. A unit is 1/72 inch.",
@@ -80,6 +92,7 @@ def tikz(
         *(f"  {style}/.style={{{options}}}," for options, style in writer.styles.items()),
         "]",
         *(rf"\definecolor{{{name}}}{{HTML}}{{{code}}}" for code, name in writer.colours.items()),
+        _HALO,
         rf"\useasboundingbox {box}",
     ]
     return "\n".join([*head, *lines, r"\end{tikzpicture}%", ""]).encode(), writer.files
@@ -130,8 +143,6 @@ class _TikzWriter:
             yield rf"\path[{options}] {self._at(first.centre)} circle[radius={_n(first.radius)}];"
         elif isinstance(first, PixelShape):
             yield self._picture(first)
-        else:
-            yield self._text(first)
 
     def _paths(self, options: str, paths: Sequence[Points], end: str = "") -> Iterator[str]:
         part, count = "", 0
@@ -161,8 +172,8 @@ class _TikzWriter:
             rf" {{\includegraphics[width={_n(wide)}bp,height={_n(high)}bp]{{{name}}}}};"
         )
 
-    def _text(self, text: TextShape) -> str:
-        """A label without a halo: TikZ alone has none, and a plate would be seen."""
+    def text(self, text: TextShape, *, is_halo: bool) -> str:
+        """A label's letters, or their contours."""
         written, em = text.written, text.em
         said = _tex((piece, is_tex) for piece, is_tex, _, _ in written.pieces)
         if written.underlined:
@@ -171,10 +182,15 @@ class _TikzWriter:
         # TeX's letters have another width: the label's anchor stays where it is.
         along = (written.anchor + 1) / 2.0 * max(ends, default=0.0) * em
         (x, y), (cos, sin) = text.place, (math.cos(written.turn), math.sin(written.turn))
-        options = f"{self._style(text)},text={self._colour(rgb(written.colour))}"
+        colour = written.halo if is_halo else written.colour
+        options = f"{self._style(text)},text={self._colour(rgb(colour))}"
         options += {-1: ",anchor=base west", 1: ",anchor=base east"}.get(written.anchor, "")
         options += f",rotate={math.degrees(written.turn):.2f}" if written.turn else ""
-        return rf"\node[{options}] at {self._at((x + cos * along, y - sin * along))} {{{said}}};"
+        at = self._at((x + cos * along, y - sin * along))
+        if not is_halo:
+            return rf"\node[{options}] at {at} {{{said}}};"
+        faint = _faint("text", HALO_OPACITY * written.opacity)
+        return rf"\node[{options}{faint}] at {at} {{\halo{{{said}}}}};"
 
     def _style(self, text: TextShape) -> str:
         """The name of a label's style; its letters and words have one size, as in one font."""

@@ -92,18 +92,22 @@ class PixelShape(NamedTuple):
 Shape: TypeAlias = Area | LineShape | Disc | TextShape | PixelShape
 
 
-def moved(shape: Shape, right: float, down: float) -> Shape:
+def moved(shape: Shape, right: float, down: float, larger: float = 1.0) -> Shape:
+    """Move a shape after its places are scaled; letters, dots and the widths of lines are not."""
+
+    def at(points: Points) -> Points:
+        return [(larger * x + right, larger * y + down) for x, y in points]
+
     if isinstance(shape, Area):
-        rings = [[(x + right, y + down) for x, y in ring] for ring in shape.rings]
-        return shape._replace(rings=rings)
+        return shape._replace(rings=[*map(at, shape.rings)])
     if isinstance(shape, LineShape):
-        return shape._replace(points=[(x + right, y + down) for x, y in shape.points])
+        return shape._replace(points=at(shape.points))
     if isinstance(shape, Disc):
-        return shape._replace(centre=(shape.centre[0] + right, shape.centre[1] + down))
-    left, top = shape.place[:2]
+        return shape._replace(centre=at([shape.centre])[0])
     if isinstance(shape, TextShape):
-        return shape._replace(place=(left + right, top + down))
-    return shape._replace(place=(left + right, top + down, *shape.place[2:]))
+        return shape._replace(place=at([shape.place])[0])
+    (place,), (wide, high) = at([shape.place[:2]]), shape.place[2:]
+    return shape._replace(place=(*place, larger * wide, larger * high))
 
 
 def within(shapes: Iterable[Shape], left: float, right: float) -> Iterator[Shape]:

@@ -9,8 +9,9 @@ and as large as the NDC pane's cube::
 the pane, and mirrors z of NDC, which is left-handed. Between two stops
 
 =============================  ================================================================
-world -> view                  first P moves the eye to the origin, then R rotates about it; the
-                               middle of the shown points stays where it is
+world -> view                  first P moves the eye to the origin, then R rotates about it, or
+                               done from the left first R, then P in the axes that R has turned;
+                               the middle of the shown points stays where it is
 view -> ... -> image           ``(1 - t) A + t B`` of the two homogeneous matrices, each scaled
                                such that w is 1 at the middle of the visible part
 =============================  ================================================================
@@ -66,6 +67,7 @@ class Morph:
     - `origin`: world point that the scene's geometry is relative to; the eye is subtracted from it
       in float64.
     - `corners_world` (n, 3): corners of the bounding box of the drawing.
+    - `from_left`: whether R comes before P.
 
     The *box* has x and y from -1 to 1 and z from 1 at near to 0 at far, the reversed depth range.
     There 1/w of the far face is near/far itself, which float32 can hold.
@@ -74,6 +76,7 @@ class Morph:
     projection: Projection
     origin: Vector
     corners_world: Array
+    from_left: bool = False
     _evens: dict[int, Array] = field(default_factory=dict, init=False)
     _boxes: dict[int, Array] = field(default_factory=dict, init=False)
 
@@ -209,7 +212,8 @@ class Morph:
 
         The scene moves in the stage's space, and display space has the same axes.
         """
-        moved = min(1.0, 2.0 * position) * np.array(self.projection.camera.eye)
+        done = min(1.0, max(0.0, 2.0 * position - self.from_left))
+        moved = done * np.array(self.projection.camera.eye)
         shown: Array = self.display_from_local(position) @ [*(moved - self.origin), 1.0]
         return shown[:3]
 
@@ -244,10 +248,10 @@ class Morph:
     def _turned(self, position: float) -> Array:
         """Return the rotation from the world's axes to the camera's, with the scale.
 
-        In the first half of the way nothing has turned.
+        It takes the half of the way in which the eye is not moved.
         """
         matrix = np.eye(4)
-        part = max(0.0, 2.0 * position - 1.0)
+        part = min(1.0, max(0.0, 2.0 * position - (not self.from_left)))
         matrix[:3, :3] = rotation_between(self.projection.camera.frame, part)
         return _scaled(self._ball[1]) @ matrix
 
@@ -457,9 +461,9 @@ def standing_at(
     return replace(projection, placement=chain.after(moves, from_left=from_left)), beside
 
 
-def morph_of(projection: Projection, origin: Vector, corners_world: Array) -> Morph:
+def morph_of(projection: Projection, origin: Vector, corners: Array, from_left: bool) -> Morph:
     kind = Morph if projection.lens.has_steps else FreeMorph
-    return kind(projection, origin, corners_world)
+    return kind(projection, origin, corners, from_left)
 
 
 def _euclidean(point: Array) -> Array:

@@ -42,11 +42,12 @@ GREEK = dict(zip("αβγδεθλμπρσφω", (
 ), strict=True))  # fmt: skip
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
-    rf"|(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=[_{ARROW}]))"
+    r"|(?!.\u00a0[^\W\d_]{2})"  # in a language a word of one letter is tied to the next
+    rf"(?P<letter>(?<![^\W_])[A-Za-z\u0391-\u03c9](?![^\W\d_]){ARROW}?|[^\W\d_]+(?=[_{ARROW}]))"
     r"(?P<sub>(?:_(?:\{[^}]*\}|[^\W_]+(?:\u2192[^\W_]+)?))?)"
     rf"(?P<arrow>{ARROW}?)(?P<prime>['\u2032]*)"
     r"|\^(?P<power>[-\u2212]?[^\W_]+)"
-    r"|(?P<word>[^\W\d_]{2,})"
+    r"|(?P<word>(?:[^\W\d_]\u00a0)?[^\W\d_]{2,})"
     r"|(?P<sign>.)",
     re.DOTALL,
 )

@@ -18,7 +18,8 @@ from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
 from app.lessons.blocks.block import Asked, Idea, State, path_of
-from app.lessons.lesson import CONTENT, Lesson, Step, read
+from app.lessons.contents import CONTENT
+from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
 from app.lessons.quantities import Quantities
 from app.model.refusal import REFUSALS, Refusal
@@ -266,25 +267,6 @@ def idea_named(name: str) -> Idea | None:
     return None
 
 
-def file_of(name: str) -> Path:
-    """Return the file of a path, or of a lesson's or a talk's own name: ``talk-001.md``, ``L5``."""
-    path = Path(name)
-    if os.path.exists(path) or path.parent != Path():
-        return path
-    stem = path.stem.lower()
-    names = stem, f"talk-{stem}"
-    for own in contained():
-        number = own.stem.partition("-")[0].replace("l0", "l")
-        if own.stem in names or number == stem:
-            return own
-    return path
-
-
 def name_of(path: Path) -> str:
     """Return the name of a lesson: its own if it comes with the program, else its path."""
     return path.stem if path.parent == CONTENT else os.path.abspath(path)
-
-
-def contained() -> tuple[Path, ...]:
-    """Return the files of the lessons and talks that come with the program, in order."""
-    return tuple(sorted(path for path in CONTENT.glob("*.md") if path.name != "ideas.md"))

@@ -24,6 +24,7 @@ from app.lecture.letters import LETTERS, Letters
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import Block, StepContent, TextBlock
 from app.lessons.blocks.shown import ShownState
+from app.lessons.contents import CONTENT
 from app.lessons.lines import LONGEST_LINE, Body, Lines, number_in, refused
 from app.lessons.text import markdown
 from app.lessons.translating import in_language
@@ -34,7 +35,6 @@ if TYPE_CHECKING:
     from markdown_it.token import Token
 
 ENDINGS = (".md", ".markdown")  # endings of lesson files
-CONTENT = Path(__file__).with_name("content")  # the program's lessons, talks and wrong ideas
 VERSION = 1  # version of the format; a file may state the one it needs (``version: 1``)
 LARGEST = 2 * 2**20  # largest file in bytes
 MOST_STEPS = 500  # most steps of a talk

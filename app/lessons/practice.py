@@ -18,8 +18,9 @@ from typing import NamedTuple
 from app import languages
 from app.lessons.blocks.block import Asked, Here, TextBlock, Variant
 from app.lessons.blocks.exercise import LARGEST_SEED
-from app.lessons.course import AtStep, Course, ShownStep, contained, file_of
-from app.lessons.lesson import CONTENT, Lesson, Step, read
+from app.lessons.contents import CONTENT, contained, file_of
+from app.lessons.course import AtStep, Course, ShownStep
+from app.lessons.lesson import Lesson, Step, read
 from app.lessons.record import RIGHT, WRONG, Attempt, Standing, due, minutes_each, standings
 from app.model.refusal import Refusal
 

@@ -21,8 +21,9 @@ from app.document.files import blamed_on, write, write_bytes_atomically
 from app.document.settings import picture_text, set_values
 from app.document.view import AS_EVER
 from app.lecture.letters import LETTERS, Letters
+from app.lessons.contents import CONTENT
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import CONTENT, Lesson, ends, parse_lesson, read, slug
+from app.lessons.lesson import Lesson, ends, parse_lesson, read, slug
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.strangers import decode

@@ -218,7 +218,7 @@ def _common(choices: Sequence[ChartPoint]) -> str:
 def _tip(trade: Trade, choice: ChartPoint) -> str:
     name = named(choice.name)
     cost, error = plain(choice.cost, 3), plain(choice.error, 3)
-    said = f"{name}: {cost} {trade.cost_unit}, {error} {trade.error_unit}"
+    said = f"{name}: {cost} {trade.cost_unit}, {error} {named(trade.error_unit)}"
     why = "" if choice.use else of_measure(MEASURE["measured-only"]).format(name)
     return "; ".join(filter(None, (said, named(choice.note), why)))
 

@@ -100,7 +100,7 @@ def _template_and_values(trade: Trade) -> tuple[str, tuple[str, ...]]:
         (cheap, _, cheap_mapping), (fine, _, fine_mapping) = parts
         values = (cheap, _plain(first.error), cheap_mapping, fine, fine_mapping, _plain(last.error))
         return MEASURE["depth"], values
-    error = f" {trade.error_unit}"
+    error = f" {named(trade.error_unit)}"
     low, high = ((c.name, _price(trade, c), _plain(c.error) + error) for c in (first, last))
     if first is last:
         return MEASURE["fastest-is-best"], low

@@ -16,7 +16,7 @@ import math
 import numbers
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, cached_property
 from pathlib import Path
 from typing import Any, Literal, NamedTuple, TypeAlias
 
@@ -190,13 +190,14 @@ _OWN = ("row", "said", "other", "also", "drag")
 """Items that are no choices, but texts of the parameter with the same name."""
 
 
-class ContentSection(NamedTuple):
+@dataclass
+class ContentSection:
     """What stands below one heading: lines of text, and the items of a list."""
 
     text: list[str]
     items: list[str]
 
-    @property
+    @cached_property
     def named(self) -> dict[str, str]:
         return dict(item.split(": ", 1) for item in self.items)
 
@@ -225,8 +226,8 @@ def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Para
     """Return a parameter with the texts below its heading."""
     title, section = section_of(parameter.name, sections)
     items = section.named
-    own: dict[str, Any] = {name: items.pop(name) for name in _OWN if name in items}
-    choices = {name: text.partition(_EXPLAINED) for name, text in items.items()}
+    own: dict[str, Any] = {name: items[name] for name in _OWN if name in items}
+    choices = {n: text.partition(_EXPLAINED) for n, text in items.items() if n not in own}
     return replace(
         parameter,
         title=title,

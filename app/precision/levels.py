@@ -16,7 +16,7 @@ bound is some ten times the largest error found, and infinite where a rounding c
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any, Literal, NamedTuple, TypeAlias
@@ -241,7 +241,9 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
 
 def drawing_bounds_px(
-    projection: Projection, boxes: Array, origin: Vector = (0.0, 0.0, 0.0), space: Space = "world"
+    projection: Projection,
+    parts: Iterable[tuple[Array, Space]],
+    origin: Vector = (0.0, 0.0, 0.0),
 ) -> list[float]:
     """Bound the `float32` errors, in pixels, in the visible part of each box, from its corners.
 
@@ -250,20 +252,22 @@ def drawing_bounds_px(
     the error.
 
     Each box (8, 3) must contain its objects completely: an edge may be as wrong as either of its
-    ends. `origin`, in the same space, is the point from which the GPU's vertices are measured.
+    ends. `origin`, in the same space, is the point from which the GPU's vertices are measured. The
+    parts are boxes (n, 8, 3), each in its space.
     """
-    local = boxes - origin
-    if not len(local):
-        return []
-    clip_from_local = projection.clip_from_local(origin, space)
-    sizes = _single_sizes(projection, projection.local_to_eye(origin, space))
-    lost = _lost_single(sizes, np.abs(local).max(axis=1).T)
-    if not np.isfinite(lost).all():
-        return [math.inf] * len(local)
-    least_w, seen = np.ones(len(local)), np.ones(len(local), dtype=np.bool_)
-    if clip_from_local[3].tolist() != [0.0, 0.0, 0.0, 1.0]:
+    clips, losses = [np.empty((0, 8, 4))], [np.empty((4, 0))]
+    for boxes, space in parts:
+        if len(boxes):
+            local, matrix = boxes - origin, projection.clip_from_local(origin, space)
+            sizes = _single_sizes(projection, projection.local_to_eye(origin, space))
+            losses.append(_lost_single(sizes, np.abs(local).max(axis=1).T))
+            clips.append(local @ matrix[:, :3].T + matrix[:, 3])
+    clip, lost = np.concatenate(clips), np.concatenate(losses, axis=1)
+    if not np.isfinite(lost).all() or not len(clip):
+        return [math.inf] * len(clip)
+    least_w, seen = np.ones(len(clip)), np.ones(len(clip), dtype=np.bool_)
+    if (clip[..., 3] != 1.0).any():
         near = projection.passage.least_w
-        clip = local @ clip_from_local[:, :3].T + clip_from_local[:, 3]
         least_w = np.maximum(near, _least_w_seen(clip, lost / _UNIT_32))
         seen = (least_w < math.inf) & (clip[..., 3].max(axis=1) >= near)
     off = _lost_dividing(np.ones((3, 1)), least_w, lost, _UNIT_32)

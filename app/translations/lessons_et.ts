@@ -441,7 +441,7 @@
     </message>
     <message>
         <source>This exchanges two rotations about different axes. Read from the right, each turns about an axis of the world, which stays fixed. Read from the left, each turns about an axis that the turns before have moved.</source>
-        <translation>Nii vahetatakse kaks pööret ümber eri telgede. Paremalt lugedes toimub iga pööre ümber maailma telje, mis jääb paigale. Vasakult lugedes toimub iga pööre ümber telje, mida eelmised pöörded on liigutanud.</translation>
+        <translation>Nii vahetatakse omavahel kaks pööret, mille teljed on erinevad. Paremalt lugedes toimub iga pööre ümber maailma telje, mis jääb paigale. Vasakult lugedes toimub iga pööre ümber telje, mida eelmised pöörded on liigutanud.</translation>
     </message>
     <message>
         <source>The camera turns before it moves</source>
@@ -521,7 +521,7 @@
     </message>
     <message>
         <source>This divides by the factors of the scale. A factor of 2 makes the object twice as large; one half undoes that.</source>
-        <translation>Nii jagatakse skaleerimise kordajatega. Kordaja 2 teeb objekti kaks korda suuremaks; pool võtab selle tagasi.</translation>
+        <translation>Nii jagatakse skaleerimise kordajatega. Kordaja 2 teeb objekti kaks korda suuremaks; kordaja pool võtab selle tagasi.</translation>
     </message>
     <message>
         <source>Any axis will do</source>
@@ -888,11 +888,11 @@
     </message>
     <message>
         <source>The camera was placed by {0}. Its inverse is {1}: the move is undone first.</source>
-        <translation>Kaamera paigutas {0}. Selle pöördmaatriks on {1}: nihe võetakse tagasi esimesena.</translation>
+        <translation>Kaamera paigutati korrutisega {0}. Selle pöördmaatriks on {1}: nihe võetakse tagasi esimesena.</translation>
     </message>
     <message>
         <source>The camera was placed by {0}. What is undone first?</source>
-        <translation>Kaamera paigutas {0}. Mis võetakse tagasi esimesena?</translation>
+        <translation>Kaamera paigutati korrutisega {0}. Mis võetakse tagasi esimesena?</translation>
     </message>
     <message>
         <source>The move, then the turn, then the tilt.</source>
@@ -1031,7 +1031,7 @@
     </message>
     <message>
         <source>The letter was made {0} times as wide, turned about z by {1}°, and moved by {2} along x. It kept its right angles. Which product did that?</source>
-        <translation>Täht tehti {0} korda nii laiaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi?</translation>
+        <translation>Täht tehti {0} korda laiemaks, seda pöörati ümber z-telje {1}° ja nihutati {2} võrra piki x-telge. Selle täisnurgad jäid alles. Milline korrutis seda tegi?</translation>
     </message>
     <message>
         <source>Object, world, camera</source>
@@ -1549,7 +1549,7 @@
     </message>
     <message>
         <source>Keep the box, and bring probe 1 to a place that is in the box but was outside the 40° pyramid.</source>
-        <translation>Jätke risttahukas ja viige sond 1 kohta, mis on risttahuka sees, aga oli väljaspool 40° püramiidi.</translation>
+        <translation>Jätke risttahukas alles ja viige sond 1 kohta, mis on risttahuka sees, aga oli väljaspool 40° püramiidi.</translation>
     </message>
     <message>
         <source>Where is the pyramid narrower than the box?</source>
@@ -2243,7 +2243,7 @@
     </message>
     <message>
         <source>If {0} stays at {1}, the width {2} stays 4.</source>
-        <translation>Kui {0} jääb arvuks {1}, jääb laius {2} võrdseks arvuga 4.</translation>
+        <translation>Kui {0} on ikka {1}, on laius {2} ikka 4.</translation>
     </message>
     <message>
         <source>With {0} the width {1} stays {2}, and {3}. So {4} and {5}.</source>
@@ -2346,7 +2346,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 4 high and 6 wide now, not twice as wide as high, and the F is too low.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 4 ja laius 6, see ei ole kahekordne kõrgus, ja F on liiga madal.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 4 ja laius 6, mis ei ole kahekordne kõrgus, ning F on liiga madal.</translation>
     </message>
     <message>
         <source>How high must a window be that is 6 wide, for a picture of 1000 by 500?</source>
@@ -2374,7 +2374,7 @@
     </message>
     <message>
         <source>This adds the whole missing length at each end. Look at the picture: the window is 12 wide and 4 high now, not twice as wide as high, and the F is too narrow.</source>
-        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna laius on nüüd 12 ja kõrgus 4, see ei ole kahekordne kõrgus, ja F on liiga kitsas.</translation>
+        <translation>Nii liidetakse kummaski otsas kogu puuduv pikkus. Vaadake pilti: akna kõrgus on nüüd 4 ja laius 12, mis ei ole kahekordne kõrgus, ning F on liiga kitsas.</translation>
     </message>
     <message>
         <source>Variant Y *keeps* y. Look at variant X: it is the one that leaves x as it is, and adjusts y.</source>
@@ -2876,7 +2876,7 @@
     </message>
     <message>
         <source>Probe 1 is pinned to a point of the F, 7.5 in front of the eye. {0} in the box is {1} in NDC; the Probe panel shows it.</source>
-        <translation>Sond 1 on fikseeritud F-i punkti, mis on silmast 7.5 eespool. {0} risttahuka sees on NDC-s {1}; seda näitab paneel Sond.</translation>
+        <translation>Sond 1 on fikseeritud F-i punktis, mis on silmast 7.5 eespool. {0} risttahuka sees on NDC-s {1}; seda näitab paneel Sond.</translation>
     </message>
     <message>
         <source>Bring point 1 to z = −1/2 of the box, by near and far, by the camera, or by the point itself.</source>
@@ -4144,7 +4144,7 @@
     </message>
     <message>
         <source>Only one division makes them. Which one leaves {0}?</source>
-        <translation>Sellised teeb ainult üks jagamine. Kumma järel on {0}?</translation>
+        <translation>Sellised teeb ainult üks jagamine. Kumma jagamise järel on {0}?</translation>
     </message>
     <message>
         <source>The lens&apos;s matrix writes the divisor into {0}, the division makes {1} and {2}, and the viewport makes pixels of these.</source>
@@ -4681,7 +4681,7 @@
     </message>
     <message>
         <source>This divides both ends and joins the results. B is behind the camera, so its image is mirrored. On the way from A, {0} goes to 0 and {1} beyond every bound: the image runs through infinity, not from 0.5 to −0.5. Look at A&apos; and B&apos;: the line that joins them is wrong.</source>
-        <translation>Nii jagatakse mõlemat otsa ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} nullile 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
+        <translation>Nii jagatakse mõlema otsa koordinaadid ja ühendatakse tulemused. B on kaamera taga, seega on selle kujutis peegeldatud. Teel A-st läheneb {0} arvule 0 ja {1} kasvab tõkestamatult: kujutis läheb läbi lõpmatuse, mitte 0.5-st −0.5-ni. Vaadake punkte A&apos; ja B&apos;: joon, mis neid ühendab, on vale.</translation>
     </message>
     <message>
         <source>From 0.5 to infinity</source>
@@ -5231,7 +5231,7 @@
     </message>
     <message>
         <source>Practise: a value on the way</source>
-        <translation>Harjutus: väärtus vahepeal</translation>
+        <translation>Harjutus: vahepealne väärtus</translation>
     </message>
     <message>
         <source>Points 1 and 2 are the ends of an edge.</source>
@@ -5267,7 +5267,7 @@
     </message>
     <message>
         <source>Practise: a depth on the way</source>
-        <translation>Harjutus: sügavus vahepeal</translation>
+        <translation>Harjutus: vahepealne sügavus</translation>
     </message>
     <message>
         <source>A thin rod, drawn in colour, begins at point 1 and ends at point 2.</source>
@@ -6561,7 +6561,7 @@
     </message>
     <message>
         <source>Here {0} is {1} m, and {2} is {3}.</source>
-        <translation>Siin võrdub {0} arvuga {1} m ja {2} arvuga {3}.</translation>
+        <translation>{0} on siin {1} m ja {2} on {3}.</translation>
     </message>
     <message>
         <source>Practise: where does it end?</source>
@@ -6784,7 +6784,7 @@
     </message>
     <message>
         <source>12 bits: 4.5 bytes instead of float32&apos;s 12, and nobody sees the difference in a picture of 320 by 240.</source>
-        <translation>12 bitti: float32 12 baidi asemel 4.5 baiti, ja keegi ei näe vahet pildil, mis on 320 korda 240.</translation>
+        <translation>12 bitti: 4.5 baiti float32-arvude 12 baidi asemel, ja keegi ei näe vahet 320 korda 240 piksliga pildil.</translation>
     </message>
     <message>
         <source>Back to the corner</source>
@@ -6995,7 +6995,7 @@
     </message>
     <message>
         <source>That is another way: it makes the axes afresh from the angle of each frame, and multiplies nothing. Look at *Turned by*: one of the others keeps the products and mends the lengths.</source>
-        <translation>See on teistsugune viis: see teeb teljed iga kaadri nurgast uuesti ega korruta midagi. Vaadake sätet *Pöördenurk*: üks teistest jätab korrutised alles ja parandab pikkused.</translation>
+        <translation>See on teistsugune viis: see teeb teljed iga kaadri nurgast uuesti ega korruta midagi. Vaadake sätet *Pööramine*: üks teistest jätab korrutised alles ja parandab pikkused.</translation>
     </message>
     <message>
         <source>Which way divides each axis by its length, and exactly?</source>
@@ -7386,7 +7386,7 @@
     </message>
     <message>
         <source>By a ten-millionth of its distance: a float32 keeps seven digits</source>
-        <translation>Kümnemiljondiku oma kaugusest: float32 hoiab seitset numbrit</translation>
+        <translation>Kümnemiljondiku võrra oma kaugusest: float32 hoiab seitset numbrit</translation>
     </message>
     <message>
         <source>The seven digits belong to the coordinates, near 100 000. What is left of P&apos;s distance, 8.3 units, has two. Look at P and at the point that came back.</source>
@@ -7394,7 +7394,7 @@
     </message>
     <message>
         <source>By several per cent of its distance</source>
-        <translation>Mõne protsendi oma kaugusest</translation>
+        <translation>Mitme protsendi võrra oma kaugusest</translation>
     </message>
     <message>
         <source>The inverse multiplies the eye&apos;s coordinates with {0}, a small difference of rounded numbers.</source>
@@ -7972,7 +7972,7 @@
     </message>
     <message>
         <source>Play Position and let them look at the end of the avenue: four trees a second. Choose linear fog, end it at 66: 12 per cent of the contrast are left where they pop. Then switch Level of detail on, and move far out: vertices drawn, with and without. Far is a plane, so trees at the side come at the same depth.</source>
-        <translation>Vajutage sätte Asukoht juures Esita ja laske neil vaadata allee lõppu: neli puud sekundis. Valige lineaarne udu lõpuga 66: ilmumise kohas on kontrastist alles 12 protsenti. Siis lülitage Detailsus sisse ja viige kaugtasand kaugemale: joonistatud tipud, koos ja ilma. Kaugtasand on tasand, nii et kõrval olevad puud tulevad samal sügavusel.</translation>
+        <translation>Vajutage sätte Asukoht juures Esita ja laske neil vaadata allee lõppu: neli puud sekundis. Valige lineaarne udu lõpuga 66: ilmumise kohas on kontrastist alles 12 protsenti. Siis lülitage Detailsus sisse ja viige kaugtasand kaugemale: joonistatud tipud, sellega ja selleta. Kaugtasand on tasand, nii et kõrval olevad puud ilmuvad samal sügavusel.</translation>
     </message>
     <message>
         <source>The parallel volume</source>
@@ -8398,11 +8398,11 @@
     </message>
     <message>
         <source>The matrix on the right acts first. The view takes the letter to the camera, and the move is then made along {0}, about the eye.</source>
-        <translation>Esimesena mõjub parempoolne maatriks. Vaade viib tähe kaamerani ja siis liigutatakse seda piki telge {0}, ümber silma.</translation>
+        <translation>Esimesena mõjub parempoolne maatriks. Vaade viib tähe kaamerani ja alles siis pööratakse seda ümber silma ja nihutatakse piki telge {0}.</translation>
     </message>
     <message>
         <source>The large pane shows camera space: the eye is at the origin, u to the right, v up, n towards it. Scrub the strip from Object to View: at Ry the letter is turned, at World it stands in its place, and from World to View everything moves and nothing changes its place against the rest. The rows of the view matrix are the camera&apos;s axes, because it is the inverse of the matrix whose columns they are. Then ask what the exchanged product does. Both matrices are multiplied once, not for every vertex.</source>
-        <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage etapiriba liugurit Objektist Vaateni: peatuses Ry on tähte pööratud, peatuses Maailm on see oma kohal ning Maailmast Vaateni liigub kõik ja millegi koht ülejäänu suhtes ei muutu. Vaatemaatriksi read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Siis küsige, mida teeb vahetatud korrutis. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
+        <translation>Suur paan näitab kaamerafreimi: silm on alguspunktis, u paremale, v üles, n silma poole. Lohistage etapiriba liugurit Objektist Vaateni: peatuses Ry on tähte pööratud, peatuses Maailm on see oma kohal ning Maailmast Vaateni liigub kõik ja mitte millegi koht ülejäänu suhtes ei muutu. Vaatemaatriksi read on kaamera teljed, sest see on selle maatriksi pöördmaatriks, mille veerud need on. Siis küsige, mida teeb vahetatud korrutis. Mõlemad maatriksid korrutatakse ühe korra, mitte iga tipu jaoks.</translation>
     </message>
     <message>
         <source>Clip, divide, NDC</source>
@@ -8805,7 +8805,7 @@
     </message>
     <message>
         <source>{0} grows without bound towards z = 0.</source>
-        <translation>{0} kasvab z = 0 lähenedes tõkestamatult.</translation>
+        <translation>{0} kasvab tõkestamatult, kui läheneda kohale z = 0.</translation>
     </message>
     <message>
         <source>AB is straight and goes through the plane z = 0; half of it is behind the camera. Vote, then show: pink the image, orange what the naive program draws; dashed is the piece without an image. In projective geometry the line is a circle, closed by its point at infinity: open Explanation and diagrams for it. Joining A&apos; and B&apos; takes the wrong arc. And the pencil of lines through one point? The F has many parallel edges; their wrong parts all run through the edges&apos; vanishing point. One sentence of the lecture says &quot;plane of projection&quot; where it means z = 0.</source>

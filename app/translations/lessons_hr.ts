@@ -497,7 +497,7 @@
     </message>
     <message>
         <source>This divides {0}, {1} and {2} by {3} and keeps {4}, so the next division divides them again. Once divided, a point has {5}, and dividing by that changes nothing.</source>
-        <translation>Ovo dijeli {0}, {1} i {2} s {3} i zadržava {4}, pa ih sljedeće dijeljenje opet dijeli. Nakon dijeljenja točka ima {5}, a dijeljenje time ništa ne mijenja.</translation>
+        <translation>Ovo dijeli {0}, {1} i {2} s {3} i zadržava {4}, pa ih sljedeće dijeljenje opet dijeli. Nakon dijeljenja točka ima {5}, a dijeljenje tim brojem ništa ne mijenja.</translation>
     </message>
     <message>
         <source>Clockwise is positive</source>
@@ -525,7 +525,7 @@
     </message>
     <message>
         <source>Any axis will do</source>
-        <translation>Svaka os je dobra</translation>
+        <translation>Dobra je bilo koja os</translation>
     </message>
     <message>
         <source>This turns about another axis. What lies on the axis of a rotation stays where it is: a turn about z changes x and y, and keeps z.</source>
@@ -5605,7 +5605,7 @@
     </message>
     <message>
         <source>The lecture photographs a cat at 29 mm from 30 cm, and at 105 mm. On the film a thing is {0} times its real size, so it keeps its size if</source>
-        <translation>Predavanje fotografira mačku objektivom od 29 mm s 30 cm i objektivom od 105 mm. Veličina stvari na filmu je {0} puta njezina prava veličina, pa ostaje ista ako je</translation>
+        <translation>U predavanju se mačka fotografira objektivom od 29 mm s 30 cm i objektivom od 105 mm. Veličina stvari na filmu je {0} puta njezina prava veličina, pa ostaje ista ako je</translation>
     </message>
     <message>
         <source>From 360 cm it would be only 0.30 times as large and would have to be enlarged.</source>
@@ -5956,7 +5956,7 @@
     </message>
     <message>
         <source>On the other side of the middle, and {0} times as far from it.</source>
-        <translation>S druge strane sredine, i na {0} te udaljenosti od nje.</translation>
+        <translation>Na drugoj je strani sredine, a njezina udaljenost od sredine je {0} puta udaljenost koju vidite.</translation>
     </message>
     <message>
         <source>Practise: the film for a size</source>
@@ -6541,7 +6541,7 @@
     </message>
     <message>
         <source>This is as far behind the focus as the near limit is in front of it. The limits are {0} and {1}; the far one is farther from the focus. Look from above: it is farther from the focus than the near one.</source>
-        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Granice su {0} i {1}; dalja je od ravnine izoštravanja udaljenija. Pogledajte odozgo: od ravnine izoštravanja udaljenija je nego bliža.</translation>
+        <translation>Ovo je jednako daleko iza ravnine izoštravanja kao što je bliža granica ispred nje. Granice su {0} i {1}; dalja je udaljenija od ravnine izoštravanja. Pogledajte odozgo: dalja je granica od nje udaljenija nego bliža.</translation>
     </message>
     <message>
         <source>Both limits have a plus</source>
@@ -6947,7 +6947,7 @@
     </message>
     <message>
         <source>Such an error is no chance. Each round adds about as much as the one before, and the errors of {0} rounds are {1} times as large. After one round the dock says that an axis leans by {2}.</source>
-        <translation>Takva pogreška nije slučaj. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta veće. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
+        <translation>Takva pogreška nije slučajna. Svaki krug dodaje otprilike koliko i prethodni, pa su pogreške nakon {0} krugova {1} puta veće. Nakon jednog kruga bočna ploča kaže da je os nagnuta za {2}.</translation>
     </message>
     <message>
         <source>Turn the camera until the picture is off by more than 50 pixels, with nothing else changed.</source>
@@ -7780,7 +7780,7 @@
     </message>
     <message>
         <source>Cards that are whole inside, outside, and crossing. Step the planes on with the slider: near, far, left, right, bottom, top; each adds corners where an edge goes through. Why not pixel by pixel? To leave out whole triangles is cheap, to leave out fragments is dear. In the dock: corners before and after, and how many cards are whole.</source>
-        <translation>Kartice koje su cijele unutra, izvan i koje sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelih.</translation>
+        <translation>Kartice koje su cijele unutra, kartice izvan volumena i kartice koje ga sijeku. Klizačem prolazite ravnine: bliska, daleka, lijeva, desna, donja, gornja; svaka dodaje vrhove gdje brid prolazi. Zašto ne piksel po piksel? Izostaviti cijele trokute je jeftino, izostaviti fragmente je skupo. Na bočnoj ploči: vrhovi prije i poslije, i koliko je kartica cijelih.</translation>
     </message>
     <message>
         <source>What a real camera also has</source>
@@ -7836,7 +7836,7 @@
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation>Osi kao na ekranu: x udesno, y gore, z prema nama. Smjer gledanja može biti bilo koji vektor, smjer prema gore bilo koji koji ne leži duž njega; ne mora biti okomit. Na ploči pomičite Prema gore od pogleda: slika ostaje dok smjer prema gore ostaje u svojoj ravnini. Dovedite ga blizu 0 i pomaknite ga za 0.1° u stranu: slika se zakrene. Na 0 program kameru odbije.</translation>
+        <translation>Osi kao na ekranu: x udesno, y gore, z prema nama. Smjer gledanja može biti bilo koji vektor, smjer prema gore bilo koji koji ne leži duž njega; ne mora biti okomit. U ploči programa pomičite klizač Prema gore od pogleda: slika ostaje dok smjer prema gore ostaje u svojoj ravnini. Dovedite ga blizu 0 i pomaknite ga za 0.1° u stranu: slika se zakrene. Na 0 program kameru odbije.</translation>
     </message>
     <message>
         <source>The angles of view</source>
@@ -7908,7 +7908,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 129 px. The perspective comes from the distance alone.</source>
-        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču prema glavi. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 129 px. Perspektiva dolazi samo od udaljenosti.</translation>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču u odnosu na glavu. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 129 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -8239,7 +8239,7 @@
     </message>
     <message>
         <source>Let them vote before the cube is seen. Then show: the bow, its chord, and the deviation in per cent of the length. The straight line beside it is A + B/z. Drag P towards the eye and the bow grows. Why does it matter? What lies between the ends is interpolated, and lines are clipped as lines. With B &lt; 0 the order of depth is kept in this lecture&apos;s signs. Near is 1, far is −1: two equations for A and B.</source>
-        <translation>Neka glasuju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postotku duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
+        <translation>Neka glasuju prije nego što vide kocku. Zatim pokažite: luk, njegovu tetivu i odstupanje u postocima duljine. Pravac uz njega je A + B/z. Povucite P prema kameri, i luk raste. Zašto je to važno? Što leži između krajeva, interpolira se, a pravci se odsijecaju kao pravci. Uz B &lt; 0 u predznacima ovog predavanja čuva se poredak dubina. Bliska ravnina je 1, daleka −1: dvije jednadžbe za A i B.</translation>
     </message>
     <message>
         <source>The matrix of perspective</source>
@@ -8558,7 +8558,7 @@
     </message>
     <message>
         <source>Affine: the texture is bent along the diagonal, where the two triangles meet. Correct: a/z and 1/z are interpolated, and divided at each pixel. With depths 2 and 8 and a from 0 to 1, the middle has a = 0.2, not 0.5. Turn Azimuth: seen straight on both are alike. Parts a side makes the error smaller, not zero.</source>
-        <translation>Afino: tekstura je savijena duž dijagonale, gdje se dva trokuta dodiruju. Točno: interpoliraju se a/z i 1/z i dijele u svakom pikselu. S dubinama 2 i 8 i a od 0 do 1 sredina ima a = 0.2, a ne 0.5. Okrećite Azimut: gledano ravno, obje izgledaju isto. Dijelova po stranici smanjuje pogrešku, ali ne na nulu.</translation>
+        <translation>Afino: tekstura je savijena duž dijagonale, gdje se dva trokuta dodiruju. Točno: interpoliraju se a/z i 1/z i dijele u svakom pikselu. S dubinama 2 i 8 i a od 0 do 1 sredina ima a = 0.2, a ne 0.5. Okrećite Azimut: gledano ravno, obje izgledaju isto. Klizač Dijelova po stranici smanjuje pogrešku, ali ne na nulu.</translation>
     </message>
     <message>
         <source>The orthographic box</source>
@@ -8609,7 +8609,7 @@
     </message>
     <message>
         <source>Build it step by step in Camera frame: eye and target, then N, n, U, u, v. N points back, from the target to the eye: the camera looks along {0}. Three unit vectors, each at right angles to the others, right-handed. Stop before v and let them vote: n is (0, 9, 3) over its length, 9.49. Then show v: it leans far away from V. What if V is parallel to N? Turn &quot;Up from view&quot; towards the end of its slider: |V × n| goes to 0, and U with it.</source>
-        <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasuju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako se naginje od V. Što ako je V paralelan s N? Okrećite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
+        <translation>Izgradite ih korak po korak u ploči Koordinatni sustav kamere: položaj kamere i cilj, zatim N, n, U, u, v. N pokazuje unatrag, od cilja prema kameri: kamera gleda duž {0}. Tri jedinična vektora, međusobno okomita, desni sustav. Stanite prije v i neka glasuju: n je (0, 9, 3) kroz svoju duljinu, 9.49. Zatim pokažite v: jako je nagnut od V. Što ako je V paralelan s N? Pomičite „Prema gore od pogleda” prema kraju klizača: |V × n| ide u 0, a s njim i U.</translation>
     </message>
     <message>
         <source>The camera in the world</source>

@@ -245,7 +245,7 @@
     </message>
     <message>
         <source>This takes the letter for the coordinate that changes. Variant X *keeps* {0} and {1} and adjusts {2} until the window has the picture&apos;s proportions; variant Y keeps {3} and adjusts {4}.</source>
-        <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије размеру слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
+        <translation>Овде је слово узето за координату која се мења. Варијанта X *задржава* {0} и {1}, а прилагођава {2} док прозор не добије пропорције слике; варијанта Y задржава {3}, а прилагођава {4}.</translation>
     </message>
     <message>
         <source>variant Y</source>
@@ -449,7 +449,7 @@
     </message>
     <message>
         <source>This rotates before the eye is at the origin. The view matrix first moves the eye to the origin and then rotates about it, so the translation stands on the right of the rotation.</source>
-        <translation>Овде се ротира пре него што је позиција камере у координатном почетку. Матрица погледа прво помера позицију камере у координатни почетак, па ротира око њега, зато транслација стоји десно од ротације.</translation>
+        <translation>Овде се ротира пре него што је позиција камере у координатном почетку. Матрица погледа прво помера позицију камере у координатни почетак, а затим ротира око њега; зато транслација стоји десно од ротације.</translation>
     </message>
     <message>
         <source>The view comes before the object</source>
@@ -545,7 +545,7 @@
     </message>
     <message>
         <source>This is a translation for row vectors. Here points are columns, {0}, so the move is the last column. In the last row its numbers would change {1}.</source>
-        <translation>Ово је транслација за векторе-врсте. Тачке су овде колоне, {0}, па је помак последња колона. У последњој врсти његови бројеви би мењали {1}.</translation>
+        <translation>Ово је транслација за векторе врсте. Тачке су овде колоне, {0}, па је помак последња колона. У последњој врсти његови бројеви би мењали {1}.</translation>
     </message>
     <message>
         <source>One factor is enough</source>
@@ -648,7 +648,7 @@
     </message>
     <message>
         <source>Turn {0} away from {1} until the angle between them is 30° or more.</source>
-        <translation>Удаљавајте {0} од {1} док угао између њих не буде 30° или више.</translation>
+        <translation>Закрећите {0} од {1} док угао између њих не буде 30° или више.</translation>
     </message>
     <message>
         <source>v is always at a right angle to the line of sight. What tilts the line of sight?</source>
@@ -1250,7 +1250,7 @@
     </message>
     <message>
         <source>Lecture 003 has {0} for the horizontal angle, {1} for the vertical one, and {2} for the proportions, here {3}. At the distance {4} from the eye the picture reaches from {5} to {6}, and from {7} to {8}. So</source>
-        <translation>Предавање 003 има {0} за хоризонтални угао, {1} за вертикални и {2} за размеру, овде {3}. На растојању {4} од позиције камере слика досеже од {5} до {6} и од {7} до {8}. Дакле</translation>
+        <translation>Предавање 003 има {0} за хоризонтални угао, {1} за вертикални и {2} за пропорције, овде {3}. На растојању {4} од позиције камере слика досеже од {5} до {6} и од {7} до {8}. Дакле</translation>
     </message>
     <message>
         <source>With {0}: {1}, so {2} and {3}. The side of the near plane&apos;s window is {4} in x and {5} in y. In the dock, *More of the lens* has **Horizontal fov** and **Focal length e**.</source>
@@ -2266,7 +2266,7 @@
     </message>
     <message>
         <source>The window on the near plane is 4 wide and 2 high: {0} from -2 to 2, {1} from -1 to 1. The picture has 720 by 720 pixels. Stretched into it, the letter F is twice as high as it should be. Lecture 000 has two remedies. Variant X replaces {2} by {3} (and {4} by {5}), so that the proportions are right.</source>
-        <translation>Прозор на предњој равни широк је 4, а висок 2: {0} од -2 до 2, {1} од -1 до 1. Слика има 720 пута 720 пиксела. Растегнуто у њу, слово F је двапут више него што треба. Предавање 000 има два лека. Варијанта X замењује {2} са {3} (и {4} са {5}), тако да је размера исправна.</translation>
+        <translation>Прозор на предњој равни широк је 4, а висок 2: {0} од -2 до 2, {1} од -1 до 1. Слика има 720 пута 720 пиксела. Растегнуто у њу, слово F је двапут више него што треба. Предавање 000 има два лека. Варијанта X замењује {2} са {3} (и {4} са {5}), тако да су пропорције исправне.</translation>
     </message>
     <message>
         <source>How large is {0}?</source>
@@ -2290,7 +2290,7 @@
     </message>
     <message>
         <source>Only the proportions matter: circles stay round if</source>
-        <translation>Важна је само размера: кругови остају округли ако је</translation>
+        <translation>Важне су само пропорције: кругови остају округли ако је</translation>
     </message>
     <message>
         <source>Variant X keeps {0} and adds {1} at both ends of {2}:</source>
@@ -2298,7 +2298,7 @@
     </message>
     <message>
         <source>Here {0}, so {1} goes from {2} to {3}. Variant Y keeps {4}: {5}, and {6} goes from {7} to {8}. **World** has {9}, {10} and {11} at the window. **Image** shows the three: stretched, variant Y, variant X. In the dock they are **Proportions**, in *More of the lens*.</source>
-        <translation>Овде је {0}, па {1} иде од {2} до {3}. Варијанта Y задржава {4}: {5}, и {6} иде од {7} до {8}. **Свет** има {9}, {10} и {11} код прозора. **Слика** показује све три: растегнуто, варијанту Y, варијанту X. У бочном панелу то је **Размера слике**, у одељку *Још о објективу*.</translation>
+        <translation>Овде је {0}, па {1} иде од {2} до {3}. Варијанта Y задржава {4}: {5}, и {6} иде од {7} до {8}. **Свет** има {9}, {10} и {11} код прозора. **Слика** показује све три: растегнуто, варијанту Y, варијанту X. У бочном панелу то су **Пропорције**, у одељку *Још о објективу*.</translation>
     </message>
     <message>
         <source>stretched</source>
@@ -2322,11 +2322,11 @@
     </message>
     <message>
         <source>Give the picture its right proportions: choose keep x, fit y.</source>
-        <translation>Дајте слици исправну размеру: изаберите „задржи x, уклопи y”.</translation>
+        <translation>Дајте слици исправне пропорције: изаберите „задржи x, уклопи y”.</translation>
     </message>
     <message>
         <source>Find Proportions in the dock: More of the lens.</source>
-        <translation>Нађите „Размера слике” у бочном панелу: „Још о објективу”.</translation>
+        <translation>Нађите „Пропорције” у бочном панелу: „Још о објективу”.</translation>
     </message>
     <message>
         <source>Right: a unit of x has as many pixels as a unit of y. The fields still show the typed window.</source>
@@ -2398,7 +2398,7 @@
     </message>
     <message>
         <source>Leave Proportions at stretch, and give Bottom and Top the values that variant X would.</source>
-        <translation>Оставите „Размера слике” на „растегни” и дајте пољима „Доле” и „Горе” вредности које би дала варијанта X.</translation>
+        <translation>Оставите „Пропорције” на „растегни” и дајте пољима „Доле” и „Горе” вредности које би дала варијанта X.</translation>
     </message>
     <message>
         <source>The window must be as high as it is wide.</source>
@@ -2426,7 +2426,7 @@
     </message>
     <message>
         <source>The picture is stretched. Variant Y keeps {0}, and makes the window as wide as the picture&apos;s proportions require.</source>
-        <translation>Слика је растегнута. Варијанта Y задржава {0} и прави прозор онолико широк колико размера слике тражи.</translation>
+        <translation>Слика је растегнута. Варијанта Y задржава {0} и прави прозор онолико широк колико пропорције слике траже.</translation>
     </message>
     <message>
         <source>The window is {0} from {1} to {2}, {3} from {4} to {5}, the picture {6} by {7} pixels. How large is {8} in variant Y?</source>
@@ -2482,7 +2482,7 @@
     </message>
     <message>
         <source>*Proportions*, in *More of the lens*, stay at stretch.</source>
-        <translation>*Размера слике*, у одељку *Још о објективу*, остаје на „растегни”.</translation>
+        <translation>*Пропорције*, у одељку *Још о објективу*, остају на „растегни”.</translation>
     </message>
     <message>
         <source>The picture has {0} by 600 pixels. Give *Bottom* and *Top* the values {1} and {2} of variant X.</source>
@@ -2502,7 +2502,7 @@
     </message>
     <message>
         <source>Both ends get the same share, so each gets half of what is missing. Look at variant X: the F has its proportions again.</source>
-        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту X: слово F поново има своју размеру.</translation>
+        <translation>Оба краја добијају једнак део, дакле сваки половину онога што недостаје. Погледајте варијанту X: слово F поново има своје пропорције.</translation>
     </message>
     <message>
         <source>Variant X *keeps* x, and you have changed it. Look at variant Y: it adjusts x as you did.</source>
@@ -4407,7 +4407,7 @@
     </message>
     <message>
         <source>The centre is at {0}, and {1} pixels are 2 wide in {2}.</source>
-        <translation>Средиште је у {0}, а ред од {1} пиксела широк је 2 по {2}.</translation>
+        <translation>Средиште је у {0}, а ред од {1} пиксела има ширину 2 по {2}.</translation>
     </message>
 </context>
 <context>
@@ -4502,7 +4502,7 @@
     </message>
     <message>
         <source>Here are the test points A to E. The eye is at {0} and looks along {1}; far is 11. C is at {2}.</source>
-        <translation>Ево пробних тачака од A до E. Позиција камере је {0}, а гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
+        <translation>Ево пробних тачака од A до E. Камера је у {0} и гледа дуж {1}; задња раван је на 11. C је у {2}.</translation>
     </message>
     <message>
         <source>An edge runs from {0} to {1} in clip space. At which t does it meet {2}?</source>
@@ -4717,7 +4717,7 @@
     </message>
     <message>
         <source>*Image* shows the three ways: *naive*, divided without a cut; *cut*, at {0}; and *clipped*, in homogeneous coordinates, which need no such number.</source>
-        <translation>*Слика* показује три начина: *наивно*, подељено без сечења; *сечење*, на {0}; и *одсечено*, у хомогеним координатама, којима такав број није потребан.</translation>
+        <translation>*Слика* показује три начина: *наивно*, подељено без сечења; *исечено*, на {0}; и *одсечено*, у хомогеним координатама, којима такав број није потребан.</translation>
     </message>
     <message>
         <source>Case 4</source>
@@ -6995,7 +6995,7 @@
     </message>
     <message>
         <source>That is another way: it makes the axes afresh from the angle of each frame, and multiplies nothing. Look at *Turned by*: one of the others keeps the products and mends the lengths.</source>
-        <translation>То је други начин: осе прави изнова из угла сваког кадра, и ништа не множи. Погледајте *Окренуто за*: један од осталих задржава производе и поправља дужине.</translation>
+        <translation>То је други начин: осе прави изнова из угла сваког кадра, и ништа не множи. Погледајте *Окретање*: један од осталих начина задржава производе и поправља дужине.</translation>
     </message>
     <message>
         <source>Which way divides each axis by its length, and exactly?</source>
@@ -7637,7 +7637,7 @@
     </message>
     <message>
         <source>x and y are divided by {0}, z&apos; is not. Look at the bow between P and Q: only {1} is straight.</source>
-        <translation>x и y се деле са {0}, z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
+        <translation>x и y се деле са {0}, а z&apos; не. Погледајте лук између P и Q: права је само {1}.</translation>
     </message>
     <message>
         <source>A bow</source>
@@ -7709,7 +7709,7 @@
     </message>
     <message>
         <source>NDC knows no proportions: the cube is the cube. The stretching happens where [-1, 1] becomes pixels, by different factors for x and y. For round circles the window must have the proportions of the canvas: {0}.</source>
-        <translation>NDC не зна за размеру: коцка је коцка. Растезање настаје тамо где [-1, 1] постају пиксели, различитим чиниоцима за x и y. Да би кругови били округли, прозор мора имати размеру платна: {0}.</translation>
+        <translation>NDC не зна за пропорције: коцка је коцка. Растезање настаје тамо где [-1, 1] постају пиксели, различитим чиниоцима за x и y. Да би кругови били округли, прозор мора имати пропорције платна: {0}.</translation>
     </message>
     <message>
         <source>Variant X: y is adjusted</source>
@@ -7836,7 +7836,7 @@
     </message>
     <message>
         <source>Axes as on the screen: x right, y up, z towards us. look can be any vector, up any that does not lie along it; it need not be at a right angle. Slide Up from view in the panel: the picture stays while up keeps its plane. Bring it near 0 and nudge it by 0.1° to the side: the picture swings. At 0 the camera is refused.</source>
-        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте у панелу „Нагоре од погледа”: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
+        <translation>Осе као на екрану: x удесно, y нагоре, z ка нама. look може бити било који вектор, up било који који не лежи дуж њега; не мора бити под правим углом. Померајте клизач „Нагоре од погледа” у панелу: слика остаје докле год up задржава своју раван. Доведите га близу 0 и гурните за 0.1° у страну: слика се закрене. На 0 програм камеру не прихвата.</translation>
     </message>
     <message>
         <source>The angles of view</source>
@@ -7908,7 +7908,7 @@
     </message>
     <message>
         <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 129 px. The perspective comes from the distance alone.</source>
-        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за долизум, у коме се нос и уши померају у односу на главу. Вративши се на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите увећање: 0.30 пута толико, 129 px. Перспектива потиче само од растојања.</translation>
+        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за доли-зум, у коме се нос и уши померају у односу на главу. Када се вратите на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите „Увећај”: 0.30 пута толико, 129 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
         <source>Why near and far?</source>
@@ -7932,7 +7932,7 @@
     </message>
     <message>
         <source>Which of the two cures the stripes?</source>
-        <translation>Шта од овога двога уклања пруге?</translation>
+        <translation>Шта од ово двоје уклања пруге?</translation>
     </message>
     <message>
         <source>near from 0.1 to 1</source>
@@ -8087,7 +8087,7 @@
     </message>
     <message>
         <source>A projection can be anything: in linear algebra a map with no inverse, in geography the making of a map. Here it is a plane and straight lines. Walk through the tree from left to right and click each kind: cavalier, isometric, 2-point. The F is drawn in that projection at once. The sentence below the tree gives the condition for that kind. Ask which kinds keep equal lengths equal: the parallel ones.</source>
-        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометријска, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
+        <translation>Пројекција може бити свашта: у линеарној алгебри пресликавање без инверза, у географији израда карте. Овде су то раван и праве. Прођите кроз стабло слева надесно и кликните на сваку врсту: кавалјер, изометрија, 2 недогледа. Слово F се одмах црта у тој пројекцији. Реченица испод стабла даје услов за ту врсту. Питајте које врсте једнаким дужинама чувају једнакост: паралелне.</translation>
     </message>
     <message>
         <source>Orthographic: drop z</source>
@@ -8450,7 +8450,7 @@
     </message>
     <message>
         <source>World: the pyramid without its tip. What is inside is drawn, and all of it goes to the cube. Drag near, far and a corner by their handles. Here the window is symmetric, and its four numbers come from one angle and the proportions of the picture: that is the next step.</source>
-        <translation>Свет: пирамида без врха. Што је унутра, црта се, и све то иде у коцку. Превуците предњу раван, задњу раван и један угао за њихове ручице. Овде је прозор симетричан, и његова четири броја долазе од једног угла и размере слике: то је следећи корак.</translation>
+        <translation>Свет: пирамида без врха. Што је унутра, црта се, и све то иде у коцку. Превуците предњу раван, задњу раван и један угао за њихове ручице. Овде је прозор симетричан, и његова четири броја долазе од једног угла и пропорција слике: то је следећи корак.</translation>
     </message>
     <message>
         <source>Fields of view and e</source>

@@ -807,6 +807,10 @@
         <translation>Reavektorid</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Näita selle tegureid paneelis Maatriksid</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Esimesena mõjub kõige alumine lüli.</translation>
     </message>
@@ -1113,7 +1117,7 @@
     </message>
     <message>
         <source>--{0}: stands alone, and needs --format text or json.</source>
-        <translation>--{0}: käib üksi ja vajab valikut --format text või json.</translation>
+        <translation>--{0}: kasutatakse üksinda ja vajab valikut --format text või json.</translation>
     </message>
     <message>
         <source>; for a film add --sweep, --orbit, --stages or --transition</source>
@@ -1193,7 +1197,7 @@
     </message>
     <message>
         <source>P has w &gt; 0 behind the camera: perhaps y points up in its image</source>
-        <translation>P-l on w &gt; 0 kaamera taga: võib-olla on y selle pildis suunaga üles</translation>
+        <translation>P-l on w &gt; 0 kaamera taga: võib-olla on y selle pildil suunatud üles</translation>
     </message>
     <message>
         <source>POINTS = {0!r}: must be a CSV file, or - for standard input; for a point: echo {1} | {2} project -.</source>
@@ -1393,7 +1397,7 @@
     </message>
     <message>
         <source>capitals are {0:.1%} of the screen&apos;s height; must be from {1:.1%} to {2:.1%}.</source>
-        <translation>suurtähed on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
+        <translation>suurtähtede kõrgus on {0:.1%} ekraani kõrgusest; peab olema {1:.1%} kuni {2:.1%}.</translation>
     </message>
     <message>
         <source>check the network and run again: {again}</source>
@@ -1449,7 +1453,7 @@
     </message>
     <message>
         <source>for x right, y down, z forward; pixels from the centre of the first one</source>
-        <translation>kui x on paremale, y alla, z ette; pikslid esimese keskpunktist</translation>
+        <translation>kui x on paremale, y alla ja z ette; pikslid esimese piksli keskpunktist</translation>
     </message>
     <message>
         <source>frame {0}/{1}</source>
@@ -1469,7 +1473,7 @@
     </message>
     <message>
         <source>has {0} columns, but the first row names {1}.</source>
-        <translation>veerge on {0}, aga esimene rida nimetab {1}.</translation>
+        <translation>veerge on {0}, aga esimene rida nimetab neid {1}.</translation>
     </message>
     <message>
         <source>ignored explicit argument %r</source>
@@ -1505,7 +1509,7 @@
     </message>
     <message>
         <source>key</source>
-        <translation>võti</translation>
+        <translation>vastusevõti</translation>
     </message>
     <message>
         <source>largest error in px</source>
@@ -1526,6 +1530,10 @@
     <message>
         <source>lesson</source>
         <translation>õppetund</translation>
+    </message>
+    <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: peab olema üks järgmistest: {1}; {2} {0} avab õppetunni.</translation>
     </message>
     <message>
         <source>lesson print needs --{0}.</source>
@@ -1569,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>mitte ühtegi nime</translation>
+        <translation>null nime</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1581,7 +1589,7 @@
     </message>
     <message>
         <source>no tested version of {0} here: trying others</source>
-        <translation>siin pole paketi {0} proovitud versiooni: proovin teisi</translation>
+        <translation>siin pole paketi {0} testitud versiooni: proovin teisi</translation>
     </message>
     <message>
         <source>no transparency</source>
@@ -1589,7 +1597,7 @@
     </message>
     <message>
         <source>no version fits {python} on this machine; use another Python</source>
-        <translation>selles arvutis ei sobi ükski versioon ({python}); kasutage teist Pythonit</translation>
+        <translation>selles arvutis on {python} millega ei sobi ükski versioon; kasutage teist Pythonit</translation>
     </message>
     <message>
         <source>none</source>
@@ -1613,7 +1621,7 @@
     </message>
     <message>
         <source>options</source>
-        <translation>võtmed</translation>
+        <translation>valikud</translation>
     </message>
     <message>
         <source>out = {0!r}: is a link, which may lead out of {1}.</source>
@@ -1637,7 +1645,7 @@
     </message>
     <message>
         <source>packages</source>
-        <translation>pakette</translation>
+        <translation>mõni pakett</translation>
     </message>
     <message>
         <source>part of the text is only in the speaker&apos;s notes: {0}</source>
@@ -1733,7 +1741,7 @@
     </message>
     <message>
         <source>the package {0} is damaged ({1}); replace it, and start again: {2}</source>
-        <translation>pakett {0} on vigane ({1}); asendage see ja käivitage uuesti: {2}</translation>
+        <translation>pakett {0} on rikutud ({1}); asendage see ja käivitage uuesti: {2}</translation>
     </message>
     <message>
         <source>the path {folder} is too long: move the folder of the code nearer to the drive&apos;s root</source>
@@ -1769,7 +1777,7 @@
     </message>
     <message>
         <source>the skew {0:.1g} of K is left out: so many px at 45 degrees above or below</source>
-        <translation>K kalle {0:.1g} on välja jäetud: nii mitu pikslit on vahe teljest 45 kraadi üles- või allapoole</translation>
+        <translation>K kalle {0:.1g} on välja jäetud: teljest 45 kraadi üles- või allapoole on viga nii mitu pikslit</translation>
     </message>
     <message>
         <source>the text is longer or higher than the two lines above the picture.</source>
@@ -1848,12 +1856,8 @@
         <translation>{0!r} on praeguses kaustas, mis on kustutatud.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} ei ole fail ega käsk; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
-        <translation>{0!r} ei ole nimi, mis failil olla saab.</translation>
+        <translation>{0!r} ei sobi faili nimeks.</translation>
     </message>
     <message>
         <source>{0} (needed: {1})</source>
@@ -1921,7 +1925,7 @@
     </message>
     <message>
         <source>{0} has {1} kB, and a page for phones should have at most {2} kB: ask for fewer {3}.</source>
-        <translation>{0} on {1} kB, telefonilehel võiks olla kõige rohkem {2} kB: küsige vähem, valik: {3}.</translation>
+        <translation>{0} on {1} kB, aga telefonile mõeldud leht võiks olla kõige rohkem {2} kB: küsige vähem, valik: {3}.</translation>
     </message>
     <message>
         <source>{0} in {1}</source>
@@ -1993,11 +1997,11 @@
     </message>
     <message>
         <source>{0}, {1} crowded, {2} empty, {3} hidden, {4} cut of {5}</source>
-        <translation>{0}, ülekoormatud: {1}, tühje: {2}, peidetud: {3}, ära lõigatud: {4}; kokku: {5}</translation>
+        <translation>{0}, ülekoormatuid: {1}, tühje: {2}, peidetuid: {3}, äralõigatuid: {4}; kokku: {5}</translation>
     </message>
     <message>
         <source>{0}, {1}: {2} right, {3} wrong, {4} shown, {5} not marked</source>
-        <translation>{0}, {1}: õigeid {2}, valesid {3}, näidatud {4}, hindamata {5}</translation>
+        <translation>{0}, {1}: õigeid {2}, valesid {3}, näidatuid {4}, hindamata {5}</translation>
     </message>
     <message>
         <source>{0}: has no column out, for the names of the figures.</source>
@@ -2060,6 +2064,10 @@
         <translation>{0}: veerge on {1}, aga peab olema kolm: x,y,z, või ka w; muud veerud nimetage esimeses reas: x,y,z,name.</translation>
     </message>
     <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} ei ole fail, õppetund ega käsk; {1}.</translation>
+    </message>
+    <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
         <translation>{0}: on {1}, aga peab olema kolm: x,y,z, või ka w.</translation>
     </message>
@@ -2081,7 +2089,7 @@
     </message>
     <message>
         <source>{0}: start the program in a desktop session, over ssh with -X, or with xvfb-run -s &apos;+extension GLX&apos;{1} in front; “export”, “project”, “matrices”, “measure”, “lesson”, “talk --check”, “talk --handout” and “doctor” need no screen.</source>
-        <translation>{0}: käivitage programm töölaual, ssh kaudu võtmega -X, või nii, et ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
+        <translation>{0}: käivitage programm töölauaseansis, ssh kaudu valikuga -X või nii, et käsu ees on xvfb-run -s &apos;+extension GLX&apos;{1}; „export“, „project“, „matrices“, „measure“, „lesson“, „talk --check“, „talk --handout“ ja „doctor“ ekraani ei vaja.</translation>
     </message>
     <message>
         <source>{0}: {1!r} is not a column; the nearest is {2}.</source>
@@ -5728,7 +5736,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>eye first</source>
-        <translation>enne silm</translation>
+        <translation>silm enne</translation>
     </message>
     <message>
         <source>far</source>
@@ -5740,7 +5748,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>fast inverse root</source>
-        <translation>kiirmeetodil leitud pöördjuur</translation>
+        <translation>kiirmeetodil leitud pöördruutjuur</translation>
     </message>
     <message>
         <source>first frame (ms)</source>
@@ -5840,7 +5848,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>object first</source>
-        <translation>enne objekt</translation>
+        <translation>objekt enne</translation>
     </message>
     <message>
         <source>of the distance</source>
@@ -6107,7 +6115,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Stop, and keep the results so far</source>
-        <translation>Peatab ja jätab senised tulemused alles</translation>
+        <translation>Katkestab ja jätab senised tulemused alles</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -6248,7 +6256,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <name>MoveButton</name>
     <message>
         <source>Drag it to another place, or press the arrow keys up and down</source>
-        <translation>Lohistage see teise kohta või vajutage üles- ja allanoolt</translation>
+        <translation>Lohistage see teise kohta või vajutage üles- või allanoolt</translation>
     </message>
 </context>
 <context>
@@ -6297,11 +6305,11 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>a talk or a lesson, or the name of one that comes with the program, such as 001 or L5</source>
-        <translation>ettekanne või õppetund, või programmiga kaasas oleva nimi, näiteks 001 või L5</translation>
+        <translation>ettekanne või õppetund, või programmiga kaasas oleva ettekande või õppetunni nimi, näiteks 001 või L5</translation>
     </message>
     <message>
         <source>after --convention (default: those of that program)</source>
-        <translation>pärast valikut --convention (vaikimisi: selle programmi oma)</translation>
+        <translation>pärast valikut --convention (vaikimisi: seal nimetatud programmi omad)</translation>
     </message>
     <message>
         <source>arithmetic (default: float64, or exact where that is needed)</source>
@@ -6353,7 +6361,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>draw all results; FILE as for --json, ending in .png, or in .svg or .pdf for vectors</source>
-        <translation>joonista kõik tulemused; FILE nagu valikul --json, lõpuga .png, või vektorite jaoks .svg või .pdf</translation>
+        <translation>joonista kõik tulemused; FILE nagu valikul --json, lõpuga .png, või vektorgraafika jaoks .svg või .pdf</translation>
     </message>
     <message>
         <source>draw errors over time, or over bytes, which are the same on every machine</source>
@@ -6409,7 +6417,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>in all but .png, lines behind faces: left out, dashed as in ISO 128, or thin and grey (default: none)</source>
-        <translation>kõigis peale .png-faili, jooned tahkude taga: jäetakse ära, on katkendlikud nagu standardis ISO 128 või peenikesed ja hallid (vaikimisi: none)</translation>
+        <translation>kõigis failides peale .png-faili: tahkude taga olevad jooned jäetakse ära, on katkendlikud nagu standardis ISO 128 või peenikesed ja hallid (vaikimisi: none)</translation>
     </message>
     <message>
         <source>instead of --size: how wide it is after it was cropped without a margin, such as 84mm; its height is free, and letters keep their size</source>
@@ -6449,7 +6457,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>measure the errors over a parameter&apos;s range; NAME is one of near, far, fov, distance, up, aspect, gap</source>
-        <translation>mõõda vead üle parameetri vahemiku; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
+        <translation>mõõda vead parameetri vahemikus; NAME on üks nendest: near, far, fov, distance, up, aspect, gap</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
@@ -6485,7 +6493,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
-        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või edasi ja tagasi kõigi kaadrite peale kokku (vaikimisi: repeat valikul --sweep ja ringi käies, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
+        <translation>liikuval pildil: viimasest kaadrist esimesse, üldse mitte, või kõigi kaadrite jooksul kokku edasi ja tagasi (vaikimisi: repeat valikul --sweep ja täisringil, once valikul --transition ja nummerdatud failidel, muidu back-and-forth)</translation>
     </message>
     <message>
         <source>of a moving picture: how many frames (default: 48; of --stages 120, of --transition 24; in .html 21)</source>
@@ -6525,7 +6533,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of the chart, as of a figure; with a size of it or of its letters there are no notes below</source>
-        <translation>diagrammil, nagu joonisel; kui on antud selle või selle tähtede suurus, ei ole all märkusi</translation>
+        <translation>diagrammil, nagu joonisel; kui on antud diagrammi või selle tähtede suurus, ei ole all märkusi</translation>
     </message>
     <message>
         <source>of the chart, instead of --size; its height is free</source>
@@ -6577,7 +6585,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation>suurus paberil, näiteks 120mmx80mm, ühikutes mm, cm või in; või pikslites mastaabis 1, 300 tollis (vaikimisi: 640x640 iga paani jaoks, või ainult pildi puhul selle oma suurus); .html-failis iga paani suurus</translation>
+        <translation>suurus paberil, näiteks 120mmx80mm, ühikutes mm, cm või in; või pikslites mastaabis 1, 300 tolli kohta (vaikimisi: 640x640 iga paani jaoks, või ainult pildi puhul selle oma suurus); .html-failis iga paani suurus</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
@@ -6589,7 +6597,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation>joonistatavad paanid, kõrvuti, või komade asemel märgiga / üksteise all (vaikimisi: kõik, kõrvuti; sammu puhul selle slaidi paanid); või üksi equation: see on view.equation oma, mis on vaikimisi, kui --set seda küsib</translation>
+        <translation>joonistatavad paanid, kõrvuti, või komade asemel märgiga / üksteise all (vaikimisi: kõik, kõrvuti; sammu puhul selle slaidi paanid); või üksi equation: see on väärtuse view.equation võrrand, mis on vaikimisi, kui --set mõnda võrrandit küsib</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
@@ -6605,7 +6613,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>what the world pane frames: what is named, with the whole frustum too, or the objects alone (default: named)</source>
-        <translation>mida maailma paan raamib: nimetatut, ka koos kogu frustumiga, või ainult objekte (vaikimisi: named)</translation>
+        <translation>mida maailma paan raamib: seda, mis on nimetatud, ka koos kogu frustumiga, või ainult objekte (vaikimisi: named)</translation>
     </message>
     <message>
         <source>where to put the folder frustum-lab, with the program and all that it needs, for machines like this one without Python; and an archive of it</source>
@@ -7739,7 +7747,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>is too close to {0} for a plane as far from the eye as near is</source>
-        <translation>on arvule {0} liiga lähedal, kui tasand on silmast sama kaugel kui lähitasand</translation>
+        <translation>on arvule {0} liiga lähedal tasandi jaoks, mis on silmast sama kaugel kui lähitasand</translation>
     </message>
     <message>
         <source>is too close to {0} for float64 to tell the two apart</source>
@@ -9192,14 +9200,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Sama risttahukas: paralleelse objektiivi Mₚₚ on ühikmaatriks</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Tehakse vasakult: iga liigutus telgedes, mida varasemad liigutused on liigutanud</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Loetakse paremalt: iga liigutus maailma telgedes</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Kanooniline paralleelne</translation>
     </message>
@@ -9210,6 +9210,14 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>NDC cube</source>
         <translation>NDC kuup</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Objekti ja kaamera liigutused tehakse vasakult: iga liigutus telgedes, mida varasemad liigutused on liigutanud</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Objekti ja kaamera liigutused loetakse paremalt: iga liigutus paigalseisvates telgedes</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
@@ -10299,7 +10307,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>From which distance on does P stand still?</source>
-        <translation>Mis kaugusest alates P paigal püsib?</translation>
+        <translation>Millisest kaugusest alates P paigal püsib?</translation>
     </message>
     <message>
         <source>Gap</source>
@@ -10843,7 +10851,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>The synthetic camera has a point as its lens, and its whole picture is sharp. A real lens draws only points at the focal distance as points, and all others as discs. Between the two limits the discs are no larger than the circle of confusion and pass for points: sharp posts are outlined. The picture is the average of pinhole pictures from all over the lens, and becomes finer while nothing changes. One world unit is 1 m.</source>
-        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub peenemaks, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
+        <translation>Sünteetilise kaamera objektiiv on punkt ja kogu selle pilt on terav. Tegelik objektiiv joonistab punktidena ainult punktid teravustamiskaugusel, kõik teised aga ketastena. Kahe piiri vahel ei ole kettad hajumisringist suuremad ja neid peetakse punktideks: teravad postid on kontuuriga. Pilt on nõelaaugupiltide keskmine üle kogu objektiivi ja muutub järjest peenemaks seni, kuni midagi ei muudeta. Üks maailma ühik on 1 m.</translation>
     </message>
     <message>
         <source>Toe the cameras in: is P still level?</source>
@@ -10863,7 +10871,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>Turned by</source>
-        <translation>Pöördenurk</translation>
+        <translation>Pööramine</translation>
     </message>
     <message>
         <source>Turns the camera about its target</source>
@@ -11511,7 +11519,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation>terav</translation>
+        <translation>fookus</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -11715,7 +11723,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>of {0} vertices</source>
-        <translation>tippude arvust {0}</translation>
+        <translation>{0} tipust</translation>
     </message>
     <message>
         <source>off the axis, ({r} + {l})/({r} − {l})</source>
@@ -11783,7 +11791,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>products, fast inverse root</source>
-        <translation>korrutised, kiire pöördjuur</translation>
+        <translation>korrutised, kiire pöördruutjuur</translation>
     </message>
     <message>
         <source>products, renormalised</source>

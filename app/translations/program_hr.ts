@@ -129,7 +129,7 @@
     </message>
     <message>
         <source>&amp;Present</source>
-        <translation>&amp;Izlaganje</translation>
+        <translation>&amp;Izlaži</translation>
     </message>
     <message>
         <source>&amp;Previous step</source>
@@ -349,7 +349,7 @@
     </message>
     <message>
         <source>Present</source>
-        <translation>Izlaganje</translation>
+        <translation>Izlaži</translation>
     </message>
     <message>
         <source>Present from the beginnin&amp;g</source>
@@ -807,6 +807,10 @@
         <translation>Vektori retci</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Prikaži njegove faktore u ploči Matrice</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Pločica na dnu djeluje prva.</translation>
     </message>
@@ -1161,7 +1165,7 @@
     </message>
     <message>
         <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
-        <translation>Nijedna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
+        <translation>Nijedna pogrešna predodžba ne objašnjava (odgovori; lekcija, vježba, varijanta; što je upisano; točno):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1217,7 +1221,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, broj bitova {1}, {2},</translation>
+        <translation>Python {0}, {1}-bitni, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1469,7 +1473,7 @@
     </message>
     <message>
         <source>has {0} columns, but the first row names {1}.</source>
-        <translation>broj stupaca je {0}, a prvi redak imenuje ih {1}.</translation>
+        <translation>broj stupaca je {0}, a prvi ih redak imenuje {1}.</translation>
     </message>
     <message>
         <source>ignored explicit argument %r</source>
@@ -1528,6 +1532,10 @@
         <translation>lekcija</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: mora biti jedno od {1}; {2} {0} otvara lekciju.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print treba --{0}.</translation>
     </message>
@@ -1569,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>nijedno ime</translation>
+        <translation>samo opcije</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1633,7 +1641,7 @@
     </message>
     <message>
         <source>overwritten</source>
-        <translation>prepisano</translation>
+        <translation>zamijenjeno</translation>
     </message>
     <message>
         <source>packages</source>
@@ -1829,7 +1837,7 @@
     </message>
     <message>
         <source>what is drawn covers {0:.0%} of the width and {1:.0%} of the height; at least {2:.0%} of one of them, and below {3:.0%} also {4:.0%} of the area.</source>
-        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ispod {3:.0%} i {4:.0%} površine.</translation>
+        <translation>nacrtano pokriva {0:.0%} širine i {1:.0%} visine; treba barem {2:.0%} jednoga od toga, a ako je to manje od {3:.0%}, onda i {4:.0%} površine.</translation>
     </message>
     <message>
         <source>without a display through {0}, {1}</source>
@@ -1846,10 +1854,6 @@
     <message>
         <source>{0!r} is in the current folder, which was deleted.</source>
         <translation>{0!r} je u trenutačnoj mapi, koja je izbrisana.</translation>
-    </message>
-    <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} nije ni datoteka ni naredba ({1}).</translation>
     </message>
     <message>
         <source>{0!r} is not a name that a file can have.</source>
@@ -1969,7 +1973,7 @@
     </message>
     <message>
         <source>{0} takes {1}, and was given {2}.</source>
-        <translation>{0} prima {1}, a zadano je {2}.</translation>
+        <translation>{0} prima {1}; zadano: {2}.</translation>
     </message>
     <message>
         <source>{0} was given an empty name.</source>
@@ -2058,6 +2062,10 @@
     <message>
         <source>{0}: has {1} columns, must have three: x,y,z, or w too; name other columns in a first row: x,y,z,name.</source>
         <translation>{0}: broj stupaca je {1}, a moraju biti tri: x,y,z, ili i w; druge stupce imenujte u prvom retku: x,y,z,name.</translation>
+    </message>
+    <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} nije ni datoteka, ni lekcija, ni naredba ({1}).</translation>
     </message>
     <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
@@ -4233,7 +4241,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Move along the view direction; by the face, too, where the scene has their controls</source>
-        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, hvata ih se i za samu plohu</translation>
+        <translation>Pomiče duž smjera gledanja; ako scena ima kontrole tih ravnina, mogu se uhvatiti i za samu plohu</translation>
     </message>
     <message>
         <source>Move in the plane that faces you; with Shift, up and down</source>
@@ -6126,7 +6134,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Cancel</source>
-        <translation>Odustani</translation>
+        <translation>Prekini</translation>
     </message>
     <message>
         <source>Progress of the measurement</source>
@@ -6178,7 +6186,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>paused</source>
-        <translation>zaustavljeno</translation>
+        <translation>pauzirano</translation>
     </message>
     <message>
         <source>Export what is shown</source>
@@ -6332,7 +6340,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>check: try every state, answer key and sample of lessons and talks, and measure their pictures (default: those that come with the program); list: list them; names: print every name that their files may use; print: print tests, see below; results: mark files of results again from what was typed, count the wrong ideas, and list what no idea explains. FILE may also be a name such as L5 or 001</source>
-        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
+        <translation>check: isprobava svako stanje, rješenje i uzorak lekcija i izlaganja te mjeri njihove slike (zadano: sve što dolazi s programom); list: nabraja ih; names: ispisuje svako ime koje njihove datoteke smiju koristiti; print: ispisuje testove, vidi dolje; results: iz upisanog ponovno ocjenjuje datoteke rezultata, broji pogrešne predodžbe i nabraja ono što nijedna pogrešna predodžba ne objašnjava. FILE može biti i ime poput L5 ili 001</translation>
     </message>
     <message>
         <source>colours, for this start only</source>
@@ -6352,7 +6360,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>draw a moving picture: a value of --set changes from FIRST to LAST; may be repeated for values that change together</source>
-        <translation>crta pokretnu sliku: vrijednost iz --set mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
+        <translation>crta pokretnu sliku: vrijednost, imenovana kao kod --set, mijenja se od FIRST do LAST; može se ponoviti za vrijednosti koje se mijenjaju zajedno</translation>
     </message>
     <message>
         <source>draw a moving picture: how --step follows from the step before</source>
@@ -6416,7 +6424,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>in LaTeX: significant digits of numbers, up to 17, which are all (default: 4)</source>
-        <translation>u LaTeX-u: značajne znamenke brojeva, do 17, što su sve (zadano: 4)</translation>
+        <translation>u LaTeX-u: značajne znamenke brojeva, najviše 17, a to su sve (zadano: 4)</translation>
     </message>
     <message>
         <source>in LaTeX: the width of the text or the column, such as 84mm, in mm, cm, in or pt (default: 345pt, the text of an article)</source>
@@ -6468,7 +6476,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>measure this trade; may be repeated (default, without --sweep: all)</source>
-        <translation>mjeri ovaj kompromis; može se ponoviti (zadano, bez --sweep: sve)</translation>
+        <translation>mjeri ovaj kompromis; može se ponoviti (zadano, bez --sweep: svi)</translation>
     </message>
     <message>
         <source>measure, on this machine, what speed costs in accuracy</source>
@@ -6492,11 +6500,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of --wheels, such as 3.12; may be repeated (default: this one&apos;s)</source>
-        <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: ona ovdje)</translation>
+        <translation>uz --wheels, npr. 3.12; može se ponoviti (zadano: verzija ovog Pythona)</translation>
     </message>
     <message>
         <source>of --wheels; may be repeated (default: all of them)</source>
-        <translation>uz --wheels; može se ponoviti (zadano: svi)</translation>
+        <translation>uz --wheels; može se ponoviti (zadano: sve)</translation>
     </message>
     <message>
         <source>of a moving picture: from the last frame to the first, not at all, or there and back in all frames together (default: repeat for --sweep and all round, once for --transition and numbered files, else back-and-forth)</source>
@@ -6524,7 +6532,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of print: where the PDF files go; existing files are overwritten</source>
-        <translation>uz print: kamo idu datoteke PDF; postojeće se prepisuju</translation>
+        <translation>uz print: kamo idu datoteke PDF; postojeće se zamjenjuju</translation>
     </message>
     <message>
         <source>of print: write one more file, with the answers of all variants and their ways</source>
@@ -6532,7 +6540,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>of results: write a table, a row for each answer; an existing file is overwritten</source>
-        <translation>uz results: zapisuje tablicu, redak za svaki odgovor; postojeća datoteka se prepisuje</translation>
+        <translation>uz results: zapisuje tablicu, redak za svaki odgovor; postojeća datoteka se zamjenjuje</translation>
     </message>
     <message>
         <source>of the chart, as of a figure (default: screen)</source>
@@ -6592,7 +6600,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>size on paper, such as 120mmx80mm, in mm, cm or in; or in pixels at scale 1, 300 an inch (default: 640x640 for each pane, or its own size for the image alone); in .html, of each pane</source>
-        <translation>veličina na papiru, npr. 120mmx80mm, u mm, cm ili in; ili u pikselima pri mjerilu 1, 300 po palcu (zadano: 640x640 za svako okno, ili vlastita veličina samo za sliku); u .html, svakog okna</translation>
+        <translation>veličina na papiru, npr. 120mmx80mm, u mm, cm ili in; ili u pikselima pri mjerilu 1, 300 po palcu (zadano: 640x640 za svako okno, a kad se crta samo image, njezina vlastita veličina); u .html, svakog okna</translation>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
@@ -6604,7 +6612,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>the panes to draw, side by side, or below each other with / instead of commas (default: all, side by side; of a step, those of its slide); or equation, alone: that of view.equation, which is the default where --set asks for one</source>
-        <translation>okna za crtanje, jedno uz drugo, ili jedno ispod drugog uz / umjesto zareza (zadano: sva, jedno uz drugo; za korak, ona s njegova slajda); ili equation, samo: ona iz view.equation, što je zadano gdje je traži --set</translation>
+        <translation>okna za crtanje, jedno uz drugo, ili jedno ispod drugog uz / umjesto zareza (zadano: sva, jedno uz drugo; za korak, ona s njegova slajda); ili samo equation: jednadžba iz view.equation, što je zadano gdje je traži --set</translation>
     </message>
     <message>
         <source>the same as --set scene=NAME</source>
@@ -6628,11 +6636,11 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>write all results; FILE is overwritten, - is standard output</source>
-        <translation>zapisuje sve rezultate; FILE se prepisuje, - je standardni izlaz</translation>
+        <translation>zapisuje sve rezultate; postojeća datoteka FILE se zamjenjuje, - je standardni izlaz</translation>
     </message>
     <message>
         <source>write the figures, text and notes of every step on A4 pages (.pdf) or as a page that phones show (.html); an existing file is overwritten</source>
-        <translation>zapisuje slike, tekst i bilješke svakog koraka na stranice A4 (.pdf) ili kao stranicu koju prikazuju telefoni (.html); postojeća datoteka se prepisuje</translation>
+        <translation>zapisuje slike, tekst i bilješke svakog koraka na stranice A4 (.pdf) ili kao stranicu koju prikazuju telefoni (.html); postojeća datoteka se zamjenjuje</translation>
     </message>
     <message>
         <source>write the tables, one after the other; FILE as for --json</source>
@@ -8693,7 +8701,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Overwrite it?</source>
-        <translation>Želite li zapisati preko?</translation>
+        <translation>Želite li je zamijeniti?</translation>
     </message>
 </context>
 <context>
@@ -8952,7 +8960,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>&amp;Reset</source>
-        <translation>&amp;Vrati</translation>
+        <translation>Na n&amp;ulu</translation>
     </message>
     <message>
         <source>◀ &amp;Back</source>
@@ -9208,14 +9216,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Isti kvadar: Mₚₚ paralelnog objektiva je identiteta</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Slijeva: svako pomicanje u osima koje su pomaknula prethodna pomicanja</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Čitano zdesna: svako pomicanje u osima svijeta</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Kanonski paralelni</translation>
     </message>
@@ -9226,6 +9226,14 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>NDC cube</source>
         <translation>Kocka NDC</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Pomicanja objekta i kamere slijeva: svako u osima koje su pomaknula prethodna pomicanja</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Pomicanja objekta i kamere čitana zdesna: svako u nepomičnim osima</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
@@ -9727,7 +9735,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>{0} faces with {1} parts a side are too many triangles to draw: the picture has {2} parts</source>
-        <translation>broj strana {0} s brojem dijelova po stranici {1} daje previše trokuta za crtanje: dijelova na slici: {2}</translation>
+        <translation>previše je trokuta za crtanje: broj strana je {0}, dijelova po stranici {1}, a dijelova na slici {2}</translation>
     </message>
     <message>
         <source>your idea</source>
@@ -9907,7 +9915,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>AB missed</source>
-        <translation>AB nedostaje</translation>
+        <translation>AB nenacrtano</translation>
     </message>
     <message>
         <source>All projectors are parallel, but slant towards the image. Faces parallel to the image keep their shape, and receding edges are drawn at one angle and one scale. Scale 1 gives a cavalier drawing, 1/2 a cabinet drawing, and 0 the orthographic drawing.</source>
@@ -10243,7 +10251,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>F missed</source>
-        <translation>F nedostaje</translation>
+        <translation>F nenacrtano</translation>
     </message>
     <message>
         <source>Far from the origin: move the origin.</source>
@@ -10695,7 +10703,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>Pyramid (perspective)</source>
-        <translation>Piramida (perspektivni)</translation>
+        <translation>Piramida (perspektivna)</translation>
     </message>
     <message>
         <source>Ray times depth</source>
@@ -11187,7 +11195,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>cards outside</source>
-        <translation>kartice izvan</translation>
+        <translation>kartice cijele izvan</translation>
     </message>
     <message>
         <source>cards whole inside</source>
@@ -11263,7 +11271,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>d over w, 32 of the codes</source>
-        <translation>d u ovisnosti o w, 32 koda</translation>
+        <translation>d u ovisnosti o w, 32 od svih kodova</translation>
     </message>
     <message>
         <source>depth of field</source>
@@ -11295,7 +11303,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>drawn at</source>
-        <translation>nacrtano u</translation>
+        <translation>nacrtani w</translation>
     </message>
     <message>
         <source>drawn by P V, off by</source>
@@ -11527,7 +11535,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>in focus</source>
-        <translation>oštro</translation>
+        <translation>izoštreno</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -11659,7 +11667,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>mesh missed</source>
-        <translation>mreža nedostaje</translation>
+        <translation>mreža nenacrtana</translation>
     </message>
     <message>
         <source>mirrored end</source>
@@ -11891,7 +11899,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>smooth jump</source>
-        <translation>gladak skok</translation>
+        <translation>glatki skok</translation>
     </message>
     <message>
         <source>smooth path</source>
@@ -12355,7 +12363,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ u svijetu</translation>
+        <translation>½ u&#xa0;svijetu</translation>
     </message>
     <message>
         <source>½ on the screen</source>

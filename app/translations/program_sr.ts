@@ -807,6 +807,10 @@
         <translation>Вектори-врсте</translation>
     </message>
     <message>
+        <source>Show its factors in Matrices</source>
+        <translation>Прикажи његове чиниоце у панелу „Матрице”</translation>
+    </message>
+    <message>
         <source>The tile at the bottom acts first.</source>
         <translation>Плочица на дну делује прва.</translation>
     </message>
@@ -901,7 +905,7 @@
     </message>
     <message>
         <source>--batch: takes one name, the folder of the figures.</source>
-        <translation>--batch: прима једно име, фасциклу цртежа.</translation>
+        <translation>--batch: прима једно име, име фасцикле за цртеже.</translation>
     </message>
     <message>
         <source>--chart = {0!r}: must end in {1}.</source>
@@ -1037,7 +1041,7 @@
     </message>
     <message>
         <source>--topics = {0!r}: must be topics from L1 to L{1}, or files of lessons, separated by commas.</source>
-        <translation>--topics = {0!r}: мора да буде списак тема од L1 до L{1}, или датотека лекција, раздвојених зарезима.</translation>
+        <translation>--topics = {0!r}: мора да садржи теме од L1 до L{1}, или датотеке лекција, раздвојене зарезима.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: names {1} twice.</source>
@@ -1161,7 +1165,7 @@
     </message>
     <message>
         <source>No idea explains (answers; lesson, exercise, variant; what was typed; right):</source>
-        <translation>Ниједна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
+        <translation>Ниједна погрешна представа не објашњава (одговори; лекција, задатак, варијанта; шта је уписано; тачно):</translation>
     </message>
     <message>
         <source>OUT = {0!r}: .mp4 has even sides in pixels, not {1}; set --size.</source>
@@ -1217,7 +1221,7 @@
     </message>
     <message>
         <source>Python {0}, {1} bits, {2},</source>
-        <translation>Python {0}, број битова {1}, {2},</translation>
+        <translation>Python {0}, {1}-битни, {2},</translation>
     </message>
     <message>
         <source>QT_QPA_PLATFORM = {0}: must be one of {1}; unset it.</source>
@@ -1333,7 +1337,7 @@
     </message>
     <message>
         <source>a part</source>
-        <translation>део</translation>
+        <translation>једног дела</translation>
     </message>
     <message>
         <source>a whole number</source>
@@ -1528,6 +1532,10 @@
         <translation>лекција</translation>
     </message>
     <message>
+        <source>lesson = {0!r}: must be one of {1}; {2} {0} opens the lesson.</source>
+        <translation>lesson = {0!r}: мора да буде једно од {1}; {2} {0} отвара лекцију.</translation>
+    </message>
+    <message>
         <source>lesson print needs --{0}.</source>
         <translation>lesson print тражи --{0}.</translation>
     </message>
@@ -1569,7 +1577,7 @@
     </message>
     <message>
         <source>no names</source>
-        <translation>ниједно име</translation>
+        <translation>нула имена</translation>
     </message>
     <message>
         <source>no package server could be reached</source>
@@ -1848,10 +1856,6 @@
         <translation>{0!r} је у текућој фасцикли, која је избрисана.</translation>
     </message>
     <message>
-        <source>{0!r} is neither a file nor a command; the {1}.</source>
-        <translation>{0!r} није ни датотека ни наредба; {1}.</translation>
-    </message>
-    <message>
         <source>{0!r} is not a name that a file can have.</source>
         <translation>{0!r} није име које датотека може да има.</translation>
     </message>
@@ -2060,6 +2064,10 @@
         <translation>{0}: број колона је {1}, а мора да их буде три: x,y,z, или и w; друге колоне именујте у првом реду: x,y,z,name.</translation>
     </message>
     <message>
+        <source>{0!r} is neither a file, a lesson nor a command; the {1}.</source>
+        <translation>{0!r} није ни датотека, ни лекција, ни наредба; {1}.</translation>
+    </message>
+    <message>
         <source>{0}: has {1}, must have three: x,y,z, or w too.</source>
         <translation>{0}: има {1}, а мора да их буде три: x,y,z, или и w.</translation>
     </message>
@@ -2137,7 +2145,7 @@
     </message>
     <message>
         <source>the end</source>
-        <translation>крај</translation>
+        <translation>краја</translation>
     </message>
     <message>
         <source>the pose</source>
@@ -3300,7 +3308,7 @@
     </message>
     <message>
         <source>Proportions</source>
-        <translation>Размера слике</translation>
+        <translation>Пропорције</translation>
     </message>
     <message>
         <source>Receding</source>
@@ -3492,7 +3500,7 @@
     </message>
     <message>
         <source>image size ratio proportions</source>
-        <translation>величина слике однос размера</translation>
+        <translation>величина слике однос размера пропорције</translation>
     </message>
     <message>
         <source>image size resolution pixels</source>
@@ -4157,7 +4165,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Go nearer or farther</source>
-        <translation>Приближава или удаљава</translation>
+        <translation>Приближава или удаљава камеру</translation>
     </message>
     <message>
         <source>Go to the next number; Esc leaves the field</source>
@@ -5795,7 +5803,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>levels RMS</source>
-        <translation>нивои RMS</translation>
+        <translation>нивоа RMS</translation>
     </message>
     <message>
         <source>logarithmic</source>
@@ -6596,7 +6604,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>space of the coordinates (default: world)</source>
-        <translation>координатни систем координата (подразумевано: world)</translation>
+        <translation>координатни систем тачака (подразумевано: world)</translation>
     </message>
     <message>
         <source>the figure to write (.png; .svg, .pdf or TikZ&apos;s .tex for shapes and text; .html for a page that phones show), and the document, picture, mesh, camera, lesson or talk to draw (default: the letter F); with --batch, the folder of the figures; with --sweep, --orbit, --stages or --transition, a film (.gif, .apng, .webp, or .mp4 with ffmpeg), a page with a slider (.html), or a name with %03d for a figure of each frame</source>
@@ -7086,7 +7094,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>{0}, pinned</source>
-        <translation>{0}, закачена</translation>
+        <translation>{0}, закачено</translation>
     </message>
     <message>
         <source>Ray {0}</source>
@@ -7227,7 +7235,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>It swings about the origin, and ends {0} units away from its place.</source>
-        <translation>Описује лук око координатног почетка и завршава {0} јединица далеко од свог места.</translation>
+        <translation>Описује лук око координатног почетка и завршава на растојању {0} од свог места.</translation>
     </message>
     <message>
         <source>None of the numbers is right.</source>
@@ -9208,14 +9216,6 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Исти квадар: Mₚₚ паралелног објектива је јединична матрица</translation>
     </message>
     <message>
-        <source>Done from the left: each move in the axes that the moves before have moved</source>
-        <translation>Извршава се слева: сваки покрет у осама које су ранији покрети померили</translation>
-    </message>
-    <message>
-        <source>Read from the right: each move in the world&apos;s axes</source>
-        <translation>Чита се здесна: сваки покрет у осама света</translation>
-    </message>
-    <message>
         <source>Canonical parallel</source>
         <translation>Стандардна паралелна</translation>
     </message>
@@ -9226,6 +9226,14 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>NDC cube</source>
         <translation>NDC коцка</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
+        <translation>Покрети објекта и камере извршавају се слева: сваки у осама које су ранији покрети померили</translation>
+    </message>
+    <message>
+        <source>The moves of object and camera read from the right: each in fixed axes</source>
+        <translation>Покрети објекта и камере читају се здесна: сваки у непомичним осама</translation>
     </message>
     <message>
         <source>x, y, z in world units</source>
@@ -9565,7 +9573,7 @@ An error in {3} is {2} times as large in u and v.</source>
     <name>TaskView</name>
     <message>
         <source>To do</source>
-        <translation>Задатак</translation>
+        <translation>Урадите</translation>
     </message>
     <message>
         <source>The window as it is now is my answer</source>
@@ -9915,7 +9923,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Aperture N</source>
-        <translation>Отвор бленде N</translation>
+        <translation>Бленда N</translation>
     </message>
     <message>
         <source>Arithmetic</source>
@@ -10547,7 +10555,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Number of parts into which each side of the board is cut</source>
-        <translation>Број делова на које се дели свака страница табле</translation>
+        <translation>Број делова на које се дели свака ивица табле</translation>
     </message>
     <message>
         <source>Number of pieces of equal length into which the floor is cut from near to far</source>
@@ -10619,7 +10627,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Parts a side</source>
-        <translation>Делова по страници</translation>
+        <translation>Делова по ивици</translation>
     </message>
     <message>
         <source>Perspective</source>
@@ -10771,11 +10779,11 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Simpler from</source>
-        <translation>Једноставније од</translation>
+        <translation>Простије преко</translation>
     </message>
     <message>
         <source>Simplest from</source>
-        <translation>Најједноставније од</translation>
+        <translation>Најпростије преко</translation>
     </message>
     <message>
         <source>Snapping</source>
@@ -10879,7 +10887,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>Turned by</source>
-        <translation>Окренуто за</translation>
+        <translation>Окретање</translation>
     </message>
     <message>
         <source>Turns the camera about its target</source>
@@ -11039,7 +11047,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>With a wider field of view the camera must be nearer to show the subject at the same size. Its near parts then look larger compared with its far parts: foreshortening depends on the distance alone. If you change the distance, the field of view follows, so that things at the target&apos;s distance keep their size (a dolly zoom). One unit is 10 cm.</source>
-        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (долизум). Једна јединица је 10 cm.</translation>
+        <translation>Са ширим видним пољем камера мора бити ближе да би предмет био једнако велик. Његови ближи делови тада изгледају већи у односу на даље: скраћење зависи само од растојања. Ако промените растојање, видно поље га прати, тако да оно што је на растојању циља задржи величину (доли-зум). Једна јединица је 10 cm.</translation>
     </message>
     <message>
         <source>World y of the plane; at most 0, where the object stands</source>
@@ -11255,7 +11263,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>cut</source>
-        <translation>сечење</translation>
+        <translation>исечено</translation>
     </message>
     <message>
         <source>cut at z = −0.01</source>
@@ -11527,7 +11535,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>in focus</source>
-        <translation>у фокусу</translation>
+        <translation>у&#xa0;фокусу</translation>
     </message>
     <message>
         <source>in its own plane</source>
@@ -12315,7 +12323,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>your own</source>
-        <translation>ваша сопствена</translation>
+        <translation>сопствени</translation>
     </message>
     <message>
         <source>z</source>
@@ -12355,7 +12363,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>½ in the world</source>
-        <translation>½ у свету</translation>
+        <translation>½ у&#xa0;свету</translation>
     </message>
     <message>
         <source>½ on the screen</source>

@@ -130,7 +130,7 @@ class Checkout:
 def fresh(tmp_path: Path) -> Checkout:
     """A checkout that was never started."""
     checkout = Checkout(tmp_path / "lab with a space", tmp_path / "wheels")
-    for folder in ("commands/content", "content", "document", "model/content"):
+    for folder in ("commands/content", "content", "document", "lessons", "model/content"):
         (checkout.root / "app" / folder).mkdir(parents=True)
     (checkout.root / "widgets").mkdir()
     (checkout.root / "widgets" / "__init__.py").touch()
@@ -144,6 +144,7 @@ def fresh(tmp_path: Path) -> Checkout:
             "commands/content/options.md",
         ),
         *("document/__init__.py", "document/lengths.py"),
+        *("lessons/__init__.py", "lessons/contents.py"),
         *("model/__init__.py", "model/numerals.py", "model/refusal.py"),
         "model/content/sentences.md",
     )

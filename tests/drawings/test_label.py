@@ -39,6 +39,8 @@ INK, PAPER = "#000000", "#ffffff"
                       (")", False)]),
         ("near n", [("near", False), (" ", False), ("n", True)]),
         ("½ в мире", [("½", False), (" ", False), ("в", False), (" ", False), ("мире", False)]),
+        ("½ u\u00a0svijetu", [("½", False), (" ", False), ("u\u00a0svijetu", False)]),
+        ("u\u00a0= 1", [("u", True), ("\u00a0", False), ("=", False), (" ", False), ("1", False)]),
         (r"$\frac{y}{w}$", [(r"\frac{y}{w}", True)]),
     ],
 )  # fmt: skip

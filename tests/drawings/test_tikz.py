@@ -41,8 +41,10 @@ def body(*shapes: Shape, title: str = "t") -> list[str]:
 
 
 def said(text: str, *, plain: bool = False) -> str:
-    (line,) = body(label(text, plain=plain))
-    return line[line.index("{") + 1 : line.rindex("}")]
+    contour, line = body(label(text, plain=plain))
+    letters = line[line.index("{") + 1 : line.rindex("}")]
+    assert contour.endswith(rf" {{\halo{{{letters}}}}};")
+    return letters
 
 
 TRIANGLE = [(0.0, 0.0), (100.0, 0.0), (100.0, 50.0)]
@@ -74,13 +76,15 @@ TRIANGLE = [(0.0, 0.0), (100.0, 0.0), (100.0, 50.0)]
             r"\node[anchor=north west,inner sep=0bp] at (24,120)"
             r" {\includegraphics[width=120bp,height=60bp]{g-pixels1.png}};",
         ),
-        (label("eye", -1), r"\node[t1,text=c1,anchor=base west] at (24,72) {eye};"),
-        (label("eye", -1, np.pi / 2), r"\node[t1,text=c1,anchor=base west,rotate=90.00]"
+        (label("eye", -1), r"\node[t1,text=c2,anchor=base west] at (24,72) {eye};"),
+        (label("eye", -1, np.pi / 2), r"\node[t1,text=c2,anchor=base west,rotate=90.00]"
                                       r" at (24,72) {eye};"),
     ],
 )  # fmt: skip
 def test_a_shape_is_the_command_that_an_author_would_write(shape: Shape, expected: str) -> None:
-    assert body(shape) == [expected]
+    contour = expected.replace("c2", "c1").replace("] at", ",text opacity=0.8] at")
+    contour = contour.replace("{eye}", r"{\halo{eye}}")
+    assert body(shape) == [contour] * isinstance(shape, TextShape) + [expected]
 
 
 def test_a_label_stays_at_its_anchor_and_has_the_size_that_was_asked_for() -> None:
@@ -106,8 +110,10 @@ def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None
 def test_the_edge_cuts_shapes_and_no_letters_which_are_higher_in_tex() -> None:
     line = LineShape(TRIANGLE, BLUE, 1.0, 5.0)
     lines = tikz([line, label("P"), line], SIZE, "t")[0].decode().splitlines()
-    (text,) = [place for place, each in enumerate(lines) if each.startswith(r"\node")]
-    assert lines[text - 1] == r"\end{scope}" and lines[text + 1].startswith(r"\begin{scope}\clip")
+    contour, text = [place for place, each in enumerate(lines) if each.startswith(r"\node")]
+    clip = r"\begin{scope}\clip"
+    assert lines[contour - 1].startswith(clip) and lines[contour + 1] == r"\end{scope}"
+    assert lines[text - 1] == r"\end{scope}" and lines[text + 1].startswith(clip)
 
 
 def test_a_line_through_several_cells_has_no_ends_inside() -> None:

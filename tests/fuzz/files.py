@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from app.document.document import Document
-from app.lessons.course import CONTENT as LESSONS
+from app.lessons.contents import CONTENT as LESSONS
 from app.scenes.scene import load
 from tests.fuzz.catalogue import a_viewed_tree
 from tests.support.gltf import SQUARE, GltfSquare

@@ -45,7 +45,7 @@ from app.document.codec import to_json
 from app.document.document import Document
 from app.drawings import image, stage, world  # noqa: F401  (VTK, whose import is no step)
 from app.held_lock import die_with_parent
-from app.lessons.course import CONTENT as LESSONS
+from app.lessons.contents import CONTENT as LESSONS
 from app.scenes.scene import BUILT_IN, load
 from tests.__main__ import at_home
 from tests.fuzz.files import ENDINGS, NUMBERS, write_hostile

@@ -25,7 +25,8 @@ from app.lessons.blocks.block import ReadBlock
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
-from app.lessons.course import CONTENT, Course, ideas
+from app.lessons.contents import CONTENT
+from app.lessons.course import Course, ideas
 from app.lessons.lesson import read
 from app.lessons.practice import find_waiting, to_review, topics
 from app.lessons.quantities import FUNCTIONS

@@ -19,7 +19,8 @@ from app.lessons.blocks.exercise import LARGEST_SEED, Exercise, Variant
 from app.lessons.blocks.matrix import MatrixQuestion
 from app.lessons.blocks.question import MarkedQuestion, Value
 from app.lessons.blocks.task import Task
-from app.lessons.course import Course, contained
+from app.lessons.contents import contained
+from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.lessons.practice import exercises_of
 from app.model.refusal import Refusal

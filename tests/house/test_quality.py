@@ -4,6 +4,7 @@ import ast
 import collections
 import dataclasses
 import importlib
+import json
 import re
 import subprocess
 import sys
@@ -14,7 +15,7 @@ from xml.etree import ElementTree
 
 from app.bootstrap import ROOT
 from app.model.refusal import SENTENCES
-from tests import texts
+from tests import mutants, texts
 from tests.support.sources import nodes_of
 
 SOURCES = sorted(path for folder in ("app", "widgets") for path in (ROOT / folder).rglob("*.py"))
@@ -218,3 +219,16 @@ def test_no_name_says_only_that_something_was_found() -> None:
         if isinstance(name, str) and name.strip("_") in ("found", "outs", "ways")
     }
     assert vague == set()
+
+
+def test_every_mutant_has_its_line_and_its_test() -> None:
+    """Otherwise a known mistake is lost, and nobody hears of it before the next `check`."""
+    files = [path for folder in mutants.SOURCES for path in (ROOT / folder).rglob("*.*")]
+    program = [each.read_text(encoding="utf-8") for each in files if each.suffix in (".py", ".md")]
+    lost = []
+    for mutant in json.loads(mutants.LIST.read_text(encoding="utf-8")):
+        path, _, test = mutant.get("killed_by", "").partition("::")
+        is_named = not path or f"def {test.partition('[')[0]}(" in (ROOT / path).read_text("utf-8")
+        if sum(text.count(mutant["old"]) for text in program) != 1 or not is_named:
+            lost.append(mutant["id"])
+    assert lost == []

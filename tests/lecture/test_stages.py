@@ -153,18 +153,19 @@ def test_world_to_view_is_a_rigid_motion() -> None:
     assert np.abs(between @ between - CAMERA.frame).max() < 1e-14  # twice half the turn
 
 
-def test_first_p_moves_the_eye_then_r_rotates_about_it() -> None:
+@pytest.mark.parametrize("from_left", [False, True])
+def test_first_p_moves_the_eye_then_r_rotates_about_it_or_the_reverse(from_left: bool) -> None:
     """Relative to the stage's origin: the world's own places, then less the eye, then R of that."""
-    strip = morph(LENSES["perspective"])
+    strip = replace(morph(LENSES["perspective"]), from_left=from_left)
     scale, eye = strip.display_from_local(0.0)[0, 0], np.array(CAMERA.eye)
     points = np.array([(0.0, 0.0, 0.0), (1.0, 2.0, 3.0), eye])
     local = np.column_stack([points - strip.origin, np.ones(3)])
-    for position, moved, turn in (
-        (0.0, 0.0, np.eye(3)),
-        (0.25, 0.5, np.eye(3)),
-        (0.5, 1.0, np.eye(3)),
-        (1.0, 1.0, CAMERA.frame),
-    ):
+    r, none = CAMERA.frame, np.eye(3)
+    half = rotation_between(r, 0.5)
+    way = ((0.0, 0.0, none), (0.25, 0.5, none), (0.5, 1.0, none), (0.75, 1.0, half), (1.0, 1.0, r))
+    if from_left:
+        way = ((0.0, 0.0, none), (0.25, 0.0, half), (0.5, 0.0, r), (0.75, 0.5, r), (1.0, 1.0, r))
+    for position, moved, turn in way:
         shown = (local @ strip.display_from_local(position).T)[:, :3] - strip.origin_at(position)
         assert shown == pytest.approx(scale * (points - moved * eye) @ turn.T, abs=1e-12)
         start, axes = strip.axes_at(position)

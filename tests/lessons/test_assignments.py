@@ -14,7 +14,8 @@ from app.document.document import Document
 from app.document.files import read
 from app.document.settings import set_values
 from app.document.view import AS_EVER
-from app.lessons.course import CONTENT, Course, contained, scene_of
+from app.lessons.contents import CONTENT, contained
+from app.lessons.course import Course, scene_of
 from app.lessons.lesson import parse_lesson
 from app.lessons.lesson import read as read_lesson
 from app.lessons.writing import add_step, assignments, begin_talk

@@ -23,7 +23,8 @@ from app.lessons.blocks.order import OrderQuestion
 from app.lessons.blocks.question import MarkedQuestion, Question
 from app.lessons.blocks.task import Task
 from app.lessons.checking import CheckReport
-from app.lessons.course import CONTENT, Course, contained
+from app.lessons.contents import CONTENT, contained
+from app.lessons.course import Course
 from app.lessons.lesson import is_lesson, read
 from app.lessons.practice import exercises_of
 from tests.fuzz.variants import faults_of

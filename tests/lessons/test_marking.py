@@ -13,7 +13,8 @@ from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Here
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.course import Course, contained
+from app.lessons.contents import contained
+from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.model.refusal import Refusal
 

@@ -13,7 +13,8 @@ from app.document.settings import set_values
 from app.document.view import AS_EVER
 from app.lessons.blocks.block import REVEALED
 from app.lessons.blocks.task import DONE
-from app.lessons.course import CONTENT, Course, contained
+from app.lessons.contents import CONTENT, contained
+from app.lessons.course import Course
 from app.lessons.lesson import parse_lesson, read
 from app.lessons.marking import digits_shown
 from app.lessons.player import PlayedBlock, Player, Progress

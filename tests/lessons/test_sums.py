@@ -10,7 +10,7 @@ from itertools import pairwise
 
 import pytest
 
-from app.lessons.course import CONTENT
+from app.lessons.contents import CONTENT
 
 _FUNCTIONS = {
     "sin": lambda degrees: math.sin(math.radians(degrees)),

@@ -168,7 +168,7 @@ def test_the_gpus_matrix_is_right_and_its_bound_holds() -> None:
     with exact.mp.workdps(80):
         for projection in hard(rng):
             boxes = (corners / np.abs(projection.placement.tiles[-1].numbers)).reshape(1, 8, 3)
-            (bound_px,) = drawing_bounds_px(projection, boxes, space="object")
+            (bound_px,) = drawing_bounds_px(projection, [(boxes, "object")])
             found = trace(projection, boxes[0], "float32", space="object")
             oracle = exact.Exact(projection)
             for point, image, outside in zip(boxes[0], found.image, found.outside, strict=True):

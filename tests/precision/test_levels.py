@@ -948,10 +948,10 @@ def test_each_box_has_its_own_bound() -> None:
     rng = np.random.default_rng(18)
     projection = Projection(Camera((0.5, 1.0, 2.0), (0.0, 0.0, 0.0)), Perspective(60, 0.1, 40), HD)
     boxes = np.array([corners(rng.normal(size=(2, 3)) * 3.0) for _ in range(60)])
-    bounds = drawing_bounds_px(projection, boxes)
+    bounds = drawing_bounds_px(projection, [(boxes[:20], "world"), (boxes[20:], "object")])
     assert bounds == pytest.approx([drawing_bound_px(projection, box) for box in boxes])
     assert 0.0 in bounds and max(bounds) == drawing_bound_px(projection, boxes) > 0.0
-    assert drawing_bounds_px(projection, np.empty((0, 8, 3))) == []
+    assert drawing_bounds_px(projection, [(np.empty((0, 8, 3)), "world")]) == []
 
 
 # --------------------------------------------------------------------------- nothing is lost

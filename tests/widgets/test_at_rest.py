@@ -8,7 +8,8 @@ import pytest
 from PySide6.QtCore import QRect
 
 from app.drawings.composition import measured
-from app.lessons.course import CONTENT, scene_of
+from app.lessons.contents import CONTENT
+from app.lessons.course import scene_of
 from tests.support.window import arrive, give_room, present, settle
 from widgets.window.main_window import MainWindow
 

@@ -11,7 +11,7 @@ from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lecture.titles import stage_title
-from app.lessons.course import contained
+from app.lessons.contents import contained
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
 from app.scenes.scene import BUILT_IN

@@ -35,7 +35,8 @@ from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import REVEALED, Asked, Here, Verdict
 from app.lessons.blocks.task import DONE
 from app.lessons.checking import CheckReport
-from app.lessons.course import CONTENT, contained, idea_named
+from app.lessons.contents import CONTENT, contained
+from app.lessons.course import idea_named
 from app.lessons.lesson import Step, read
 from app.lessons.lines import Body
 from app.lessons.player import Player

@@ -16,7 +16,7 @@ from app.document.files import write
 from app.document.settings import set_values
 from app.drawings.frame import axes_reach
 from app.model.chain import Chain, FiveTiles
-from app.scenes.scene import load
+from app.scenes.scene import BUILT_IN, load
 from tests.support.controls import enter
 from tests.support.drawings import lit_at
 from tests.support.window import activate, move_mouse, pixels, settle, show_scene
@@ -71,6 +71,24 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
     assert row_of(window, "scale_x").value() == 1.0
 
 
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_every_scene_has_its_pipeline_in_the_dock(window: MainWindow, name: str) -> None:
+    window.controls.sections["object"].set_open(True)
+    show_scene(window, name)
+    editor = window.controls.chain
+    assert len(editor.beyond) >= 5 and all(button.isVisible() for button in editor.beyond)
+    for at, turned in ((1, False), (2, True)):
+        stops = []
+        for button in editor.beyond[::-1]:
+            button.click()
+            settle()
+            stops.append(window.strip.position)
+        assert sorted(stops[:2]) == [0.5, 1.0] and stops[at - 1] == 0.5
+        assert stops[2:] == sorted(stops[2:]) and stops[-1] == 5.0
+        assert window.panes["ndc"].drawing.state.morph.from_left is turned
+        window.strip.direction.click()
+
+
 def test_the_dock_has_the_whole_pipeline_and_each_factor_is_a_place_to_stand(
     window: MainWindow,
 ) -> None:
@@ -118,6 +136,38 @@ def drag(editor: ChainEditor, place: int, to: int) -> None:
 
 
 @pytest.mark.undrawn
+def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWindow) -> None:
+    editor = build(window, "rotate z 90; off mirror x; translate 3,0,0; rotate z 20")
+    activate(window)
+    QTest.keyClick(editor.to_factors, Qt.Key.Key_Space)
+    settle()
+    panel = window.matrices
+    assert window.panels.open_panel is panel
+    views = [panel.views[f"world_from_object/{name}"] for name in ("rotation_z2", "rotation_z")]
+    assert all(view.isVisible() for view in views)
+    assert panel.views["world_from_object"].hasFocus()
+    section = window.controls.sections["object"]
+    for view, row in zip(views, ("rotate_deg2_z", "rotate_deg_z"), strict=True):
+        section.set_open(False)
+        QTest.mouseClick(
+            view, Qt.MouseButton.LeftButton, pos=view.cell_rect(1, 0).center().toPoint()
+        )
+        settle()
+        card = editor.rows[row].parentWidget()
+        place = card.mapTo(window.controls, QPoint(0, 0)).y()
+        assert section.is_open and 0 <= place < window.controls.height()
+        assert editor.rows[row].is_marked and view.hasFocus()
+        QTest.keyClick(view, Qt.Key.Key_Return)
+        settle()
+        assert editor.rows[row].isAncestorOf(window.focusWidget())
+    window.present.begin()
+    settle()
+    section.set_open(False)
+    panel.sought.emit("rotation_z", True)
+    assert not section.is_open
+
+
+@pytest.mark.undrawn
 def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> None:
     editor = build(window, "rotate z 90")
     editor.add.menu().actions()[1].trigger()  # a translation
@@ -161,6 +211,27 @@ def test_what_is_typed_for_a_tile_that_goes_away_changes_no_other(
     window.store.set_document(set_values(window.store.document, [f"object.chain={other}"]))
     settle()
     assert chain_of(window) == Chain.read(other)
+
+
+@pytest.mark.undrawn
+def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
+    editor = build(window, "; ".join(["translate 1,0,0", *["scale 1,2,1"] * 7]))
+    controls, card = window.controls, editor.cards[0]
+    controls.bring_into_view(card)
+    grip = card.findChild(MoveButton)
+    activate(window)
+    grip.setFocus()
+    for place in range(1, 8):
+        QTest.keyClick(grip, Qt.Key.Key_Down)
+        settle()
+        assert editor.cards[place] is card and grip.hasFocus()
+        assert controls.viewport().rect().contains(grip.mapTo(controls.viewport(), QPoint(5, 5)))
+    QTest.mousePress(grip, Qt.MouseButton.LeftButton)
+    for _ in range(20):
+        top = grip.mapFrom(controls.viewport(), QPoint(0, 2)).y()
+        move_mouse(grip, QPoint(4, top), Qt.MouseButton.LeftButton)
+    QTest.mouseRelease(grip, Qt.MouseButton.LeftButton)
+    assert chain_of(window).tiles[0].kind == "translate"
 
 
 @pytest.mark.undrawn
@@ -218,9 +289,9 @@ def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> N
 @pytest.mark.undrawn
 def test_the_product_is_beside_the_tiles_in_numbers_and_letters(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
-    assert editor.product.formula.startswith("T R S = [0&-1&0&3;2&0&0&0")
+    assert editor.product.formula.startswith("T R_z S =\n[0&-1&0&3;2&0&0&0")
     editor.vectors.setChecked(True)
-    assert editor.product.formula.startswith("S R T = [0&2&0&0")
+    assert editor.product.formula.startswith("S R_z T =\n[0&2&0&0")
     editor.letters.setChecked(True)
     assert "s_x" in editor.product.formula and "t_x" in editor.product.formula
 
@@ -248,9 +319,10 @@ def test_objects_of_a_phenomenon_are_fixed_and_a_text_says_so(window: MainWindow
     section.set_open(True)
     show_scene(window, "eye-plane")
     said = [w.text() for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
-    assert len(said) == 1 and not window.controls.chain.isVisible()
+    editor = window.controls.chain
+    assert len(said) == 1 and not editor.add.isVisible() and not editor.product.isVisible()
     show_scene(window, "cube")
-    assert window.controls.chain.isVisible()
+    assert editor.add.isVisible()
     assert not [w for w in section.findChildren(QLabel) if w.isVisible() and "fixed" in w.text()]
 
 

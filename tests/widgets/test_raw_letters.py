@@ -19,7 +19,7 @@ from PySide6.QtWidgets import (
 
 from app.document.view import PANELS
 from app.lecture.letters import LETTERS
-from app.lessons.course import contained
+from app.lessons.contents import contained
 from app.lessons.lesson import read
 from app.lessons.text import in_line
 from tests.support.window import settle, show_scene

@@ -14,7 +14,7 @@ from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
 from app.document.store import Store
-from app.lessons.course import CONTENT
+from app.lessons.contents import CONTENT
 from app.model.lenses.oblique import receding_of
 from app.model.parameter import Parameter, Settings
 from app.model.projection import Camera, FreeMatrix, Frustum, Oblique

@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
-from app.lessons.course import contained
+from app.lessons.contents import contained
 from app.lessons.lesson import read
 from app.lessons.player import Progress
 from app.scenes.scene import BUILT_IN, load

@@ -23,7 +23,8 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
-from app.lessons.course import CONTENT, Course, scene_of
+from app.lessons.contents import CONTENT
+from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene

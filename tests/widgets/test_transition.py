@@ -10,7 +10,7 @@ from PySide6.QtCore import QRect
 from pytestqt.qtbot import QtBot
 
 from app.drawings.pane_view import Pose
-from app.lessons.course import CONTENT
+from app.lessons.contents import CONTENT
 from app.model.projection import Perspective
 from tests.support.window import MakeWindow, activate, arrive, pixels, present, seen, settle, tick
 from widgets.panes import adaptive

@@ -22,7 +22,7 @@ from app.lecture.notation import names_of, object_product
 from app.lecture.stages import IMAGE, NDC, REACHED_BY, VIEW
 from app.lecture.titles import stage_title
 from app.lecture.wrong_chains import DIVIDE, difference, tiles_of, written_numbers
-from app.model.chain import KINDS, MOST_TILES, NOT_MOVED, Chain, FiveTiles, Tile, view_chain
+from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, lettered_kinds, view_chain
 from app.model.parameters import TILES
 from app.model.projection import Projection
 from app.model.refusal import Refusal, format_value
@@ -44,8 +44,11 @@ _COLUMNS = ("x", "y", "z", "origin")
 _LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
-def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, float]]:
+def _beyond(
+    projection: Projection, *, undone: bool, from_left: bool
+) -> Iterator[tuple[str, float]]:
     """Yield the factors left of the object's, each with its stop in the strip."""
+    turned, moved = (VIEW / 2.0, VIEW) if from_left else (VIEW, VIEW / 2.0)
     yield stage_title(VIEWPORT.name), IMAGE
     yield stage_title(DIVIDE), NDC
     names = names_of(projection, lettering.now)
@@ -60,10 +63,10 @@ def _beyond(projection: Projection, *, undone: bool) -> Iterator[tuple[str, floa
     if undone:
         for tile in turns:
             angle = f"{_read(tile.numbers[0])}\N{DEGREE SIGN}"
-            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", VIEW
+            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", turned
     else:
-        yield stage_title("rotation"), VIEW
-    yield f"{stage_title('translation')} {_read(move.numbers)}", VIEW / 2.0
+        yield stage_title("rotation"), turned
+    yield f"{stage_title('translation')} {_read(move.numbers)}", moved
 
 
 def _read(numbers: object) -> str:
@@ -150,12 +153,13 @@ class ChainEditor(QWidget, RowHolder):
     edited = Signal(object)  # the user made this `Chain`
     compared = Signal(object)  # the `Chain` before a tile was moved; None for none any more
     highlighted = Signal(str, object)  # the key of a row, and its `Highlight`
+    factored = Signal()  # the user wants to see the factors of the product
     stood = Signal(float)  # the user went to the stop of this position behind a factor
 
     def __init__(self) -> None:
         super().__init__()
-        self._chain, self._reach = NOT_MOVED, 10.0
-        self._projection = Projection()
+        self._chain, self._reach = Chain(), 10.0
+        self._projection, self._from_left = Projection(), False
         self.beyond: list[QToolButton] = []  # the factors left of the tiles
         self._beyond, self._stops = in_column(gap=0), list[float]()  # and their stops in the strip
         self.undone = QCheckBox(self.tr("View: the camera's moves undone"))
@@ -181,13 +185,14 @@ class ChainEditor(QWidget, RowHolder):
         self.product.shrinks = True
         self.refusal = RefusalLabel()
         self.first = PlainLabel(objectName="paneNote", wordWrap=True)
-        bar = in_row(self.letters, self.vectors, FREE)
-        parts = (
-            self._beyond, self.undone, self.add, self.refusal, self.tiles, self.first, self.product,
-            bar,
-        )  # fmt: skip
-        in_column(*parts, on=self, margins=(0, 0, 0, 0))
-        self._build(NOT_MOVED)
+        self.own = QWidget()  # what there is of the object, unless it is fixed
+        tip = self.tr("Show its factors in Matrices")
+        self.to_factors = tool_button(icon="unfold", tip=tip, act=self.factored, flat=True)
+        bar = in_row(self.letters, self.vectors, FREE, self.to_factors)
+        parts = (self.add, self.refusal, self.tiles, self.first, self.product, bar)
+        in_column(*parts, on=self.own, margins=(0, 0, 0, 0))
+        in_column(self._beyond, self.undone, self.own, on=self, margins=(0, 0, 0, 0))
+        self._build(self._chain)
 
     @property
     def cards(self) -> list[_TileCard]:
@@ -212,7 +217,8 @@ class ChainEditor(QWidget, RowHolder):
     def show_pipeline(self, projection: Projection) -> None:
         """Show the factors from the picture to the camera, which act after the tiles."""
         self._projection = projection
-        factors = [*_beyond(projection, undone=self.undone.isChecked())]
+        undone, left = self.undone.isChecked(), self._from_left
+        factors = [*_beyond(projection, undone=undone, from_left=left)]
         if len(factors) != len(self.beyond):
             discard(self._beyond, self.beyond)
             tip = self.tr("Show the scene after this factor")
@@ -224,6 +230,11 @@ class ChainEditor(QWidget, RowHolder):
         self._stops = [stop for _, stop in factors]
         for button, (name, _) in zip(self.beyond, factors, strict=True):
             button.setText(fill(name, _LINE_LETTERS))
+
+    def turn(self, from_left: bool) -> None:
+        """Read the camera's moves as the strip does."""
+        self._from_left = from_left
+        self.show_pipeline(self._projection)
 
     def set_scene(self, size: float) -> None:
         """Fit the sliders of translations to a scene."""
@@ -239,6 +250,12 @@ class ChainEditor(QWidget, RowHolder):
     def rows_of(self, name: str) -> list[Row]:
         """Return the rows of the tiles of one kind: ``rotate_deg``."""
         return [row for key, row in self.rows.items() if key.rpartition("_")[0] == name]
+
+    def card_of(self, factor: str) -> _TileCard | None:
+        """Return the tile of a factor, as the Matrices panel names it."""
+        names = [kind.factor for kind in lettered_kinds(self._chain.kinds)]
+        cards = [card for card in self.cards if card.field]
+        return cards[names.index(factor)] if factor in names else None
 
     def return_borrowed(self) -> None:
         for card in self.cards:
@@ -307,7 +324,7 @@ class ChainEditor(QWidget, RowHolder):
     def _build(self, chain: Chain) -> None:
         self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in chain.tiles])
         self.add.setEnabled(len(self.cards) < MOST_TILES)
-        for part in (self.first, self.product, self.letters, self.vectors):
+        for part in (self.first, self.product, self.letters, self.vectors, self.to_factors):
             part.setVisible(bool(self.cards))
 
     def _show_tiles(self) -> None:
@@ -324,7 +341,6 @@ class ChainEditor(QWidget, RowHolder):
         cells = [[written(cell, "own") for cell in line] for line in formulas]
         if not self.letters.isChecked():
             product = self._chain.matrix.T if rows else self._chain.matrix
-            cells = [
-                [format_value(float(f"{part:.5g}")) for part in line] for line in product + 0.0
-            ]
-        self.product.set_formula(f"{' '.join(names)} = {matrix(cells)}" if names else matrix(cells))
+            cells = [[format_value(float(f"{x:.4g}")) for x in line] for line in product + 0.0]
+        lead = " ".join(names) + (" =\n" if len(names) > 2 else " = ")  # many leave too little room
+        self.product.set_formula(lead * bool(names) + matrix(cells))

@@ -94,7 +94,6 @@ class Controls(Dock, RowHolder):
             " move those of the letter F, the cube, the posts and any mesh."
         )
         self._fixed = PlainLabel(text, wordWrap=True)
-        named["object"].add(self._fixed)
         self.chain = ChainEditor()
         self.chain.edited.connect(
             lambda chain: self._adopt(replace(self._projection, placement=chain))
@@ -102,6 +101,7 @@ class Controls(Dock, RowHolder):
         self.chain.highlighted.connect(self.highlighted)
         self.pass_on(self.chain)
         named["object"].add(self.chain)
+        named["object"].add(self._fixed)
         self._bindings: dict[str, Binding] = {}
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
         self._lens = LensSliders(self._bindings, self)
@@ -147,6 +147,7 @@ class Controls(Dock, RowHolder):
         if changed & {"scene", "view"}:
             self._has_fixed_objects = shown.scene.phenomenon is not None
             self._fixed.setVisible(self._has_fixed_objects)
+            self.chain.own.setHidden(self._has_fixed_objects)
             self.set_scene(shown.scene.size, shown.scene.start)
             self._emit_object_unfolded()
         self._show(shown.projection)
@@ -279,6 +280,18 @@ class Controls(Dock, RowHolder):
         self.verticalScrollBar().setValue(0)
         of_scene = [row for name, row in self.card.rows.items() if f"settings.{name}" in paths]
         self.bring_into_view(*of_scene, *(self.rows[key] for key in self._keys_of(paths)))
+
+    def show_tile(self, factor: str, takes_focus: bool) -> None:
+        """Unfold the chain, and bring the tile of a factor into view."""
+        section, card = self.sections["object"], None
+        if section.isVisible():
+            section.set_open(True)
+            card = self.chain.card_of(factor)
+        if card is not None:
+            QTimer.singleShot(0, self, partial(self.bring_into_view, card))
+            if takes_focus:
+                first = next(iter(card.rows.values()), None)
+                (card.switch.setFocus if first is None else first.take_focus)()
 
     def take_back(self) -> None:
         """Put every row that was lent back into the dock."""
@@ -499,8 +512,7 @@ class Controls(Dock, RowHolder):
     def _show_rows(self) -> None:
         """Show the rows in use, or only the results of a search, with their values."""
         matches = self._matches
-        shows_chain = matches is None or self.chain in matches
-        self.chain.setVisible(shows_chain and not self._has_fixed_objects)
+        self.chain.setVisible(matches is None or self.chain in matches)
         for binding in self._bindings.values():
             row = binding.row
             row.setVisible(self._in_use(binding) and (matches is None or row in matches))

@@ -63,6 +63,9 @@ class MatrixBox(QWidget):
     def views(self) -> tuple[MatrixView, ...]:
         return (self.view, *self.factor_views)
 
+    def unfold(self) -> None:
+        self._fold.setChecked(True)
+
     def _unfold(self, unfolded: bool) -> None:
         self._factors.setVisible(unfolded and bool(self.factor_views))
         show_icon(self._fold, "back" if unfolded else "unfold")

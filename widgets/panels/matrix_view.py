@@ -168,6 +168,7 @@ class MatrixView(QWidget):
     """The `Highlight` of the cell under the mouse or the cursor; only when it changes."""
     typed = Signal(int, int, str)  # row, column and text of a cell; the receiver may call `refuse`
     pasted = Signal(str)  # the text of a whole matrix
+    sought = Signal(bool)  # the user points at a matrix that is typed elsewhere, or goes there
     moved_on = Signal(int, int)  # row and column of the next cell to type in
 
     def __init__(
@@ -349,6 +350,8 @@ class MatrixView(QWidget):
 
     def edit_cell(self, row: int, column: int) -> None:
         """Open a cell for typing, with all its digits, if the matrix shows editable numbers."""
+        if not self._editable:
+            self.sought.emit(True)
         if not self._editable or self._writing.formulas or self._matrix is None:
             return
         self.abandon()
@@ -473,6 +476,7 @@ class MatrixView(QWidget):
 
     def mousePressEvent(self, event: QMouseEvent) -> None:
         self.place = self._cell_at(event.position()) or self.place
+        self.sought.emit(False)
         self._describe_cell()
         self.update()
         super().mousePressEvent(event)

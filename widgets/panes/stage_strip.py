@@ -71,7 +71,7 @@ class StageStrip(QWidget, Playing):
 
     concerns = PROJECTION - {"camera"}
     moved = Signal(float)  # the new position: whole at `stages.STOPS`, below 0 the object's moves
-    turned = Signal(bool)  # whether the object's moves are done from the left
+    turned = Signal(bool)  # whether moves are done from the left
     named = Signal(str, str)  # the stage there, and its axes and limits
 
     def __init__(self) -> None:
@@ -139,6 +139,7 @@ class StageStrip(QWidget, Playing):
         parallel = not self._free and not lens.has_pyramid
         tiles = self._projection.placement.on
         tiles = tiles if self.from_left else tiles[::-1]
+        self.direction.setVisible(bool(tiles) or self._projection.has_camera)
         if parallel != self._parallel or tiles != self._tiles:
             self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
             self._make_stops()
@@ -147,7 +148,7 @@ class StageStrip(QWidget, Playing):
         self._emit_title()
 
     def _turn(self) -> None:
-        """Read the object's moves from the other end."""
+        """Read the moves of object and camera from the other end."""
         self.from_left, self._tiles = not self.from_left, self._tiles[::-1]
         self._name_stops()
         self._emit_title()
@@ -170,7 +171,6 @@ class StageStrip(QWidget, Playing):
             self._stagger(1)
             if self.isVisible():
                 self._fit()
-        self.direction.setVisible(bool(self._tiles))
         self._name_stops()
         self._show_stop()
 
@@ -188,7 +188,7 @@ class StageStrip(QWidget, Playing):
             return WORDS["object"]
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
-            name = called(tile.kind) + tile.kind.partition(" ")[2]
+            name = called(tile.kind).replace("_", "")
             title = with_comma(tile_title(tile.kind, tile.text[len(tile.kind) :]))
             return [name, WORDS.say("after", title)]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:

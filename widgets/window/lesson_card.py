@@ -18,8 +18,9 @@ from PySide6.QtWidgets import QApplication, QFrame, QHBoxLayout, QLineEdit, QPus
 
 from app.document.document import Document
 from app.document.store import Store
-from app.lessons.course import Course, contained, name_of
-from app.lessons.lesson import CONTENT, Head, head_of
+from app.lessons.contents import CONTENT, contained
+from app.lessons.course import Course, name_of
+from app.lessons.lesson import Head, head_of
 from app.lessons.player import Player, Progress
 from app.lessons.practice import Sheet, marked
 from app.lessons.record import Attempt, Record

@@ -26,8 +26,9 @@ from app.lecture.letters import Letters
 from app.lessons import transition
 from app.lessons.blocks.block import State
 from app.lessons.checking import CheckReport
+from app.lessons.contents import CONTENT
 from app.lessons.course import Course, scene_of
-from app.lessons.lesson import CONTENT, Lesson, read
+from app.lessons.lesson import Lesson, read
 from app.lessons.player import Player
 from app.model.projection import Camera
 from app.model.refusal import Cancelled, Refusal

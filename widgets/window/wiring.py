@@ -6,6 +6,7 @@
 from functools import partial
 from typing import Any
 
+from app.model.chain import FROM_OBJECT
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.messages import all_digits, lettering
@@ -37,6 +38,12 @@ def _wire_components(window: Any) -> None:
         (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.chain.compared, partial(world.request, "former")),
         (controls.chain.stood, strip.go_to),
+        (
+            controls.chain.factored,
+            lambda: window.panels.open(window.matrices),
+            lambda: window.matrices.show_factors(FROM_OBJECT),
+        ),
+        (window.matrices.sought, controls.show_tile),
         (controls.animation.gesture_started, partial(menus.show_playing, True)),
         (controls.animation.gesture_finished, partial(menus.show_playing, False)),
         (controls.animation.walked, partial(world.request, "walk")),
@@ -46,15 +53,7 @@ def _wire_components(window: Any) -> None:
         (window.manipulation.edited, store.set_projection),
         (window.frame_panel.step_changed, partial(world.request, "step")),
         (strip.moved, partial(window.panes["ndc"].request, "stage"), window.matrices.show_stage),
-        *(
-            (
-                strip.moved,
-                lambda position, pane=window.panes[name]: pane.request(
-                    "stage", min(position, 0.0) or None
-                ),
-            )
-            for name in ("world", "image")
-        ),
+        (strip.turned, controls.chain.turn),
         *((strip.turned, partial(pane.request, "from_left")) for pane in window.panes.values()),
         (strip.named, window.panes["ndc"].header.show_title),
         (strip.gesture_started, partial(look.refine, "ndc", False)),
@@ -100,6 +99,11 @@ def _wire_components(window: Any) -> None:
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
+    for name in ("world", "image"):  # which have no stage after the world's
+        stand = partial(
+            lambda pane, at: pane.request("stage", min(at, 0.0) or None), window.panes[name]
+        )
+        strip.moved.connect(stand)
     for pane in window.panes.values():
         window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
         pane.canvas.drawn.connect(window.talks.see_later)
