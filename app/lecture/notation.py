@@ -72,7 +72,8 @@ def steps_of_a_point(
     lens, base = _written(projection), base_of(letters)
     names, signs = _names(lens, letters), clip_signs(projection, letters)
     table = _formulas(lens, base)
-    moved = " ".join(letter for letter, _ in itertools.groupby(map(called, lens.kinds))) or "I"
+    moves = (called(kind)[0] for kind in lens.kinds)
+    moved = " ".join(letter for letter, _ in itertools.groupby(moves)) or "I"
     eye = written("eye", letters).replace(ARROW, "")
     factors = () if lens.has_own_view else ("rotation", "translation")
     view = names.get("view_from_world") or _chain(names, [f"view_from_world/{f}" for f in factors])
@@ -420,8 +421,9 @@ def _written(projection: Projection) -> _WrittenForm:
 
 
 def called(kind: str) -> str:
-    """Return the letter of a kind of tile: ``T``."""
-    return _CALLED[kind.partition(" ")[0]]
+    """Return the letter of a kind of tile, with its axis: ``T``, ``R_z``."""
+    word, *axis = kind.split()
+    return "_".join([_CALLED[word], *axis])
 
 
 def object_product(chain: Chain, *, rows: bool = False) -> tuple[Formulas, tuple[str, ...]]:

@@ -214,6 +214,27 @@ def test_what_is_typed_for_a_tile_that_goes_away_changes_no_other(
 
 
 @pytest.mark.undrawn
+def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
+    editor = build(window, "; ".join(["translate 1,0,0", *["scale 1,2,1"] * 7]))
+    controls, card = window.controls, editor.cards[0]
+    controls.bring_into_view(card)
+    grip = card.findChild(MoveButton)
+    activate(window)
+    grip.setFocus()
+    for place in range(1, 8):
+        QTest.keyClick(grip, Qt.Key.Key_Down)
+        settle()
+        assert editor.cards[place] is card and grip.hasFocus()
+        assert controls.viewport().rect().contains(grip.mapTo(controls.viewport(), QPoint(5, 5)))
+    QTest.mousePress(grip, Qt.MouseButton.LeftButton)
+    for _ in range(20):
+        top = grip.mapFrom(controls.viewport(), QPoint(0, 2)).y()
+        move_mouse(grip, QPoint(4, top), Qt.MouseButton.LeftButton)
+    QTest.mouseRelease(grip, Qt.MouseButton.LeftButton)
+    assert chain_of(window).tiles[0].kind == "translate"
+
+
+@pytest.mark.undrawn
 def test_a_tile_is_dragged_to_another_place(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; mirror x")
     drag(editor, 0, 1)
@@ -268,9 +289,9 @@ def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> N
 @pytest.mark.undrawn
 def test_the_product_is_beside_the_tiles_in_numbers_and_letters(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
-    assert editor.product.formula.startswith("T R S = [0&-1&0&3;2&0&0&0")
+    assert editor.product.formula.startswith("T R_z S =\n[0&-1&0&3;2&0&0&0")
     editor.vectors.setChecked(True)
-    assert editor.product.formula.startswith("S R T = [0&2&0&0")
+    assert editor.product.formula.startswith("S R_z T =\n[0&2&0&0")
     editor.letters.setChecked(True)
     assert "s_x" in editor.product.formula and "t_x" in editor.product.formula
 

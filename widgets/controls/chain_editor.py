@@ -341,7 +341,6 @@ class ChainEditor(QWidget, RowHolder):
         cells = [[written(cell, "own") for cell in line] for line in formulas]
         if not self.letters.isChecked():
             product = self._chain.matrix.T if rows else self._chain.matrix
-            cells = [
-                [format_value(float(f"{part:.5g}")) for part in line] for line in product + 0.0
-            ]
-        self.product.set_formula(f"{' '.join(names)} = {matrix(cells)}" if names else matrix(cells))
+            cells = [[format_value(float(f"{x:.4g}")) for x in line] for line in product + 0.0]
+        lead = " ".join(names) + (" =\n" if len(names) > 2 else " = ")  # many leave too little room
+        self.product.set_formula(lead * bool(names) + matrix(cells))

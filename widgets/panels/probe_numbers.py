@@ -36,7 +36,7 @@ _Move: TypeAlias = tuple[str, str, Chain]  # name, formula of the point after it
 def _moves(chain: Chain) -> Iterator[_Move]:
     """Yield the moves that change something, except the last one, which leads to the world."""
     tiles = [tile for tile in chain.on if not Chain((tile,)).is_identity]
-    letters = ["_".join([called(tile.kind), *tile.kind.split()[1:]]) for tile in tiles]
+    letters = [called(tile.kind) for tile in tiles]
     for at in range(len(tiles) - 1, 0, -1):
         name = stage_title(KINDS[tiles[at].kind].factor)
         yield name, f"{' '.join(letters[at:])} p", Chain(tuple(tiles[:at]))

@@ -188,7 +188,7 @@ class StageStrip(QWidget, Playing):
             return WORDS["object"]
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
-            name = called(tile.kind) + tile.kind.partition(" ")[2]
+            name = called(tile.kind).replace("_", "")
             title = with_comma(tile_title(tile.kind, tile.text[len(tile.kind) :]))
             return [name, WORDS.say("after", title)]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:

@@ -4,11 +4,13 @@ from collections.abc import Sequence
 
 from PySide6.QtCore import Qt, Signal
 from PySide6.QtGui import QKeyEvent, QMouseEvent
-from PySide6.QtWidgets import QToolButton, QWidget
+from PySide6.QtWidgets import QScrollArea, QToolButton, QWidget
 
 from widgets.parts.icons import show_icon
-from widgets.parts.layouts import discard, in_column
+from widgets.parts.layouts import discard, in_column, lay_out
 from widgets.parts.plain import set_tip
+
+AROUND_PX = 100  # of the neighbours of a moved part: the pointer at the edge goes on to them
 
 
 class MovableColumn(QWidget):
@@ -29,10 +31,16 @@ class MovableColumn(QWidget):
             self._column.addWidget(part)
 
     def move_part(self, part: QWidget, to: int) -> None:
-        """Show a part at another place, without a signal."""
+        """Show a part at another place, scrolled into view, without a signal."""
         self.parts.remove(part)
         self.parts.insert(to, part)
         self._column.insertWidget(to, part)
+        lay_out()
+        around = self.parentWidget()
+        while around is not None and not isinstance(around, QScrollArea):
+            around = around.parentWidget()
+        if around is not None:
+            around.ensureWidgetVisible(part, 0, AROUND_PX)
 
 
 class MoveButton(QToolButton):
