@@ -291,8 +291,8 @@ def want_plane(
         possible = [on((x, y)) for x, y, _ in covered()[:_MOST_INSIDE]]
         if len(seen):
             x, y = seen.reshape(-1, 2).mean(axis=0).tolist()
-            centre = np.nanmean([each[:2] for each in body if each[2] > 0.0], axis=0).tolist()
-            possible.insert(0, along(seen, (x, y), size, board.em, centre))
+            before = [each[:2] for each in body if each[2] > 0.0]
+            possible.insert(0, along(seen, (x, y), size, board.em, before))
         return joined(*possible) if possible else NOWHERE
 
     board.want(key, spots, places, PLANE)
