@@ -2,8 +2,10 @@
 
 import json
 import math
+import os
 import re
 import sys
+from functools import cache
 from itertools import permutations
 from pathlib import Path
 from typing import Any, get_args, get_type_hints
@@ -18,6 +20,7 @@ from app.bootstrap import ROOT
 from app.document.document import Document
 from app.document.files import read
 from app.document.view import PANES
+from app.drawings import off_screen
 from app.drawings.figure import FITS, HIDDEN
 from app.drawings.style import PALETTES
 from app.model.refusal import Refusal
@@ -269,6 +272,34 @@ def test_a_missing_mesh_is_named_where_nothing_can_be_drawn() -> None:
             api.figure(PLAIN).save("figure.svg")
         with pytest.raises(Refusal, match=r"gone\.stl"):
             api.figure(Document("gone.stl")).save("figure.svg")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="X servers")
+@pytest.mark.parametrize("chosen", ["", "vtkXOpenGLRenderWindow"])
+def test_where_an_x_server_refuses_egl_draws(chosen: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A server whose last client has left starts anew, and refuses who comes meanwhile."""
+    variable = "VTK_DEFAULT_OPENGL_WINDOW"
+
+    class Window:
+        def SetOffScreenRendering(self, on: int) -> None:
+            assert on
+
+        def SupportsOpenGL(self) -> bool:
+            return os.environ.get(variable) == "vtkEGLRenderWindow"
+
+        def GetOpenGLSupportMessage(self) -> str:
+            return ""
+
+    monkeypatch.setenv(variable, chosen)
+    if not chosen:
+        monkeypatch.delenv(variable)
+    monkeypatch.setattr(off_screen, "window_that_draws", cache(lambda: Window))
+    check = off_screen.check_off_screen.__wrapped__
+    if chosen:
+        with pytest.raises(RuntimeError, match=r"no OpenGL 3\.2"):
+            check()
+    else:
+        assert isinstance(check(), Window)
 
 
 def test_panes_are_a_text_or_a_list() -> None:

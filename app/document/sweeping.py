@@ -55,7 +55,7 @@ def swept(
     def text(sweep: ValueSweep, part: float) -> str:
         texts = list[str]()
         for first, last in zip(sweep.first, sweep.last, strict=True):
-            value = first * (1.0 - part) + last * part
+            value = first if first == last else first * (1.0 - part) + last * part
             if ease == "log" and 0.0 < part < 1.0 and first != last:
                 if first * last <= 0.0:
                     raise Refusal.saying(

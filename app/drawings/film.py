@@ -102,8 +102,13 @@ def shown_values(states: Sequence[Document], scene: Scene, paths: Sequence[str])
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
         return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
 
-    written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
+    titles = {each.title for each in settings if not each.choices}
+
+    def said_in(text: str) -> str:
+        return in_letters(text, letters) + " =" * (text in titles)
+
+    written = DifferenceWriter(named, said_in, figure)
     held = [each.state for each in states]
     said = [values_in(path, held, settings, written) for path in paths]
     if not said or not all(map(all, said)):

@@ -29,7 +29,7 @@ from app.model.parameter import read_content
 Pixels: TypeAlias = NDArray[np.uint8]
 
 _SMALL_PX = 8, 8
-_WINDOW_CHOICE = "VTK_DEFAULT_OPENGL_WINDOW"
+_WINDOW_CHOICE, _EGL = "VTK_DEFAULT_OPENGL_WINDOW", "vtkEGLRenderWindow"
 _FXAA = read_content(Path(__file__).with_name("content") / "fxaa.glsl")
 
 
@@ -38,20 +38,33 @@ make_window: Callable[[], Any] | None = None
 
 
 @functools.cache
-def check_off_screen() -> None:
+def check_off_screen() -> Any:
     """Raise RuntimeError, with what to do, if VTK cannot draw without a window.
 
-    With too little OpenGL, VTK would end the process.
+    With too little OpenGL, VTK would end the process. An X server without a client may start anew,
+    and refuses who comes meanwhile: the window that was tried is kept, and EGL needs no server.
     """
     if make_window is not None:
-        return
+        return None
     # No warnings about the search through X, EGL and Mesa, if it leads to a picture.
     vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_ERROR)
-    window: Any = _window_that_draws()()
+    window = _tried()
+    if window is None and sys.platform == "linux" and _WINDOW_CHOICE not in os.environ:
+        os.environ[_WINDOW_CHOICE] = _EGL
+        window_that_draws.cache_clear()
+        window = _tried()
+    if window is None:
+        raise RuntimeError(said("no-opengl"))
+    return window
+
+
+def _tried() -> Any:
+    """Return a window if it can draw, or None."""
+    window: Any = window_that_draws()()
     window.SetOffScreenRendering(1)
     # VTK's last resort, a missing library, reports support untested.
-    if not window.SupportsOpenGL() or "Not tested" in window.GetOpenGLSupportMessage():
-        raise RuntimeError(said("no-opengl"))
+    can_draw = window.SupportsOpenGL() and "Not tested" not in window.GetOpenGLSupportMessage()
+    return window if can_draw else None
 
 
 class OffScreen:
@@ -61,7 +74,7 @@ class OffScreen:
     """
 
     def __init__(self, width: int, height: int) -> None:
-        self.render_window: Any = (make_window or _window_that_draws())()
+        self.render_window: Any = (make_window or window_that_draws())()
         self.render_window.SetOffScreenRendering(1)
         if hasattr(self.render_window, "SetConnectContextToNSView"):  # macOS: in any thread, then
             self.render_window.SetConnectContextToNSView(False)
@@ -161,12 +174,12 @@ def close_kept() -> None:
 
 
 @functools.cache
-def _window_that_draws() -> type:
+def window_that_draws() -> type:
     """The class of VTK's windows that works here. VTK tries each that it may choose."""
     if sys.platform != "linux" or os.environ.get("DISPLAY") or _WINDOW_CHOICE in os.environ:
         return type(vtkRenderWindow())
     # Without a display, trying X would cause a warning.
-    os.environ[_WINDOW_CHOICE] = "vtkEGLRenderWindow"
+    os.environ[_WINDOW_CHOICE] = _EGL
     try:
         return type(vtkRenderWindow())
     finally:

@@ -2599,8 +2599,8 @@
         <translation>Pilt kasutab tavalist sügavuspuhvrit: {0}</translation>
     </message>
     <message>
-        <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
-        <translation>Isegi kõige jämedama pildi jaoks kulub kaadri kohta {0} ms, mitte {1}</translation>
+        <source>A picture takes {0} ms to draw, so dragging stutters; a smaller window is smoother</source>
+        <translation>Pildi joonistamine võtab {0} ms, seetõttu lohistamine hakib; väiksemas aknas on see sujuvam</translation>
     </message>
     <message>
         <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>

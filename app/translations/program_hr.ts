@@ -2614,8 +2614,8 @@
         <translation>Slika koristi obični spremnik dubine: {0}</translation>
     </message>
     <message>
-        <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
-        <translation>Čak i najgrublja slika traje {0} ms po kadru umjesto {1}</translation>
+        <source>A picture takes {0} ms to draw, so dragging stutters; a smaller window is smoother</source>
+        <translation>Slika se crta {0} ms, pa povlačenje zapinje; u manjem je prozoru glađe</translation>
     </message>
     <message>
         <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>

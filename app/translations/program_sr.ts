@@ -2614,8 +2614,8 @@
         <translation>Слика користи обичан бафер дубине: {0}</translation>
     </message>
     <message>
-        <source>Even the coarsest picture takes {0} ms per frame instead of {1}</source>
-        <translation>Чак и најгрубља слика траје {0} ms по кадру уместо {1}</translation>
+        <source>A picture takes {0} ms to draw, so dragging stutters; a smaller window is smoother</source>
+        <translation>Слика се црта {0} ms, па превлачење запиње; у мањем прозору је глађе</translation>
     </message>
     <message>
         <source>This computer&apos;s OpenGL gives {0} per pixel instead of {1}</source>

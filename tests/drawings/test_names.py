@@ -10,7 +10,6 @@ from app.document.document import Document
 from app.document.naming import nameable, named_in
 from app.document.view import View
 from app.drawings import WORDS, DrawingWords
-from app.drawings.frame import axes_reach
 from app.drawings.image import ImageDrawing
 from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.stage import StageDrawing
@@ -18,7 +17,6 @@ from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import AXES, WINDOW
 from app.lecture.letters import Letters
-from app.model.chain import FiveTiles
 from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
 from app.picking.picking import Probe
@@ -120,18 +118,6 @@ def test_where_a_hand_takes_hold_of_the_target_the_target_is_pointed_at(
     drawing = opened(off_screen(*PANE_PX), live=True)
     x, y = dict(drawing.handles.shown)[Handle("target")]
     assert lit_at(drawing, x, y) == {"target"}
-
-
-def test_named_axes_of_a_moved_object_are_in_the_picture(off_screen: MakeScreen) -> None:
-    screen, scene = off_screen(540, 420), load("letter-f")
-    drawing = opened(screen)
-    drawing.show_names(frozenset("xyz"))
-    placement = FiveTiles(translate=(3.0, 0.0, 0.0), rotate_deg=(0.0, 0.0, 90.0)).chain
-    drawing.show_projection(replace(scene.start, placement=placement))
-    drawing.reset_view()
-    tips = axes_reach(scene.size) * np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-    spots = drawing.own.pane.spots(tips + np.array(((3.0, 0.0, 0.0),)) - np.array(scene.origin))
-    assert np.all(spots > 0.0) and np.all(spots < (540, 420))
 
 
 def test_the_ground_is_pale_where_the_cameras_axes_are_named(off_screen: MakeScreen) -> None:

@@ -426,25 +426,6 @@ def test_axes_are_seen_before_the_body(make_view: MakeView) -> None:
                 assert painted.any() or near_eye, (azimuth, name, part)
 
 
-def test_planes_light_their_pixels_and_near_is_nearer(make_view: MakeView) -> None:
-    view = make_view()
-    projection = with_lens(near=5.0, far=15.0)
-    view.drawing.show_projection(projection)
-    view.stand((26.0, 14.0, 30.0), (2.0, 2.0, 4.0), 60.0)
-    view.hide_labels()
-    image = view.pixels()
-    corners = corners_world(projection)[:, :3]
-    for face, colour in ((corners[:4], LIGHT.near), (corners[4:], LIGHT.far)):
-        middles = (face + np.roll(face, -1, axis=0)) / 2.0
-        for pixel in view.pixel_of(middles):
-            column, row = np.floor(pixel).astype(int)
-            around = image[row - 2 : row + 3, column - 2 : column + 3].astype(int)
-            assert (np.abs(around - to_bytes(colour)).max(axis=-1) < 12).any()
-    drawn = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
-    depths = (np.array(projection.camera.eye) - drawn) @ projection.camera.frame[2]
-    assert np.allclose(depths, [5.0] * 4 + [15.0] * 4)
-
-
 @pytest.mark.parametrize("side", ["eye's side", "other side"])
 @pytest.mark.parametrize(
     "projection",

@@ -1,16 +1,14 @@
 """Answers that are a place in a picture: their format, and what counts as near."""
 
-from pathlib import Path
+from functools import partial
 
 import pytest
 
 from app.lessons.blocks.click import Click
-from app.lessons.checking import CheckReport
-from app.lessons.course import AtStep, Course
-from app.lessons.lesson import parse_lesson
-from app.model.refusal import Refusal
+from app.lessons.course import AtStep
+from tests.support import lessons
 
-STATE = "```state\nscene=letter-f\nimage.width=800\nimage.height=400\nlens.near=2\n```\n"
+STATE = "scene=letter-f\nimage.width=800\nimage.height=400\nlens.near=2\n"
 # The middle of the picture is at (400, 200). A small pane shows it 400 px wide: half as large, so a
 # click that is 20 pixels of the image away is 10 px away on the screen.
 IMAGE = """Where is the middle?
@@ -24,23 +22,12 @@ why: Half of both.
 """
 
 
+faults = partial(lessons.faults, state=STATE)
+
+
 def question(body: str, test: str = "", kind: str = "answer") -> tuple[Click, AtStep]:
-    sample = f"```test\n{test}\n```\n" if test else ""
-    lesson = parse_lesson(
-        f"---\ntitle: T\n---\n# A\n{STATE}```{kind} mine\n{body}```\n{sample}", Path("l.md")
-    )
-    here = Course(lesson).at(0)
+    here = lessons.asked_at(body, test, kind, state=STATE)
     return here.asked["mine"], here  # type: ignore[return-value]
-
-
-def faults(body: str, test: str = "", kind: str = "answer") -> str:
-    """Return what a check complains of."""
-    report = CheckReport()
-    try:
-        report.take(question(body, test, kind)[1].course.lesson)
-    except Refusal as error:
-        return str(error)
-    return "\n".join(map(str, report.wrong))
 
 
 def test_a_click_counts_up_to_its_distance_in_pixels() -> None:
@@ -112,4 +99,4 @@ def test_an_exercise_uses_no_variant_whose_places_are_too_close() -> None:
         variant = asked.variant(here, seed)  # type: ignore[attr-defined]
         x = float(variant.numbers["x"])
         assert abs(800 - 2 * x) / 2 >= 24, "twice 12 px, in a pane that shows it half as large"
-    assert faults(body, kind="exercise") == ""
+    assert faults(body, "", "exercise") == ""

@@ -2,7 +2,6 @@
 
 import math
 from fractions import Fraction
-from pathlib import Path
 
 import pytest
 
@@ -10,11 +9,10 @@ from app.document.settings import set_values
 from app.lessons.blocks.exercise import Exercise, written_number
 from app.lessons.blocks.task import Task
 from app.lessons.blocks.working import working
-from app.lessons.checking import CheckReport
-from app.lessons.course import AtStep, Course
-from app.lessons.lesson import parse_lesson
+from app.lessons.course import AtStep
 from app.model.formula import parse
 from app.model.refusal import Refusal
+from tests.support import lessons
 from tests.support.exercises import WIDE
 
 HALVED = f"{WIDE}why: Its half is {{=fov/2}}°.\n"
@@ -34,23 +32,14 @@ why: It is ${~q/7}$ or ${~q}$.
 
 
 def exercise(body: str, test: str = "") -> tuple[Exercise, AtStep]:
-    block = f"```exercise mine\n{body}```\n"
-    sample = f"```test\n{test}\n```\n" if test else ""
-    lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{block}{sample}", Path("l.md"))
-    here = Course(lesson).at(0)
+    here = lessons.asked_at(body, test, "exercise")
     asked = here.asked["mine"]
     assert isinstance(asked, Exercise)
     return asked, here
 
 
 def faults(body: str, test: str = "") -> str:
-    """Return what a check complains of."""
-    report = CheckReport()
-    try:
-        report.take(exercise(body, test)[1].course.lesson)
-    except Refusal as error:
-        return str(error)
-    return "\n".join(map(str, report.wrong))
+    return lessons.faults(body, test, "exercise")
 
 
 def test_a_seed_gives_the_same_numbers_everywhere_and_another_one_others() -> None:

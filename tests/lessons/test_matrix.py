@@ -1,17 +1,16 @@
 """Answers that are a matrix or a vector: their format, their marks cell by cell, their solution."""
 
-from pathlib import Path
+from functools import partial
 
 import pytest
 
 from app.lessons.blocks.exercise import Exercise
 from app.lessons.blocks.matrix import MatrixQuestion
-from app.lessons.checking import CheckReport
-from app.lessons.course import AtStep, Course
-from app.lessons.lesson import parse_lesson
+from app.lessons.course import AtStep
 from app.model.refusal import Refusal
+from tests.support import lessons
 
-STATE = "```state\nscene=letter-f\nlens.near=2\nlens.far=10\n```\n"
+STATE = "scene=letter-f\nlens.near=2\nlens.far=10\n"
 # With n = 2, f = 10, l = -1, r = 3, b = -2, t = 2 the lecture's matrix is, by hand:
 #   2n/(r-l) = 1    0         (r+l)/(r-l) = 1/2       0
 #   0               2n/(t-b) = 1   0                   0
@@ -28,11 +27,11 @@ RIGHT = "1|0|0.5|0;0|1|0|0;0|0|-3/2|-5;0|0|-1|0"
 VECTOR = "Where?\nmatrix: 1; -2; 30.25\n"
 
 
+faults = partial(lessons.faults, state=STATE)
+
+
 def question(body: str, test: str = "", kind: str = "answer") -> tuple[MatrixQuestion, AtStep]:
-    sample = f"```test\n{test}\n```\n" if test else ""
-    block = f"{STATE}```{kind} mine\n{body}```\n{sample}"
-    lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{block}", Path("l.md"))
-    here = Course(lesson).at(0)
+    here = lessons.asked_at(body, test, kind, state=STATE)
     return here.asked["mine"], here  # type: ignore[return-value]
 
 
@@ -40,16 +39,6 @@ def said(body: str, typed: str) -> str:
     asked, here = question(body)
     verdict = asked.mark(here, typed)
     return str(verdict.remark or verdict.word)
-
-
-def faults(body: str, test: str = "") -> str:
-    """Return what a check complains of."""
-    report = CheckReport()
-    try:
-        report.take(question(body, test)[1].course.lesson)
-    except Refusal as error:
-        return str(error)
-    return "\n".join(map(str, report.wrong))
 
 
 def test_a_matrix_is_marked_cell_by_cell() -> None:

@@ -1,43 +1,38 @@
 """Answers that are a chain of tiles: how they are read, mixed, marked, shown and printed."""
 
 import re
-from pathlib import Path
 
 import numpy as np
 import pytest
 
 from app.lessons.blocks.order import OrderQuestion
-from app.lessons.checking import CheckReport
 from app.lessons.contents import contained
 from app.lessons.course import AtStep, Course
-from app.lessons.lesson import parse_lesson, read
+from app.lessons.lesson import read
 from app.lessons.practice import exercises_of
 from app.model.chain import Chain
 from app.model.refusal import Refusal
+from tests.support import lessons
 
 ORDER = "order object: translate 3,0,0; rotate z 90; scale 2,1,1"
 RIGHT = "translate 3,0,0; rotate z 90; scale 2,1,1"
 
 
+def shown(state: str) -> str:
+    return f"scene=letter-f\n{state}\n"
+
+
 def question(
     body: str, test: str = "", kind: str = "answer", state: str = "lens.near=1"
 ) -> tuple[OrderQuestion, AtStep]:
-    block = f"```state\nscene=letter-f\n{state}\n```\n```{kind} mine\nWhich?\n{body}\n```\n"
-    sample = f"```test\n{test}\n```\n" if test else ""
-    lesson = parse_lesson(f"---\ntitle: T\n---\n# A\n{block}{sample}", Path("l.md"))
-    here = Course(lesson).at(0)
+    here = lessons.asked_at(f"Which?\n{body}\n", test, kind, state=shown(state))
     variant = here.asked["mine"].variant(here, 1)
     assert isinstance(variant.question, OrderQuestion) and isinstance(variant.here, AtStep)
     return variant.question, variant.here
 
 
 def faults(body: str, test: str = "", kind: str = "answer", state: str = "lens.near=1") -> str:
-    report = CheckReport()
-    try:
-        report.take(question(body, test, kind, state)[1].course.lesson)
-    except Refusal as error:
-        return str(error)
-    return "\n".join(map(str, [*report.wrong, *report.warnings]))
+    return lessons.faults(f"Which?\n{body}\n", test, kind, state=shown(state))
 
 
 def test_the_tiles_are_mixed_and_the_object_stands_where_the_product_puts_it() -> None:

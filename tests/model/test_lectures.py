@@ -412,19 +412,6 @@ def test_l11_002_off_axis_perspective_is_h_and_then_the_symmetric_one(
     np.testing.assert_allclose(dict(stage.factors)["shear"], h, atol=1e-16)
 
 
-def test_l11_002_off_axis_perspective_is_h_and_then_ortho() -> None:
-    """The route by the parallel box: H, the perspective map to the box, then P_ort."""
-    near, far = OFF_AXIS.near, OFF_AXIS.far
-    x_l, x_r, y_b, y_t = SIDES
-    h, to_box = np.eye(4), np.diag([near, near, near + far, 0.0])
-    h[:2, 2] = (x_r + x_l) / 2 / near, (y_t + y_b) / 2 / near
-    to_box[2, 3], to_box[3, 2] = near * far, -1.0  # z' = -(n + f) - n f/z: near and far stay
-    across, up = (x_r - x_l) / 2, (y_t - y_b) / 2
-    box = Projection(ORIGIN, Orthographic(-across, across, -up, up, near, far)).clip_from_view
-    expected = Projection(ORIGIN, OFF_AXIS).clip_from_view
-    np.testing.assert_allclose(box @ to_box @ h, expected, rtol=1e-13, atol=1e-14)
-
-
 def test_l13_002_a_direction_is_a_point_at_infinity() -> None:
     corners = corners_world(Projection(ORIGIN, Perspective(90.0, 1.0, math.inf), (100, 100)))
     np.testing.assert_array_equal(corners[4:, 3], 0.0)

@@ -1,5 +1,31 @@
 """Lessons for the player and for the window: with each kind of answer, and with one prediction."""
 
+from pathlib import Path
+
+from app.lessons.checking import CheckReport
+from app.lessons.course import AtStep, Course
+from app.lessons.lesson import parse_lesson
+from app.model.refusal import Refusal
+
+
+def asked_at(body: str, test: str = "", kind: str = "answer", *, state: str = "") -> AtStep:
+    """Return the step of a lesson with one block, ``mine``, and perhaps a test of it."""
+    shown = f"```state\n{state}```\n" if state else ""
+    sample = f"```test\n{test}\n```\n" if test else ""
+    text = f"---\ntitle: T\n---\n# A\n{shown}```{kind} mine\n{body}```\n{sample}"
+    return Course(parse_lesson(text, Path("l.md"))).at(0)
+
+
+def faults(*block: str, state: str = "") -> str:
+    """Return what a check complains of; the arguments are those of `asked_at`."""
+    report = CheckReport()
+    try:
+        report.take(asked_at(*block, state=state).course.lesson)
+    except Refusal as error:
+        return str(error)
+    return "\n".join(map(str, report.wrong))
+
+
 LESSON = """---
 title: How wide?
 ---

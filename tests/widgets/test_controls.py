@@ -1,6 +1,5 @@
 """The dock with real widgets: edits of the user go out, values of the model come in."""
 
-import itertools
 import math
 import re
 from collections.abc import Callable, Iterable, Iterator
@@ -27,8 +26,6 @@ from PySide6.QtWidgets import (
     QLineEdit,
     QSlider,
     QToolButton,
-    QVBoxLayout,
-    QWidget,
 )
 
 from app.document.document import IMAGE, Document, lens_fields
@@ -522,33 +519,6 @@ def test_near_and_far_reach_as_far_as_the_scene(controls: Column) -> None:
         assert back <= ends[1] <= 21.0 * back, "no decades that show nothing"
         middle = row.scale.value_at(row.scale.last // 2)
         assert middle == pytest.approx(math.sqrt(ends[0] * ends[1]), rel=0.05)
-
-
-def test_a_pixel_of_near_is_at_most_two_percent_of_it(controls: Column) -> None:
-    row = number(controls, "near")
-    row.slider.setFixedWidth(240)
-    QApplication.processEvents()
-    values = list(dragged_over(row))
-    assert len(values) > 100 and values[-1] > 20.0 * values[0]
-    steps = [after / before for before, after in itertools.pairwise(values)]
-    assert min(steps) > 1.0 and max(steps) <= 1.02
-
-
-def dragged_over(row: NumberRow) -> Iterator[float]:
-    """Drag the handle from one end to the other pixel by pixel, and yield the values."""
-    slider, left = row.slider, Qt.MouseButton.LeftButton
-    slider.setValue(0)
-    place = QPointF(press(slider))
-    for x in range(slider.width()):
-        hand = place + QPointF(x, 0.0)
-        event = QMouseEvent(
-            QEvent.Type.MouseMove, hand, slider.mapToGlobal(hand), left, left, NO_KEY
-        )
-        QApplication.sendEvent(slider, event)
-        if slider.value() == slider.maximum():
-            break
-        yield row.scale.value_at(slider.sliderPosition())
-    release(slider)
 
 
 def test_near_has_the_same_ratio_of_ends_in_every_scene(controls: Column) -> None:
@@ -1355,25 +1325,6 @@ def test_an_error_is_shown_whole_in_any_width(enlarged: Controls, qtbot: Any) ->
             enlarged.resize(enlarged.minimumSizeHint().width() + width, 640)
             qtbot.waitUntil(shown_whole)
     assert {3, 4} <= lines
-
-
-def test_a_narrow_row_is_as_high_as_its_error(display: Any, qtbot: Any) -> None:
-    host = QWidget()
-    qtbot.addWidget(host)
-    layout = QVBoxLayout(host)
-    row = NumberRow("N", "Number.", Linear(0.0, 10.0, 1.0))
-    layout.addWidget(row)
-    layout.addStretch(1)
-    host.setFixedSize(host.minimumSizeHint().width(), 300)
-    host.show()
-    row.show_error("N = 11: must be at most 10, which is the greatest of all numbers in this test.")
-
-    def shown_whole() -> bool:
-        label = row.findChild(QLabel, "rowError")
-        assert isinstance(label, QLabel)
-        return label.height() >= label.heightForWidth(label.width()) > 2 * row.field.height()
-
-    qtbot.waitUntil(shown_whole)
 
 
 def test_the_scroll_bar_shifts_nothing(controls: Column) -> None:

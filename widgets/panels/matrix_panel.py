@@ -283,6 +283,10 @@ class MatrixPanel(ReadablePanel):
             for view in self.views.values():
                 view.fit()
 
+    def prepare(self, projection: Projection) -> None:
+        """Work out the formulas, which are kept, before the panel opens."""
+        self._matrices(projection)
+
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._show(shown.projection)
 

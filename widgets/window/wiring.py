@@ -55,6 +55,7 @@ def _wire_components(window: Any) -> None:
         (strip.gesture_started, partial(look.refine, "ndc", False)),
         (strip.gesture_finished, partial(look.refine, "ndc", True)),
         (window.matrices.letters_changed, lettering.set, look.set_letters),
+        (window.panels.idle.timeout, lambda: window.matrices.prepare(window.shown.projection)),
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
