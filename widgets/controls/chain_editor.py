@@ -185,7 +185,7 @@ class ChainEditor(QWidget, RowHolder):
         parts = (self.add, self.refusal, self.tiles, self.first, self.product, bar)
         in_column(*parts, on=self.own, margins=(0, 0, 0, 0))
         in_column(self._beyond, self.undone, self.own, on=self, margins=(0, 0, 0, 0))
-        self._build(self._chain)
+        self._build()
 
     @property
     def cards(self) -> list[_TileCard]:
@@ -202,8 +202,6 @@ class ChainEditor(QWidget, RowHolder):
         self.refusal.show_text("")
         self.compared.emit(None)
         self.first.setText(self.tr("The tile at the bottom acts first."))
-        if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
-            self._build(chain)
         self._show_tiles()
         self._show_product()
 
@@ -258,24 +256,19 @@ class ChainEditor(QWidget, RowHolder):
     def put(self, card: _TileCard | None, *tiles: Tile) -> None:
         """Put tiles over that of a card, or at the left, which acts last."""
         place, over = (0, 0) if card is None else (self.cards.index(card), 1)
-        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._refuse)
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._say)
 
     def _move(self, place: int, to: int) -> None:
         """Move a tile; show where the object was before, and say what differs."""
         before = self._chain
         self._attempt(lambda: before.moved(place, to), self._say)
-        if self._chain == before:
-            self._build(before)
-            self._show_tiles()
-            return
-        self.compared.emit(before)
-        self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
-
-    def _refuse(self, said: str) -> None:
-        self._show_tiles()
-        self._say(said)
+        if self._chain != before:
+            self.compared.emit(before)
+            self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
 
     def _say(self, said: str) -> None:
+        """Refuse a change, and show the tiles as they were."""
+        self._show_tiles()
         self.refusal.show_text(refusal(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
@@ -310,13 +303,15 @@ class ChainEditor(QWidget, RowHolder):
 
     # -- shown
 
-    def _build(self, chain: Chain) -> None:
-        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in chain.tiles])
+    def _build(self) -> None:
+        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in self._chain.tiles])
         self.add.setEnabled(len(self.cards) < MOST_TILES)
         for part in (self.first, self.product, self.letters, self.vectors, self.to_factors):
             part.setVisible(bool(self.cards))
 
     def _show_tiles(self) -> None:
+        if [card.kind for card in self.cards] != [tile.kind for tile in self._chain.tiles]:
+            self._build()
         self.rows.clear()
         tiles = zip(self.cards, self._chain.tiles, self._chain.fields(), strict=True)
         for place, (card, tile, field) in enumerate(tiles):
