@@ -60,8 +60,8 @@ def _beyond(projection: Projection, undone: bool, from_left: bool) -> Iterator[t
     if not undone:
         yield stage_title("rotation"), turned
     for tile in (*(turns if undone else ()), move):
-        title = tile_title(tile.kind, ",".join(map(written_numbers, tile.numbers)))
-        yield with_comma(title).replace("-", "\N{MINUS SIGN}"), moved if tile is move else turned
+        numbers = ",".join(map(written_numbers, tile.numbers)).replace("-", "\N{MINUS SIGN}")
+        yield with_comma(tile_title(tile.kind, numbers)), moved if tile is move else turned
 
 
 class _TileCard(Rows):
@@ -96,14 +96,10 @@ class _TileCard(Rows):
             return
         named = QCoreApplication.translate("Field", "{0} {1}")
         tip = parameter_text(parameter, parameter.tip)
-        if tile.kind == "matrix":
-            for column in ("x", "y", "z", self.tr("origin")):
-                yield column, VectorRow(named.format(title, column), tip)
-            return
-        letters = KINDS[tile.kind].letters
-        if tile.kind == "rotate":
-            yield "axis", VectorRow(named.format(title, self.tr("axis")), tip)
-            letters = letters[-1:]
+        columns = {"matrix": ("x", "y", "z", self.tr("origin")), "rotate": (self.tr("axis"),)}
+        for column in columns.get(tile.kind, ()):
+            yield column, VectorRow(named.format(title, column), tip)
+        letters = KINDS[tile.kind].letters[{"matrix": 12, "rotate": 3}.get(tile.kind, 0) :]
         for letter in letters:
             part = letter.rpartition("_")[2]
             name = named.format(title, part) if len(letters) > 1 else title
