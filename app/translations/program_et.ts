@@ -8290,6 +8290,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>igas reas peab olema sama palju arve</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>peab sisaldama ainult lõplikke reaalarve</translation>
     </message>
@@ -8316,10 +8320,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>koordinaatide arv peab olema {0}, eraldatud märgiga „,“</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9706,6 +9706,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Remove it</source>
         <translation>Eemalda see</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>alguspunkt</translation>
     </message>
     <message>
         <source>axis</source>

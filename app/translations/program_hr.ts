@@ -8306,6 +8306,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora imati jednako mnogo brojeva u svakom retku</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>mora imati konačne brojeve nakon {1}, ukupno {0}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>mora imati samo konačne realne brojeve</translation>
     </message>
@@ -8332,10 +8336,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>mora imati {0} koordinata, odvojenih znakom „,”</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>mora imati {0} konačnih brojeva nakon {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9722,6 +9722,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Remove it</source>
         <translation>Uklanja je</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>ishodište</translation>
     </message>
     <message>
         <source>axis</source>

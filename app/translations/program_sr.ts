@@ -8306,6 +8306,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да има једнако много бројева у свакој врсти</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>мора да има коначне бројеве после {1}, укупно {0}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>мора да има само коначне реалне бројеве</translation>
     </message>
@@ -8332,10 +8336,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>мора да има {0} координата, раздвојених знаком „,”</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>мора да има {0} коначних бројева после {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9722,6 +9722,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Remove it</source>
         <translation>Уклони је</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>почетак</translation>
     </message>
     <message>
         <source>axis</source>
