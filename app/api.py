@@ -295,7 +295,8 @@ def figure(
     alone: dict[str, Any] = {"colours": colours, "dot_size": dot_size} if cloud is None else {}
     for name, value in (beside | alone).items():
         if value is not None:
-            raise Refusal(name, value, REFUSALS["no-width" if name in beside else "of-cloud"])
+            bound = REFUSALS["no-width"] if name in beside else REFUSALS["of-cloud"]
+            raise Refusal(name, value, bound)
     if cloud is None:
         scene = load_scene(document.scene, mesh=document.mesh)
     else:
