@@ -137,11 +137,6 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
     *values : str
         As after ``--set``: ``"lens.near=2"``, ``"camera.eye=3,2,4"``, ``"settings.aperture=1.4"``.
         Only the result has to be valid, so their order does not matter.
-
-    Raises
-    ------
-    Refusal
-        For an unknown scene or path, a file that cannot be read, and an impossible value.
     """
     name, values = path_of("source", source), tuple(map(str, values))
     if is_mesh(name):
@@ -176,12 +171,6 @@ def project(
         (..., 4); ``ndc`` (..., 3); ``image`` (..., 2) in pixels; ``depth`` (...) in [0, 1];
         ``in_front`` (...) bool; and ``outside`` (..., 6) bool, beyond near, far, left, right,
         bottom and top. Where there is no picture, ``ndc``, ``image`` and ``depth`` are NaN.
-
-    Raises
-    ------
-    Refusal
-        For points that are not rows of three or four finite numbers, and for an unknown space or
-        precision.
 
     Notes
     -----
