@@ -163,11 +163,11 @@ def on(spot: Spot) -> Places:
 
 
 def along(
-    edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float, body: Spot
+    edges: ArrayLike, middle: Spot, size: tuple[float, float], em: float, body: ArrayLike
 ) -> Places:
     """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level.
 
-    `body` is the middle of what the area bounds: edges before which that lies come last.
+    `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last.
     """
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
     spans, mids = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
@@ -176,7 +176,10 @@ def along(
     outward = np.stack([-across[:, 1], across[:, 0]], axis=1)
     outward[((mids - middle) * outward).sum(axis=1) < 0.0] *= -1.0
     # Upper edges first, and of them the longest: there is most room.
-    is_before = ((np.array(body) - mids) * outward).sum(axis=1) > 0.0
+    towards = np.asarray(body) - (mids + em * outward)[:, None]  # from a place beside each edge
+    angles = np.sort(np.arctan2(towards[..., 1], towards[..., 0]), axis=1)
+    gaps = np.diff(angles, axis=1, append=angles[:, :1] + math.tau)
+    is_before = gaps.max(axis=1) < math.pi  # corners are all round that place
     order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
     order = order[lengths[order] >= 1.0]

@@ -16,6 +16,7 @@ A step of a slider or of the strip sets matrices and nothing else. The surroundi
 depend at NDC on the depth range alone, and wait for it to change.
 """
 
+import math
 from collections.abc import Mapping
 from typing import Any
 
@@ -24,6 +25,7 @@ from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings.actors import fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, light_of_labels
+from app.drawings.frame import BODY_BOX
 from app.drawings.handles import HandleMarks
 from app.drawings.label_placement import Ground
 from app.drawings.layer import FacesLayer, Layer, Layers
@@ -32,7 +34,7 @@ from app.drawings.pane_view import Pose
 from app.drawings.precision import ModelActors, least_tolerance
 from app.drawings.probes import StageProbes
 from app.drawings.prop_group import PropGroup
-from app.drawings.stage_box import StageBox, StageState, volume_ends
+from app.drawings.stage_box import BODY, StageBox, StageState, volume_ends
 from app.drawings.stage_view import AXES_LENGTH, StageView
 from app.drawings.style import Style
 from app.lecture.highlight import AXES, ENDS
@@ -213,8 +215,8 @@ class StageDrawing(Drawing):
     def _framed(self, stop: float) -> Array:
         """What has to be in view at a position up to the view's stop, (n, 3): display space.
 
-        These are the objects, the probes, the eye, the named axes and the near plane. Far belongs
-        to them if it is named; else it may leave the pane, as the grid does.
+        These are the objects, the probes, the camera, the named axes and the near plane. Far
+        belongs to them if it is named; else it may leave the pane, as the grid does.
         """
         state, origin, morph = self.state, self.state.origin, self.state.morph
         objects = state.projection.placement.placed(state.scene.objects_box).world - origin
@@ -230,6 +232,9 @@ class StageDrawing(Drawing):
         # What is outside the ball that the display is scaled to is not worth its room.
         points /= np.maximum(1.0, np.linalg.norm(points, axis=1, keepdims=True) / RADIUS)
         start, axes = morph.axes_at(stop)
+        if morph.projection.has_camera:
+            body = start / max(1.0, math.hypot(*start) / RADIUS) + BODY * BODY_BOX @ axes
+            points = np.concatenate([points, body])
         named = [axis for name, axis in zip(AXES, axes, strict=True) if self.names.wants(name)]
         points = np.concatenate([points, *(start + AXES_LENGTH * axis[None] for axis in named)])
         if stop < VIEW and all(map(self.names.wants, "xyz")):

@@ -23,11 +23,12 @@ from app.drawings.actors import (
     unlit_actor,
 )
 from app.drawings.camera import camera_body
+from app.drawings.frame import BODY_BOX
 from app.drawings.frustum import CUBE
 from app.drawings.label import SceneLabel
 from app.drawings.label_placement import Ground
 from app.drawings.labels import NUMBER, PLANE, vector, want_plane
-from app.drawings.layer import Layer, PaneState, Placing
+from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing
 from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
 from app.drawings.prop_group import PropGroup
@@ -59,7 +60,7 @@ _BOX_FROM_NDC = np.array([[1.0, 0, 0, 0], [0, 1, 0, 0], [0, 0, -0.5, 0.5], [0, 0
 _PALER = 0.6  # of the near plane's tint in the world, where it is smaller
 _AT_CORNER = [((-1, -1, 1), end) for end in ((1, -1, 1), (-1, 1, 1), (-1, -1, 0))]
 _SHORT = 0.28  # of an edge of the cube: its axes
-_BODY = 0.09  # the camera's: the unit of its size
+BODY = 0.09  # the camera's: the unit of its size
 _SMALL_HEAD = 0.5  # of an arrow's head: before the cube the pane shows less of the display space
 _NUMBERS_FROM_EM = 8.0  # of the volume's width in the pane: in a smaller one there is no room
 
@@ -198,7 +199,7 @@ class StageBox(Layer):
         space in which the camera moves until then.
         """
         style = self._canvas.style
-        self._camera, self._body = Space(), camera_body(style)
+        self._camera, self._body, self._camera_at = Space(), camera_body(style), NO_POINTS
         self._camera.add(*self._body)
         self._canvas.add(*self._body, layer="camera")
         self._arrows: list[tuple[Space, Space, vtkActor, vtkActor]] = []
@@ -274,6 +275,7 @@ class StageBox(Layer):
 
     def _place_axes(self, morph: Morph, position: float, stop: int) -> None:
         """Put axes and letters where the nearest stop has them."""
+        self._camera_at = NO_POINTS
         if stop == NDC:  # along the edges at a corner of near, z the way it grows
             starts, ends = np.moveaxis(self._shown(_AT_CORNER), 1, 0)
             tips = starts + _SHORT * (ends - starts)
@@ -295,10 +297,12 @@ class StageBox(Layer):
                 if away > RADIUS:  # far from the scene: at the border toward it
                     start *= RADIUS / away
                 tips = start + AXES_LENGTH * axes
-                self._camera.set(_placed(start, _BODY * axes.T))
+                self._camera.set(_placed(start, BODY * axes.T))
+                if morph.projection.has_camera:
+                    self._camera_at = start + BODY * BODY_BOX @ axes
             starts = inner = np.tile(start, (3, 1))
         for part in self._body:
-            self._canvas.set_visible(part, stop <= VIEW and morph.projection.has_camera)
+            self._canvas.set_visible(part, len(self._camera_at) > 0)
         moves = position < VIEW and (morph.projection.has_camera or position == WORLD)
         origin = np.tile(morph.origin_at(position) if moves else np.zeros(3), (3, 1))
         starts, inner = np.concatenate([starts, origin]), np.concatenate([inner, origin])
@@ -385,6 +389,9 @@ class StageBox(Layer):
         if not self._at:
             return
         board, seen = self._board, self._state.seen
+        if len(self._camera_at):
+            x, y, _ = np.array(seen(self._camera_at)).T
+            ground.keep_box(x.min(), y.min(), x.max(), y.max())
         spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
         corners = self._corners_seen()
         middle = np.nanmean(corners[:, :2], axis=0) if np.isfinite(corners).any() else np.zeros(2)

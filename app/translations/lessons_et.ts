@@ -7724,14 +7724,6 @@
         <translation>Variant Y: kohandatakse x-i</translation>
     </message>
     <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
         <translation>Siin on k negatiivne: aken läheb kitsamaks, x -1-st 1-ni, ja F on suurem. Jaotusmaterjali viimasel real on {0} suuruse {1} jaoks; peab olema {2}. Küsige, kumma variandi peaks programm võtma, kui akent käsitsi kitsamaks tehakse: X-iga säilitab stseen laiuse, Y-iga kõrguse.</translation>
     </message>
@@ -7915,8 +7907,8 @@
         <translation>Mis on peast 20 cm tagapool, paistab 30 cm kauguselt 0.6 ja 108.6 cm kauguselt 0.84 korda nii suur kui pea.</translation>
     </message>
     <message>
-        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Loengu kass. Suuruse määrab F jagatud D-ga: 105/29 korda 30 cm on 108.6 cm. Hääletage, siis on mõlemad pildid olemas. C toob esile sätte „Kaugus, valmisväärtuse suhtes“: lohistage seda, et saada dolly zoom, kus nina ja kõrvad liiguvad pea suhtes. Jälle 1 × juures valige sättes Vaataja 105 mm 360 cm kauguselt ja võtke linnuke sättelt Suurenda ära: 0.30 korda nii suur, 166 px. Perspektiiv tuleb ainult kaugusest.</translation>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 129 px. The perspective comes from the distance alone.</source>
+        <translation>Loengu kass. Suuruse määrab F jagatud D-ga: 105/29 korda 30 cm on 108.6 cm. Hääletage, siis on mõlemad pildid olemas. C toob esile sätte „Kaugus, valmisväärtuse suhtes“: lohistage seda, et saada dolly zoom, kus nina ja kõrvad liiguvad pea suhtes. Jälle 1 × juures valige sättes Vaataja 105 mm 360 cm kauguselt ja võtke linnuke sättelt Suurenda ära: 0.30 korda nii suur, 129 px. Perspektiiv tuleb ainult kaugusest.</translation>
     </message>
     <message>
         <source>Why near and far?</source>

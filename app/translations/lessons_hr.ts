@@ -7724,14 +7724,6 @@
         <translation>Varijanta Y: podešava se x</translation>
     </message>
     <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
         <translation>Ovdje je k negativan: prozor postaje uži, x od -1 do 1, a F veći. Posljednji redak nastavnog materijala ima {0} umjesto {1}; mora biti {2}. Pitajte koju bi varijantu program trebao uzeti kad se prozor ručno suzi: s X scena zadržava širinu, s Y visinu.</translation>
     </message>
@@ -7915,8 +7907,8 @@
         <translation>20 cm iza, njezina je veličina 0.6 veličine glave snimljene s 30 cm, a 0.84 snimljene sa 108.6 cm.</translation>
     </message>
     <message>
-        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču u odnosu na glavu. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 166 px. Perspektiva dolazi samo od udaljenosti.</translation>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 129 px. The perspective comes from the distance alone.</source>
+        <translation>Mačka iz predavanja. O veličini odlučuje F kroz D: 105/29 puta 30 cm je 108.6 cm. Glasovanje, zatim su tu obje slike. C donosi „Udaljenost u odnosu na gotovu postavku”: povucite je za dolly zoom, u kojem se nos i uši pomiču u odnosu na glavu. Natrag na 1 ×, pod Gleda odaberite 105 mm na 360 cm i isključite Povećaj: glava je tada 0.30 prijašnje veličine, 129 px. Perspektiva dolazi samo od udaljenosti.</translation>
     </message>
     <message>
         <source>Why near and far?</source>

@@ -7724,14 +7724,6 @@
         <translation>Варијанта Y: прилагођава се x</translation>
     </message>
     <message>
-        <source>X</source>
-        <translation>X</translation>
-    </message>
-    <message>
-        <source>Y</source>
-        <translation>Y</translation>
-    </message>
-    <message>
         <source>Here k is negative: the window becomes narrower, x from -1 to 1, and the F is larger. The last line of the handout has {0} for {1}; it must be {2}. Ask which variant a program should take when a window is made narrower by hand: with X the scene keeps its width, with Y its height.</source>
         <translation>Овде је k негативно: прозор постаје ужи, x од -1 до 1, а слово F је веће. Последњи ред материјала има {0} за {1}; мора бити {2}. Питајте коју варијанту програм треба да узме када се прозор ручно сузи: са X сцена задржава ширину, са Y висину.</translation>
     </message>
@@ -7915,8 +7907,8 @@
         <translation>20 cm иза главе велика је 0.6 пута колико глава са 30 cm, а 0.84 пута са 108.6 cm.</translation>
     </message>
     <message>
-        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 166 px. The perspective comes from the distance alone.</source>
-        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за доли-зум, у коме се нос и уши померају у односу на главу. Када се вратите на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите „Увећај”: 0.30 пута толико, 166 px. Перспектива потиче само од растојања.</translation>
+        <source>The lecture&apos;s cat. F over D decides the size: 105/29 times 30 cm is 108.6 cm. Vote, then both pictures are there. C brings &quot;Distance, relative to the preset&quot;: drag it for a dolly zoom, in which nose and ears move against the head. Back at 1 ×, choose 105 mm at 360 cm under Seen by, and untick Enlarge: 0.30 times as large, 129 px. The perspective comes from the distance alone.</source>
+        <translation>Мачка из предавања. О величини одлучује F кроз D: 105/29 пута 30 cm је 108.6 cm. Гласајте, па су ту обе слике. C доноси „Растојање у односу на предложак”: превуците га за доли-зум, у коме се нос и уши померају у односу на главу. Када се вратите на 1 ×, изаберите под „Чиме се гледа” 105 mm са 360 cm и искључите „Увећај”: 0.30 пута толико, 129 px. Перспектива потиче само од растојања.</translation>
     </message>
     <message>
         <source>Why near and far?</source>

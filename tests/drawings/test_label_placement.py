@@ -179,7 +179,7 @@ def test_an_arrow_that_ends_at_the_border_is_named_beside_its_tip(tip: tuple[flo
 def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
     square = np.array([(100, 100), (300, 140), (300, 260), (100, 220)], float)
     edges = np.stack([square, np.roll(square, -1, axis=0)], axis=1)
-    places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, (200.0, 180.0))
+    places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, square)
     assert np.abs(places.turns).max() <= math.radians(30.0)
     x, y = places.centres[0].tolist()
     assert y > 220.0 + 0.2 * (x - 100.0)  # above the upper edge
@@ -189,10 +189,15 @@ def test_a_plane_is_named_along_an_edge_outside_it_and_never_steeply() -> None:
 def test_a_plane_is_named_first_at_edges_behind_which_its_volume_is_not() -> None:
     far = np.array([(100, 100), (300, 140), (300, 260), (100, 220)], float)
     edges = np.stack([far, np.roll(far, -1, axis=0)], axis=1)
-    places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, (350.0, 180.0))  # near is to the right
+    near = far + np.array((300.0, 60.0))  # to the right
+    places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, np.concatenate([far, near]))
     x, y = places.centres[:12].T
     assert (y[:3] > 220.0 + 0.2 * (x[:3] - 100.0)).all()  # all places of an edge before another's
     assert (x[:9] < 300.0).all() and (x[9:] > 300.0).all()
+    # Near is in front, far shows above it and to its right: the left and the lower edge are clear.
+    behind = np.concatenate([far, far + np.array((60.0, 40.0))])
+    x, y = along(edges, (200.0, 180.0), (80.0, 14.0), EM, behind).centres[:12].T
+    assert ((x[:6] < 100.0) | (y[:6] < 100.0 + 0.2 * (x[:6] - 100.0))).all()
 
 
 def test_a_side_is_named_clear_of_its_line_and_first_outside() -> None:
@@ -212,7 +217,7 @@ def test_a_side_is_named_clear_of_its_line_and_first_outside() -> None:
 
 def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:
     point = np.full((4, 2, 2), 200.0)
-    places = along(point, (200.0, 200.0), (80.0, 14.0), EM, (200.0, 200.0))
+    places = along(point, (200.0, 200.0), (80.0, 14.0), EM, point[:, 0])
     assert len(places.centres) > 0 and np.isfinite(places.centres).all()
     assert (np.abs(places.centres - 200.0) > (40.0, 7.0)).any(axis=1).all()
 

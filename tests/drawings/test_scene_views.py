@@ -1,6 +1,7 @@
 """What a scene leaves out of the world, and from where the world is seen."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -8,10 +9,14 @@ import pytest
 
 from app.commands.arguments import document_of
 from app.drawings import WORDS
+from app.drawings.frame import BODY_BOX
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
+from app.drawings.stage_box import BODY
 from app.drawings.style import LIGHT, rgb
 from app.drawings.world import WorldDrawing
+from app.lecture.stages import VIEW, WORLD
+from app.model.projection import Camera, Perspective
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
 from tests.support.drawings import MakeScreen, Pixels, illustrated, off_screen
@@ -98,6 +103,25 @@ def test_the_cube_is_seen_from_the_scenes_side(off_screen: MakeScreen) -> None:
     assert looked["affine-depth"] == pytest.approx(PHENOMENA["affine-depth"].cube_side)
     assert PHENOMENA["clipping"].cube_side is None
     assert looked["clipping"] != pytest.approx(looked["affine-depth"])
+
+
+@pytest.mark.parametrize("size", [SIZE, SIZE[::-1]])
+def test_the_stage_shows_all_of_the_camera(off_screen: MakeScreen, size: tuple[int, int]) -> None:
+    screen, scene = off_screen(*size), load("letter-f")
+    for eye in ((0.0, 2.5, 8.0), scene.start.camera.eye, (-9.0, 1.0, 2.0)):
+        drawing = StageDrawing(screen, scene, WORDS, LIGHT)
+        drawing.show_names(frozenset({"near", "far", "eye"}))
+        lens = Perspective(45.0, 1.0, 9.0)
+        at = replace(scene.start, camera=Camera(eye, (0.0, 2.5, 0.0)), lens=lens)
+        drawing.show_projection(at)
+        for position in (WORLD, VIEW):
+            drawing.show_stage(position)
+            start, axes = drawing.state.morph.axes_at(position)
+            body = np.column_stack([start + BODY * BODY_BOX @ axes, np.ones(8)])
+            x, y = (drawing.own.pane_from_display @ body.T)[:2]
+            assert min(x.min(), y.min()) >= 0.0
+            assert x.max() <= size[0]
+            assert y.max() <= size[1]
 
 
 def test_a_scene_opens_in_its_fixed_view() -> None:

@@ -101,8 +101,10 @@ class DrawnQuality(QObject):
             reason = sentence(image.refused_depth).rstrip(".")
             yield self.tr("The image uses the ordinary depth buffer: {0}").format(reason)
         if adaptive.late_ms:
-            text = self.tr("Even the coarsest picture takes {0} ms per frame instead of {1}")
-            yield text.format(f"{adaptive.late_ms:.0f}", f"{self._settings.frame_ms:g}")
+            text = self.tr(
+                "A picture takes {0} ms to draw, so dragging stutters; a smaller window is smoother"
+            )
+            yield text.format(f"{adaptive.late_ms:.0f}")
 
     def _set_tolerance(self, tolerance_px: float) -> None:
         self._settings.tolerance_px = tolerance_px

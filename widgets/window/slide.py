@@ -22,6 +22,7 @@ from widgets.window.slots import Slots
 
 EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
 FRAME_PX = 8.0  # from a picture's frame to what may lie beside it
+FRAME_INK = 3.0  # how much more than other ink a side of the frame counts
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
@@ -85,7 +86,8 @@ class Slide(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        QTimer.singleShot(0, self.question.settle)  # the panes have their sizes later
+        # Later, when the panes have their sizes.
+        QTimer.singleShot(0, self.question, self.question.settle)
         self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()
@@ -106,5 +108,5 @@ def _hidden_ink(
     hidden = ground.inked_px(seen)
     for grown in (FRAME_PX, -FRAME_PX) if any(size_px) else ():
         inside = np.clip(seen, -grown, np.add(size_px, grown).tolist() * 2)
-        hidden += math.copysign(1.0, grown) * (inside[:, 2:] - inside[:, :2]).prod(axis=1)
+        hidden += math.copysign(FRAME_INK, grown) * (inside[:, 2:] - inside[:, :2]).prod(axis=1)
     return np.asarray(hidden / abs(scale.prod()))

@@ -134,7 +134,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
             Polyline(outline(np.array([*near, *far[::-1]])), "muted", 1.0),
             *(Polyline(side, "accent", 1.5, name="drawn") for side in sides),
             Text("floor", far[1], text=WORDS["floor"]),
-            Text("drawn", lowest[1], "accent", (), lowest[0], WORDS["buffer"]),
+            Text("drawn", lowest[0], "accent", (), lowest[1], WORDS["buffer"]),
             Text("foundation", np.array(_FOUNDATION[0]), "u", text=WORDS["foundation"]),
         ),
         diagrams=(
