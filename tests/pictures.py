@@ -23,12 +23,12 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from app import api
+from app import api, languages
 from app.bootstrap import ROOT
 from app.commands import cli
 from app.document.document import Document
 from app.document.view import View
-from app.drawings import kept_labels, label
+from app.drawings import DrawingWords, kept_labels, label
 from app.drawings.figure import Figure
 from app.drawings.pdf import rastered
 from app.drawings.style import LIGHT
@@ -208,15 +208,26 @@ def different(one: Path, other: Path) -> float:
     return float((abs(means[0] - means[1]).max(axis=2) > _LEVELS).mean())
 
 
+def forget_labels() -> None:
+    """Let no label be set."""
+    kept_labels.KEYS_SHIPPED.clear()
+    typesetting.SET.clear()
+    label.TILES.clear()
+    for module in (typesetting, label):
+        for each in vars(module).values():
+            if hasattr(each, "cache_clear"):
+                each.cache_clear()
+
+
 def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
-    """Set the labels of the letter F in English, with any numbers, as screens of scales show them.
+    """Set the labels of the letter F, with any numbers, as screens of scales show them.
 
     A piece may begin at any part of a pixel: where it does depends on the numbers.
     """
-    texts = ("eye", "target", *"xyz", *(axis + ARROW for axis in "uvn"))
-    lines = map(
-        typesetting.line_of, (*texts, "near n = 0123456789.", "far f = \u2212+,", "0123456789, ")
-    )
+    words = DrawingWords()
+    texts = (words["eye"], words["target"], *"xyz", *(axis + ARROW for axis in "uvn"))
+    planes = f"{words['near']} n = 0123456789.", f"{words['far']} f = \u2212+,"
+    lines = map(typesetting.line_of, (*texts, *planes, "0123456789, "))
     pieces = {piece[:3] for line in lines for piece in line.pieces}
     for scale in scales:
         em = scale * LIGHT.font_size
@@ -271,9 +282,14 @@ def main() -> int:
                 draw_tile(name, tile_path(name, dark=dark), dark=dark)
         return 0
     if found.labels:
-        set_labels()
-        content = json.dumps(kept_labels.tree_of(set())).encode()
-        kept_labels.SHIPPED.write_bytes(zlib.compress(content, 9))
+        in_english = set[str]()
+        for language in languages.LANGUAGES:  # English comes first
+            languages.choose(language)
+            forget_labels()
+            set_labels()
+            content = json.dumps(kept_labels.tree_of(in_english)).encode()
+            kept_labels.shipped(language).write_bytes(zlib.compress(content, 9))
+            in_english = in_english or {*typesetting.SET, *label.TILES}
         return 0
     names = found.names or list(PICTURES)
     if found.measure:

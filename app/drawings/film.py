@@ -102,8 +102,13 @@ def shown_values(states: Sequence[Document], scene: Scene, paths: Sequence[str])
         symbol = in_line(in_letters(f"{{{letter}}}", letters)) if letter else ""
         return f"{TITLES.get(field, field)} {symbol}".strip() + " ="
 
-    written = DifferenceWriter(named, lambda text: in_letters(text, letters), figure)
     settings = () if scene.phenomenon is None else scene.phenomenon.settings
+    titles = {each.title for each in settings if not each.choices}
+
+    def said_in(text: str) -> str:
+        return in_letters(text, letters) + " =" * (text in titles)
+
+    written = DifferenceWriter(named, said_in, figure)
     held = [each.state for each in states]
     said = [values_in(path, held, settings, written) for path in paths]
     if not said or not all(map(all, said)):
@@ -130,7 +135,8 @@ def sweep_film(
         raise Refusal.saying(REFUSALS["a-film"], path, ", ".join(FILMS))
     if shown.crop or shown.width is not None:
         raise Refusal.saying(REFUSALS["one-size"])
-    sequence, speed, parsed = order(frames, loop), checked_speed(fps), parse_sweeps(sweeps)
+    sequence, speed = order(frames, loop), checked_speed(fps)
+    parsed = parse_sweeps([*map(str, sweeps)] or [""])
     values = swept(parsed, shown.document, max(sequence) + 1, ease)
     states = [set_values(shown.document, each) for each in values]
     figures = still([replace(shown, document=state) for state in states])

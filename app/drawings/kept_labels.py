@@ -1,9 +1,9 @@
 """Labels that stay set between runs, because to start matplotlib takes a sixth of a window's start.
 
 Those of the letter F come with the program; ``python3 -m tests.pictures --labels`` makes their
-file. The user's own file keeps those of other documents; if it is missing, damaged or of other
-versions, they are set anew. Both are copies of what `app.lecture.typesetting` and
-`app.drawings.label` make.
+files, of which a language's has only what English has not. The user's own file keeps those of other
+documents; if it is missing, damaged or of other versions, they are set anew. All are copies of what
+`app.lecture.typesetting` and `app.drawings.label` make.
 """
 
 import importlib.util
@@ -19,23 +19,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from app import modules
+from app import languages, modules
 from app.document.files import write_bytes_atomically
 from app.drawings import label
 from app.lecture import typesetting
 from app.lecture.typesetting import Outline
 
-SHIPPED = Path(__file__).parent / "content" / "labels.json.z"
+_CONTENT = Path(__file__).parent / "content"
 LARGEST_BYTES = 2**23  # a larger file is not read
 _log = logging.getLogger(__name__)
 KEYS_SHIPPED: set[str] = set()
 
 
+def shipped(language: str) -> Path:
+    return _CONTENT / f"labels_{language}.json.z"
+
+
 def load_shipped() -> None:
     """Take over the labels that come with the program; `save` leaves them out."""
-    tree = json.loads(zlib.decompress(SHIPPED.read_bytes()))
-    _take(tree)
-    KEYS_SHIPPED.update(tree["outlines"], tree["tiles"])
+    for language in {languages.ENGLISH, languages.chosen()}:
+        tree = json.loads(zlib.decompress(shipped(language).read_bytes()))
+        _take(tree)
+        KEYS_SHIPPED.update(tree["outlines"], tree["tiles"])
 
 
 def load(path: Path) -> None:

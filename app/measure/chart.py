@@ -55,12 +55,13 @@ def title(part: Trade | Sweep) -> str:
     return text if part.complete else of_measure(MEASURE["cancelled-title"]).format(text)
 
 
-def remark(trade: Trade) -> str:
-    """Write the remark of a chart: a busy machine, a mesh that is not the scene's."""
-    notes = [*trade.doubts]
-    if trade.name == "detail":
-        notes += [choice.note for choice in trade.choices[:1]]
-    return "; ".join(named(note) for note in notes if note)
+def titled(part: Trade | Sweep) -> str:
+    """Return the title and the remark: a busy machine, a mesh that is not the scene's."""
+    notes = [*part.doubts] if isinstance(part, Trade) else []
+    if isinstance(part, Trade) and part.name == "detail":
+        notes += [choice.note for choice in part.choices[:1]]
+    said = "; ".join(named(note) for note in notes if note)
+    return ": ".join(filter(None, (title(part), said)))
 
 
 def where(results: Measurements) -> str:
@@ -191,7 +192,7 @@ def _of_trade(
         spots[0] = replace(spots[0], name=named_now, marked=True)
     return (
         Diagram(
-            ": ".join(filter(None, (title(trade), remark(trade)))),
+            titled(trade),
             tuple(curves), *across, *up,
             of_measure((_BYTES if paid else _ACROSS)[trade.name]), of_measure(_UP[trade.name]),
             x_log=not memory, y_log=True, spots=tuple(spots),

@@ -149,6 +149,16 @@ def test_the_values_stand_below_the_panes_of_each_frame(tmp_path: Path) -> None:
     states = [set_values(document, [f"lens.near={n}", f"lens.far={20 + n}"]) for n in (1, 2)]
     notes = shown_values(states, load("letter-f"), ["lens.near", "lens.far"])
     assert notes == ["near n = 1, far f = 21", "near n = 2, far f = 22"]
+    sweep = parse_sweeps(["camera.eye=6,5,9:-6,5,9"])
+    turned = [set_values(document, values) for values in swept(sweep, document, 40)]
+    eyes = shown_values(turned, load("letter-f"), ["camera.eye"])
+    assert eyes[11:14] == [f"eye e = ({x}, 5, 9)" for x in ("2.615", "2.308", "2")]
+    two = load("two-eyes")
+    apart = [
+        set_values(Document("two-eyes", two.start), [f"settings.separation={s}"]) for s in (1, 2)
+    ]
+    shown = shown_values(apart, two, ["settings.separation"])
+    assert shown == [f"eye separation s = {s}" for s in (1, 2)]
     figure = Figure(states[0], load("letter-f"), ("image",), (320, 240), text_pt=3.0)
     noted = replace(figure, note=notes[0])
     pixels, plain = noted.pixels(), figure.pixels()

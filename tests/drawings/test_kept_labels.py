@@ -11,11 +11,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from app import languages
 from app.bootstrap import ROOT
 from app.drawings import kept_labels, label
 from app.lecture import typesetting
 from tests import PATIENCE_S
-from tests.pictures import set_labels
+from tests.pictures import forget_labels, set_labels
 
 TEXTS = ("near n = 4", "y_p", "P'", "u\u2192", "½ in the world", "")
 
@@ -23,23 +24,14 @@ TEXTS = ("near n = 4", "y_p", "P'", "u\u2192", "½ in the world", "")
 @pytest.fixture(autouse=True)
 def _afresh() -> Iterator[None]:
     """Nothing is set, before and afterwards."""
-    forget()
+    forget_labels()
     yield
-    forget()
+    languages.choose(languages.ENGLISH)
+    forget_labels()
 
 
 def drawn() -> list[np.ndarray]:
     return [label.drawn(text, 15.5, "#8a5a00", "#ffffff") for text in TEXTS]
-
-
-def forget() -> None:
-    kept_labels.KEYS_SHIPPED.clear()
-    typesetting.SET.clear()
-    label.TILES.clear()
-    for module in (typesetting, label):
-        for each in vars(module).values():
-            if hasattr(each, "cache_clear"):
-                each.cache_clear()
 
 
 def test_kept_labels_are_the_same_pixels_without_matplotlib(
@@ -48,7 +40,7 @@ def test_kept_labels_are_the_same_pixels_without_matplotlib(
     path, before = tmp_path / "new" / "labels.json", drawn()
     letters = typesetting.outline("y_{p}").letters
     kept_labels.save(path)
-    forget()
+    forget_labels()
     kept_labels.load(path)
     for name in ("matplotlib.textpath", "matplotlib.backends.backend_agg"):
         monkeypatch.setitem(sys.modules, name, None)
@@ -60,13 +52,14 @@ def test_kept_labels_are_the_same_pixels_without_matplotlib(
     assert path.stat().st_mtime_ns == written, "nothing is new"
 
 
-def test_the_letter_f_needs_no_matplotlib(tmp_path: Path) -> None:
+@pytest.mark.parametrize("language", languages.LANGUAGES)
+def test_the_letter_f_needs_no_matplotlib(language: str, tmp_path: Path) -> None:
     """Not even on the first start, when matplotlib would also list the machine's fonts."""
     code = """import sys
 from app.commands.cli import main
 status = main(sys.argv[1:])
 print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
-    command = ("--screenshot", tmp_path / "a.png", "--set", "lens.near=3.9")
+    command = ("--language", language, "--screenshot", tmp_path / "a.png", "--set", "lens.near=3.9")
     done = subprocess.run(
         [sys.executable, "-c", code, *command], cwd=ROOT, capture_output=True, text=True,
         env={**os.environ, "HOME": str(tmp_path)}, timeout=PATIENCE_S, check=False,
@@ -74,11 +67,15 @@ print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
     assert (done.stdout, done.stderr) == ("0\n", "")
 
 
-def test_shipped_labels_are_those_that_are_set() -> None:
+@pytest.mark.parametrize("language", languages.LANGUAGES)
+def test_shipped_labels_are_those_that_are_set(language: str) -> None:
+    languages.choose(language)
     kept_labels.load_shipped()
     shipped = [dict(typesetting.SET), dict(label.TILES)]
-    forget()
-    set_labels()
+    forget_labels()
+    for each in (languages.ENGLISH, language):
+        languages.choose(each)
+        set_labels()
     for one, other in zip(shipped, (typesetting.SET, label.TILES), strict=True):
         assert one.keys() == other.keys()
         for key, parts in one.items():
@@ -123,7 +120,7 @@ def test_a_damaged_file_is_as_good_as_none(
     path.write_text(
         json.dumps(change(json.loads(path.read_text(encoding="utf-8")))), encoding="utf-8"
     )
-    forget()
+    forget_labels()
     kept_labels.load(path)
     assert not typesetting.SET and not label.TILES
     assert all(map(np.array_equal, before, drawn()))

@@ -421,6 +421,18 @@ def test_a_chart_for_print_has_its_width_its_letters_and_embedded_fonts(
 
 
 @pytest.mark.usefixtures("qapp")
+def test_a_chart_for_print_says_a_remark_in_its_properties_and_cuts_no_title() -> None:
+    trade = RESULTS.trades[0]
+    busy = replace(trade.choices[0], cost=1.0, cost_p95=100.0)
+    small = replace(RESULTS, trades=[replace(trade, choices=[busy, *trade.choices[1:]])], sweeps=[])
+    paper = Paper(width=parse_length("84mm"), text_pt=8.0)
+    svg = picture(small, "a.svg", paper=paper).decode()
+    head, _, drawn = svg.partition("</title>")
+    assert "busy" in head and "busy" not in drawn and "…" not in drawn
+    assert chart.title(trade) in drawn
+
+
+@pytest.mark.usefixtures("qapp")
 def test_curves_are_told_apart_without_their_colours() -> None:
     names = [f"way {number}" for number in range(len(chart.DASHES))]
     curves = {name: curve((1e-3, 1e-4), ("", "")) for name in names}

@@ -3,6 +3,7 @@
 import re
 import textwrap
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import partial
 from typing import NamedTuple
 
@@ -64,14 +65,17 @@ def picture(
     if other is not None:
         others = {t.name: t for t in other.trades} | {s.parameter: s for s in other.sweeps}
     shown: list[Diagram | str] = []
+    paper = paper or Paper()
     for part in parts:
         over = others.get(part.name if isinstance(part, Trade) else part.parameter)
         name = chart.machine(other) if other else ""
         said = meaning(part) if isinstance(part, Trade) else "-"
         diagrams = chart.diagrams(part, current, over, name)
+        if paper.is_sized:  # the file says the remarks, for which a line on paper has no room
+            diagrams = tuple(replace(each, title=chart.title(part)) for each in diagrams)
         shown += diagrams or [f"{chart.title(part)}\n\n{said}"]
-    paper, lines = paper or Paper(), [chart.seen(results), chart.where(results)]
-    about = "; ".join([*(chart.title(part) for part in parts), *lines])
+    lines = [chart.seen(results), chart.where(results)]
+    about = "; ".join([*map(chart.titled, parts), *lines])
     if len(parts) == 1 and isinstance(parts[0], Trade):
         lines.insert(0, meaning(parts[0]))
     per_inch = PX_PER_INCH
