@@ -65,6 +65,7 @@ class Board:
         self.director: Director | None = None
         """Who says where labels stand in a frame of a film, and how visible they are."""
         self._moves = 0  # how often labels were placed since they rested
+        self.rests = False  # whether labels stand where they would afresh, and nothing has changed
         self._asked: tuple[list[Wish], Ground, int] | None = None
         """What was settled last, while time matters, and how many boxes were taken before."""
         self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
@@ -179,6 +180,7 @@ class Board:
         for key, light in lights.items():
             self._fade(key, light)
         self._forget_asked()
+        self.rests = (afresh or at_rest) and not self.is_restless
         return self._kept != before
 
     def _forget_asked(self) -> None:

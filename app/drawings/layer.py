@@ -14,7 +14,8 @@ How a change reaches the screen::
 
 import math
 from abc import abstractmethod
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from functools import cache
 from typing import Any, ClassVar, NamedTuple
 
@@ -263,36 +264,51 @@ class Layers:
 
     def __init__(self, state: PaneState, *layers: Layer) -> None:
         self._state, self._layers = state, layers
+        self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
+
+    @contextmanager
+    def placing_once(self) -> Iterator[None]:
+        """Place the labels once, after several changes."""
+        self._asked = asked = list[bool]()
+        try:
+            yield
+        finally:
+            self._asked = None
+            if asked:
+                self.place_labels(afresh=any(asked))
+
+    def _all(self, act: Callable[[Layer], object]) -> list[object]:
+        self._state.board.rests = False
+        return [act(layer) for layer in self._layers]
 
     def show(self) -> None:
-        for layer in self._layers:
-            layer.show()
+        self._all(lambda layer: layer.show())
 
     def show_names(self) -> None:
-        for layer in self._layers:
-            layer.show_names()
+        self._all(lambda layer: layer.show_names())
         self._state.emphasis.show_names(self._state.names)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        for layer in self._layers:
-            layer.show_detail(fewer)
+        self._all(lambda layer: layer.show_detail(fewer))
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        changes = [layer.show_highlight(highlighted) for layer in self._layers]
-        return any(changes)
+        return any(self._all(lambda layer: layer.show_highlight(highlighted)))
 
     def follow(self) -> None:
-        for layer in self._layers:
-            layer.follow()
+        self._all(lambda layer: layer.follow())
 
     def settle(self) -> None:
-        for layer in self._layers:
-            layer.settle()
+        self._all(lambda layer: layer.settle())
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
         """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
-        if not (state.places_labels and state.canvas.is_laid_out):
+        if not (state.places_labels and state.canvas.is_laid_out) or (
+            at_rest and state.board.rests
+        ):
+            return False
+        if self._asked is not None:
+            self._asked.append(afresh or at_rest)
             return False
         ground = self.ground()
         for layer in self._layers:

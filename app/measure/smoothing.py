@@ -142,6 +142,8 @@ def pane(
     # A new window: the first frame is quicker in one that already has its shaders.
     with closing(OffScreen(width, height)) as screen:
         window = screen.render_window
+        if smoothing.fxaa:
+            screen.quicken_fxaa()
         window.SetMultiSamples(smoothing.samples)
         style = LIGHT.enlarged(smoothing.scale)
         drawing = ImageDrawing(screen, scene, WORDS, style, options=UNFRAMED)

@@ -227,6 +227,18 @@ def test_no_name_says_only_that_something_was_found() -> None:
     assert vague == set()
 
 
+def test_no_call_is_put_off_without_an_object_that_ends_it() -> None:
+    """`QTimer.singleShot` calls a method of a deleted widget, unless its second argument is one."""
+    endless = {
+        f"{path.name}:{node.lineno}"
+        for path in SOURCES
+        for node in nodes_of(path.read_text(encoding="utf-8"))
+        if isinstance(node, ast.Call) and ast.unparse(node.func).endswith(".singleShot")
+        if len(node.args) != 3
+    }
+    assert endless == set()
+
+
 def test_every_mutant_has_its_line_and_its_test() -> None:
     """Otherwise a known mistake is lost, and nobody hears of it before the next `check`."""
     files = [path for folder in mutants.SOURCES for path in (ROOT / folder).rglob("*.*")]

@@ -150,6 +150,16 @@ def test_another_scene_places_its_labels_once_in_each_pane(
     settle()
     boards = [pane.drawing.board for pane in window.panes.values() if pane.drawing is not None]
     assert sorted(map(id, placed)) == sorted(map(id, boards))
+    placed.clear()
+    world = window.panes["world"]
+    world.set_waiting(True)
+    world.request("names", frozenset({"near"}))
+    world.request("layers", frozenset({"grid"}))
+    world.request("fixed", "top")
+    world.set_waiting(False)
+    world.refit()
+    assert world.drawing is not None
+    assert placed == [world.drawing.board], "once for all that is new, and not again at rest"
 
 
 def test_a_hand_quicker_than_the_screen_does_not_make_frames_short(

@@ -1118,3 +1118,16 @@ def test_both_matrices_of_another_program_give_our_picture(
     mirror = np.array([1.0, 1.0, -1.0 if name in ("direct3d", "unity") else 1.0])
     pixels = edited.args[0].trace(points * mirror).image
     assert np.abs(pixels - OFF_AXIS.trace(points).image).max() < 1e-9
+
+
+def test_formulas_are_ready_before_the_panel_opens(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
+) -> None:
+    window.panels.open(None)
+    for kept in ("_formulas", "_fields"):
+        getattr(notation, kept).cache_clear()
+    window.panels.idle.start(0)
+    qtbot.waitUntil(lambda: not window.panels.idle.isActive())
+    monkeypatch.setattr(notation, "evaluated", None)  # nothing is worked out any more
+    window.panels.open(window.matrices)
+    assert window.matrices.isVisible() and len(window.matrices.shown) > 4

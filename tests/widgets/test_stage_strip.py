@@ -496,6 +496,7 @@ def test_the_moves_of_the_object_are_stops_before_the_world(window: MainWindow) 
     assert strip.first == WORLD
     chain = "object.chain=translate 2,0,0; rotate z 90; off mirror x"
     window.store.set_document(set_values(window.store.document, [chain]))
+    assert all(button.isVisible() for button in strip.stops), "the first picture leaves them room"
     settle()
     assert [button.text() for button in strip.stops][:4] == ["Object", "Rz", "World", "View"]
     places = {}

@@ -23,6 +23,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
+from app.lecture.typesetting import SET, line_of
 from app.lessons.contents import CONTENT
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
@@ -1244,6 +1245,25 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
         fresh.look.rebuild()  # whatever was drawn ahead here
         name = slides[place]
         qtbot.waitUntil(lambda n=name, p=place: np.array_equal(pixels(fresh, n), seen[p][n]))
+
+
+def test_the_equation_of_the_next_step_is_set_ahead(
+    window: MainWindow, tmp_path: Path, qtbot: Any
+) -> None:
+    path = tmp_path / "equation.md"
+    equation = (
+        "scene=letter-f\nlens.kind=oblique\nview.slide=equation\nview.equation=clip_from_view"
+    )
+    path.write_text(lesson_of("scene=letter-f", equation), encoding="utf-8")
+    SET.clear()
+    line_of.cache_clear()
+    assert window.lessons.open(path)
+    qtbot.waitUntil(lambda: any("cot" in formula for formula in SET))
+    qtbot.wait(100)
+    made = set(SET)
+    assert window.lessons.go(1)
+    assert window.slide.equation.isVisible() and "cot" in window.slide.equation.accessibleName()
+    assert SET.keys() - made <= {"M ="}, "all but what stands before it"
 
 
 def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: MainWindow) -> None:

@@ -285,28 +285,31 @@ class Pane(QFrame):
         if self._due & {"detail", "layers"}:
             self._due.add("projection")  # sets the matrices of the faces that are now shown
         drawing = self.drawing
-        for what, wanted in self.requested.items():
-            if drawing is None or what not in self._due:
-                continue
-            if what == "projection":
-                began = time.perf_counter()
-                release_context()  # a pair of pictures is drawn at once
-                stage, left = self.requested["stage"] or 0.0, self.requested["from_left"]
-                drawing.former = self.requested["former"]
-                drawing.show_moves(shown.projection, shown.illustration, stage, from_left=left)
-                self._matrices_ms = 1e3 * (time.perf_counter() - began)
-            elif what == "smoothing":
-                self.canvas.smooth(wanted)
-            elif what == "layers":
-                drawing.show_layers(wanted | {AXES} if self.requested["bare"] else wanted)
-            elif what == "names":
-                drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
-            elif what == "view":
-                drawing.reset_view()
-                if wanted is not None:
-                    drawing.show_view(wanted)
-            else:
-                _SHOW[what](drawing, wanted)
+        if drawing is None:
+            return
+        with drawing.layers.placing_once():
+            for what, wanted in self.requested.items():
+                if what not in self._due:
+                    continue
+                if what == "projection":
+                    began = time.perf_counter()
+                    release_context()  # a pair of pictures is drawn at once
+                    stage, left = self.requested["stage"] or 0.0, self.requested["from_left"]
+                    drawing.former = self.requested["former"]
+                    drawing.show_moves(shown.projection, shown.illustration, stage, from_left=left)
+                    self._matrices_ms = 1e3 * (time.perf_counter() - began)
+                elif what == "smoothing":
+                    self.canvas.smooth(wanted)
+                elif what == "layers":
+                    drawing.show_layers(wanted | {AXES} if self.requested["bare"] else wanted)
+                elif what == "names":
+                    drawing.show_names(named_in(drawing.pane, shown.scene, wanted))
+                elif what == "view":
+                    drawing.reset_view()
+                    if wanted is not None:
+                        drawing.show_view(wanted)
+                else:
+                    _SHOW[what](drawing, wanted)
         self._due.clear()
         self._has_changed = True
         self._watch_labels()

@@ -5,7 +5,7 @@ The rows are those of the dock, which lends them while the strip is shown.
 
 from collections.abc import Collection
 
-from PySide6.QtCore import QEvent, QObject, Signal
+from PySide6.QtCore import QEvent, QObject, Qt, Signal
 from PySide6.QtGui import QFont, QResizeEvent
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
 
@@ -93,6 +93,9 @@ class ControlStrip(QFrame):
         self.rows = self._controls.lend(self.paths) if self.paths else []
         for row in self.rows:
             self._row.addWidget(row, 1)
+            # The layout would show it after the first picture, which would be drawn again.
+            is_left_out = row.testAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide)
+            row.setVisible(not (row.isHidden() and is_left_out))
             for part in (row, *row.findChildren(QWidget)):
                 part.installEventFilter(self)
         self._share_out()

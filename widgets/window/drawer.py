@@ -31,6 +31,7 @@ LARGEST_SHARE = 1 / 3  # largest share of the window's height for the open panel
 STEADY_LINES = 4
 """An open panel whose content has fewer lines less keeps its height: panes must not jump."""
 REST_MS = 100  # how long the content of the open panel must have kept its size
+IDLE_MS = 1000  # how long nothing must have changed before folded panels are prepared
 
 
 class _DrawerHead(QToolButton):
@@ -75,6 +76,7 @@ class Panels(QWidget):
         self.names.setObjectName("drawerNames")
         self._row = in_row(on=self.names, margins=(0, 0, 0, 0), gap=2)
         self.rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self.idle = QTimer(self, singleShot=True, interval=IDLE_MS)
         self._stack = QStackedWidget()
         in_column(self._stack, on=self, margins=(0, 2, 0, 0))
         self.hide()
@@ -108,6 +110,7 @@ class Panels(QWidget):
     def keep(self, shown: ShownData) -> None:
         """Keep the snapshot that `notify` passes to the open panel."""
         self._shown = shown
+        self.idle.start()
 
     def notify(self, panel: Panel | None = None) -> None:
         """Notify the open panel, or `panel`, of the changes since its last notification."""

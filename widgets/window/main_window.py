@@ -193,7 +193,7 @@ class MainWindow(QMainWindow):
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
             self.messages.show_message(f"{sentence(settings.problem)} {WORDS.say('defaults')}")
-        QTimer.singleShot(0, self.recovery.offer)
+        QTimer.singleShot(0, self, self.recovery.offer)
 
     def open_panes(self) -> None:
         """Fill the panes, the largest first; each appears before the next one is drawn."""
@@ -575,7 +575,7 @@ class MainWindow(QMainWindow):
             if len(paths) > 1:
                 self.show_message(WORDS.say("one-file", os.path.basename(paths[0])))
             # After the drop: a dialog inside it would freeze the file manager.
-            QTimer.singleShot(0, partial(self.files.open, paths[0]))
+            QTimer.singleShot(0, self, partial(self.files.open, paths[0]))
 
     def closeEvent(self, event: QCloseEvent) -> None:
         take_typed(self)

@@ -58,7 +58,7 @@ class QuestionOverlay(QFrame):
         """Show a text in Markdown; an empty one hides the question."""
         self._screen_px, self._moved_px = screen_px, 0
         self._texts = text, CHOICE.sub(BESIDE, text)  # the second only if the first hides anything
-        self.setAccessibleName(spoken_text(text))
+        self.setAccessibleName(spoken_text(text) if text else "")  # none needs no Markdown
         self.setVisible(bool(text))
         self.settle()
         self.raise_()

@@ -86,7 +86,8 @@ class Slide(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        QTimer.singleShot(0, self.question.settle)  # the panes have their sizes later
+        # Later, when the panes have their sizes.
+        QTimer.singleShot(0, self.question, self.question.settle)
         self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()

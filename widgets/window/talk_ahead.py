@@ -4,6 +4,8 @@ from collections.abc import Iterator
 
 from PySide6.QtCore import QObject, QTimer, Signal
 
+from app.lecture.equation import equation_of
+from app.lecture.equation_form import laid_out
 from app.lecture.notation import matrices
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
@@ -68,11 +70,15 @@ class StepPreparation(QObject):
             try:
                 document = course.shown(number).document
                 scenes.append(ShownData.of(document, scene_of(document)))
+                yield
+                projection, view = document.projection, document.view
+                if view.panel == "matrices":  # its formulas are then typeset only once
+                    matrices(projection, view.letters)
+                elif "equation" in view.slide:
+                    asked = projection, view.letters, view.equation, document.settings
+                    yield from (None for _ in laid_out(equation_of(*asked)))
             except Refusal:
                 continue
             yield
-            if document.view.panel == "matrices":  # its formulas are then typeset only once
-                matrices(document.projection, document.view.letters)
-                yield
         yield from self._look.draw_ahead(scenes)
         self.done.emit()

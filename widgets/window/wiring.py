@@ -6,7 +6,6 @@
 from functools import partial
 from typing import Any
 
-from app.model.chain import FROM_OBJECT
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.messages import all_digits, lettering
@@ -38,11 +37,8 @@ def _wire_components(window: Any) -> None:
         (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.chain.compared, partial(world.request, "former")),
         (controls.chain.stood, strip.go_to),
-        (
-            controls.chain.factored,
-            lambda: window.panels.open(window.matrices),
-            lambda: window.matrices.show_factors(FROM_OBJECT),
-        ),
+        (controls.chain.factored, lambda: window.panels.open(window.matrices)),
+        (controls.chain.factored, window.matrices.show_object),
         (window.matrices.sought, controls.show_tile),
         (controls.animation.gesture_started, partial(menus.show_playing, True)),
         (controls.animation.gesture_finished, partial(menus.show_playing, False)),
@@ -59,6 +55,7 @@ def _wire_components(window: Any) -> None:
         (strip.gesture_started, partial(look.refine, "ndc", False)),
         (strip.gesture_finished, partial(look.refine, "ndc", True)),
         (window.matrices.letters_changed, lettering.set, look.set_letters),
+        (window.panels.idle.timeout, lambda: window.matrices.prepare(window.shown.projection)),
         (window.history.rested, look.rest, compare.refresh),
         (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
