@@ -121,7 +121,7 @@ class Drawing:
         way = (projection.placement, standing.placement) if beside else None
         is_carried = way != self._way
         self._way = way
-        self.state.from_left = from_left
+        self.state.from_left = from_left and bool(projection.placement.on)
         self.state.ghosts = (*beside, self.former) if self.former else beside
         self.show_projection(standing, illustration)
         if is_carried:

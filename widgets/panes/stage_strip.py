@@ -140,7 +140,6 @@ class StageStrip(QWidget, Playing):
         parallel = not self._free and not lens.has_pyramid
         tiles = self._projection.placement.on
         tiles = tiles if self.from_left else tiles[::-1]
-        self.direction.setVisible(bool(tiles) or self._projection.has_camera)
         if parallel != self._parallel or tiles != self._tiles:
             self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
             self._make_stops()
@@ -172,6 +171,7 @@ class StageStrip(QWidget, Playing):
             self._stagger(1)
             if self.isVisible():
                 self._fit()
+        self.direction.setVisible(bool(self._tiles))
         self._name_stops()
         self._show_stop()
 
