@@ -1,4 +1,4 @@
-"""Prepare the neighbouring steps of a talk while the speaker talks."""
+"""Prepare the neighbouring steps of a talk while the speaker talks, or of a lesson that is read."""
 
 from collections.abc import Iterator
 
@@ -32,10 +32,12 @@ class StepPreparation(QObject):
         self._slice = QTimer(self, singleShot=True, interval=0)
         self._slice.timeout.connect(self._go_on)
         self._work: Iterator[None] = iter(())
+        self._draws = False
 
-    def begin_later(self) -> None:
-        """Stop, and begin again for the current step."""
-        self._slice.stop()
+    def begin_later(self, *, draws: bool) -> None:
+        """Stop, and begin again for the current step; only a talk `draws` its pictures ahead."""
+        self._draws = draws
+        self._slice.stop() if draws else self.forget()
         self._rest.start()
 
     def forget(self) -> None:
@@ -80,5 +82,6 @@ class StepPreparation(QObject):
             except Refusal:
                 continue
             yield
-        yield from self._look.draw_ahead(scenes)
-        self.done.emit()
+        if self._draws:
+            yield from self._look.draw_ahead(scenes)
+            self.done.emit()
