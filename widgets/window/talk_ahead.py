@@ -28,15 +28,15 @@ class StepPreparation(QObject):
         super().__init__(parent)
         self._lessons, self._look = lessons, look
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._begin)
         self._slice = QTimer(self, singleShot=True, interval=0)
+        self._rest.timeout.connect(self._slice.start)
         self._slice.timeout.connect(self._go_on)
         self._work: Iterator[None] = iter(())
         self._draws = False
 
     def begin_later(self, *, draws: bool) -> None:
         """Stop, and begin again for the current step; only a talk `draws` its pictures ahead."""
-        self._draws = draws
+        self._draws, self._work = draws, self._pieces()
         self._slice.stop() if draws else self.forget()
         self._rest.start()
 
@@ -44,10 +44,6 @@ class StepPreparation(QObject):
         """Stop, and drop what was prepared."""
         self._slice.stop()
         self._look.forget_ahead()
-
-    def _begin(self) -> None:
-        self._work = self._pieces()
-        self._slice.start()
 
     def _go_on(self) -> None:
         """Do one piece, and schedule the next one for when Qt is idle."""
