@@ -26,6 +26,7 @@ from numpy.typing import ArrayLike
 
 from app import __version__
 from app.document.document import Document, is_mesh
+from app.document.files import path_of
 from app.document.lengths import DPI, PX_PER, Size, parse_length, parse_points, parse_size
 from app.document.settings import open_with, set_values
 from app.document.sweeping import FPS, FRAMES
@@ -88,6 +89,8 @@ class ScriptFigure(drawn.Figure):
         high, wide = pixels.shape[:2]
         if self.panes == ("image",) and not self.document.view.compare:
             wide, high = self.document.projection.image_size
+        if not hasattr(ax, "set_axis_off"):
+            raise Refusal("ax", ax, REFUSALS["some-axes"])
         ax.set_axis_off()
         return ax.imshow(pixels, extent=(0.0, wide, high, 0.0))
 
@@ -117,7 +120,7 @@ class ScriptFigure(drawn.Figure):
         """
         from app.drawings.film import sweep_film
 
-        sweep_film(self, os.fspath(path), sweeps, frames, fps, ease, loop, show_value)
+        sweep_film(self, path_of("path", path), sweeps, frames, fps, ease, loop, show_value)
 
 
 Figure = ScriptFigure
@@ -134,13 +137,8 @@ def load(source: str | os.PathLike[str] = "letter-f", *values: str) -> Document:
     *values : str
         As after ``--set``: ``"lens.near=2"``, ``"camera.eye=3,2,4"``, ``"settings.aperture=1.4"``.
         Only the result has to be valid, so their order does not matter.
-
-    Raises
-    ------
-    Refusal
-        For an unknown scene or path, a file that cannot be read, and an impossible value.
     """
-    name, values = os.fspath(source), tuple(map(str, values))
+    name, values = path_of("source", source), tuple(map(str, values))
     if is_mesh(name):
         name = os.path.abspath(name)
     elif name not in BUILT_IN and (os.path.exists(name) or os.path.splitext(name)[1]):
@@ -173,12 +171,6 @@ def project(
         (..., 4); ``ndc`` (..., 3); ``image`` (..., 2) in pixels; ``depth`` (...) in [0, 1];
         ``in_front`` (...) bool; and ``outside`` (..., 6) bool, beyond near, far, left, right,
         bottom and top. Where there is no picture, ``ndc``, ``image`` and ``depth`` are NaN.
-
-    Raises
-    ------
-    Refusal
-        For points that are not rows of three or four finite numbers, and for an unknown space or
-        precision.
 
     Notes
     -----
@@ -285,6 +277,15 @@ def figure(
         raise Refusal("panes", panes, REFUSALS["some-panes"], ", ".join(PANES))
     column = isinstance(panes, str) and "/" in panes
     named = panes.split("/" if column else ",") if isinstance(panes, str) else list(panes)
+    for name, flag in (("crop", crop), ("transparent", transparent)):
+        if not isinstance(flag, bool):
+            raise Refusal(name, flag, REFUSALS["yes-or-no"])
+    beside: dict[str, Any] = {} if width is None else {"size": size, "crop": crop or None}
+    alone: dict[str, Any] = {"colours": colours, "dot_size": dot_size} if cloud is None else {}
+    for name, value in (beside | alone).items():
+        if value is not None:
+            bound = REFUSALS["no-width"] if name in beside else REFUSALS["of-cloud"]
+            raise Refusal(name, value, bound)
     if cloud is None:
         scene = load_scene(document.scene, mesh=document.mesh)
     else:
@@ -308,7 +309,7 @@ def _clouded(
     alone: bool,
 ) -> Scene:
     """Return the scene with a cloud, or the cloud alone."""
-    points = checked_points(cloud, (3,)).reshape(-1, 3)
+    points = checked_points(cloud, (3,), "cloud").reshape(-1, 3)
     if not 1 <= len(points) <= MOST_DOTS:
         raise Refusal.saying(REFUSALS["api-cloud"], len(points), MOST_DOTS)
     size_pt, (least, most) = _points(dot_size, "dot_size"), DOT_PT

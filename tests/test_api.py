@@ -28,6 +28,7 @@ from tests.support.commands import bare_machine
 from tests.support.notebook import with_outputs
 
 #: At the origin, looking along -z; x and y of NDC are those of the view over w; 100 px are 1.
+NEAR = "lens.near=2:8"
 PLAIN = api.Projection(
     api.Camera(eye=(0.0, 0.0, 0.0), target=(0.0, 0.0, -1.0)), api.Perspective(90.0, 1.0, 3.0),
     image_size=(200, 200),
@@ -224,6 +225,9 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
     def call(name: str) -> Any:
         return getattr(api, name)  # its types do not matter here
 
+    def film(*sweeps: Any, **options: Any) -> None:
+        api.figure(document).film("a.gif", *sweeps, **options)
+
     for refused, words in (
         (lambda: api.load("leter-f"), "letter-f"),
         (lambda: api.load("focus", "lens.near=-1"), "lens.near = -1"),
@@ -261,6 +265,23 @@ def test_what_cannot_be_is_refused_in_a_sentence() -> None:
         (lambda: call("figure")(document, palette="grey"), "palette = 'grey'"),
         (lambda: api.figure(document, text_size=0.0), "text size = 0"),
         (lambda: api.figure(document).save("figure.gif"), "must end in"),
+        (lambda: call("figure")(document).save(3), "path = 3: must be the name of a file"),
+        (lambda: call("load")(3), "source = 3: must be the name of a file"),
+        (
+            lambda: api.figure(document, width="84mm", size="9mmx9mm"),
+            "size = '9mmx9mm': must be left",
+        ),
+        (lambda: api.figure(document, width="84mm", crop=True), "crop = True: must be left out"),
+        (lambda: call("figure")(document, transparent="no"), "transparent = 'no': must be true or"),
+        (lambda: api.figure(document, dot_size=2), "dot_size = 2: must be left out where there is"),
+        (lambda: api.figure(document, cloud=[(1, 2)]), "cloud.shape = (1, 2): must end in 3,"),
+        (lambda: api.figure(document, cloud=[(0, 1, math.inf)]), "cloud[0] = (0, 1, inf): must"),
+        (lambda: api.figure(document).axes(None), "ax = None: must be axes of matplotlib"),
+        (lambda: api.figure(document).film("a.gif"), "sweep = '': must be NAME=FIRST:LAST"),
+        (lambda: film(3), "sweep = '3': must be NAME=FIRST:LAST"),
+        (lambda: film(NEAR, frames="x"), "frames = x: must be a whole number from 2"),
+        (lambda: film(NEAR, frames=2.5), "frames = 2.5: must be a whole number from 2"),
+        (lambda: film(NEAR, fps="x"), "fps = 'x': must be a finite number"),
     ):
         with pytest.raises(Refusal, match=re.escape(words)):
             refused()

@@ -139,12 +139,8 @@ def _chain(projection: Projection, options: argparse.Namespace) -> str:
     names = [link.name for link in reversed(links)]
     if options.format == "json":
         steps = [
-            {
-                "name": name,
-                "matrix": exact and plain(rounded(exact)),
-                "so_far": plain(rounded(so_far)),
-            }
-            for name, exact, so_far in links
+            {"name": name, "matrix": own and plain(rounded(own)), "so_far": plain(rounded(so_far))}
+            for name, own, so_far in links
         ]
         return _object({"product": names, "steps": steps})
     blocks = [f"{' | '.join(names)}\n{said('the rightmost factor acts first')}\n"]

@@ -262,6 +262,13 @@ def write(document: Document, path: Path) -> None:
     write_bytes_atomically(path, to_json(document, folder).encode())
 
 
+def path_of(field: str, value: object) -> str:
+    """Return the path that a script gives, or a `Refusal`."""
+    if not isinstance(value, (str, os.PathLike)):
+        raise Refusal(field, value, REFUSALS["a-path"])
+    return os.fspath(value)
+
+
 def write_bytes_atomically(path: Path, content: bytes, *, is_trial: bool = False) -> None:
     """Write a file completely or not at all, even if the power fails.
 

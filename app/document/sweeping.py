@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from app.document.document import Document, fields_of
-from app.model.limits import check_name
+from app.model.limits import check_name, real
 from app.model.numerals import numbers
 from app.model.refusal import REFUSALS, Refusal
 
@@ -83,7 +83,7 @@ def order(frames: int, loop: str) -> list[int]:
     """
     check_name("loop", loop, LOOPS)
     is_back = loop == "back-and-forth"
-    if not 2 <= frames <= MOST_FRAMES:
+    if not isinstance(frames, int) or not 2 <= frames <= MOST_FRAMES:
         raise Refusal.saying(REFUSALS["some-frames"], frames, MOST_FRAMES)
     if is_back and frames % 2:
         raise Refusal.saying(REFUSALS["even-frames"], frames)
@@ -91,6 +91,6 @@ def order(frames: int, loop: str) -> list[int]:
 
 
 def checked_speed(fps: float) -> float:
-    if not 1.0 <= fps <= FASTEST:
+    if not 1.0 <= real("fps", fps) <= FASTEST:
         raise Refusal.saying(REFUSALS["a-speed"], f"{fps:g}", FASTEST)
     return fps

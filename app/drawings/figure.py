@@ -20,7 +20,7 @@ import numpy as np
 
 from app.document.codec import picture_json
 from app.document.document import Document
-from app.document.files import write_bytes_atomically
+from app.document.files import path_of, write_bytes_atomically
 from app.document.lengths import DPI, PX_PER, Size, whole_pixels
 from app.document.view import PANES
 from app.drawings import DrawingWords
@@ -431,7 +431,7 @@ class Figure:
         """
         from app.drawings.figure_files import write_shapes
 
-        name = os.fspath(path)
+        name = path_of("path", path)
         if not name.lower().endswith(ENDINGS):
             raise Refusal.saying(REFUSALS["an-ending"], name)
         if name.lower().endswith(".png"):

@@ -135,7 +135,8 @@ def sweep_film(
         raise Refusal.saying(REFUSALS["a-film"], path, ", ".join(FILMS))
     if shown.crop or shown.width is not None:
         raise Refusal.saying(REFUSALS["one-size"])
-    sequence, speed, parsed = order(frames, loop), checked_speed(fps), parse_sweeps(sweeps)
+    sequence, speed = order(frames, loop), checked_speed(fps)
+    parsed = parse_sweeps([*map(str, sweeps)] or [""])
     values = swept(parsed, shown.document, max(sequence) + 1, ease)
     states = [set_values(shown.document, each) for each in values]
     figures = still([replace(shown, document=state) for state in states])

@@ -215,9 +215,15 @@ def _cells(term: Term) -> list[list[Ratio]]:
     return [[ratio(parse(cell)) for cell in row] for row in term.matrix.formulas]
 
 
+_HALF = re.compile(r"\\left\(\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{(\w+)\}\\right\)")
+
+
 def latex_cell(formula: str, letters: Letters) -> str:
-    """Write a cell's formula in TeX: a fraction is large, and a minus stands before it."""
-    tex = latex_formula(formula, letters)
+    """Write a cell's formula in TeX: a fraction is large, and a minus stands before it.
+
+    A fraction inside a function is on the line, or its letters would be tiny.
+    """
+    tex = _HALF.sub(r"(\1/\2)", latex_formula(formula, letters))
     if re.match(r"-?\\frac", tex):
         tex = tex.replace("\\frac", "\\dfrac", 1)
     match = re.fullmatch(r"\\dfrac\{-((?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*)\}(\{.*\})", tex)

@@ -1,11 +1,9 @@
 """How the matrices of an equation are set: their cells' texts, and the least sizes in em."""
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
 from app.lecture.equation import Equation, Term, latex_cell
-from app.lecture.letters import Letters
 from app.lecture.typesetting import line_of
 
 DIGITS, FEWER_DIGITS = 4, 3  # of the numbers of one matrix, and of a product
@@ -13,11 +11,6 @@ PAD_EM, GAP_EM, BRACKET_EM, APART_EM = 0.45, 0.35, 0.3, 1.5
 ROW_EM = 0.4
 """Gaps beside a cell, between matrices, inside a bracket, and between matrices that are no product;
 and between rows."""
-
-
-_HALF = re.compile(r"\\left\(\\frac\{((?:[^{}]|\{[^{}]*\})*)\}\{(\w+)\}\\right\)")
-
-_ON_LINE = r"(\1/\2)"
 
 
 class MatrixLayout(NamedTuple):
@@ -43,7 +36,7 @@ def laid_out(equation: Equation) -> Iterator[MatrixLayout]:
         matrix = term.matrix
         cells = tuple(
             tuple(
-                _number(value, digits) if digits else _formula(text, term.letters)
+                _number(value, digits) if digits else f"${latex_cell(text, term.letters)}$"
                 for value, text in zip(*row, strict=True)
             )
             for row in zip(matrix.values, matrix.formulas, strict=True)
@@ -56,11 +49,6 @@ def laid_out(equation: Equation) -> Iterator[MatrixLayout]:
 
 def width_em(text: str) -> float:
     return line_of(text, formula=1.0).width
-
-
-def _formula(text: str, letters: Letters) -> str:
-    """Write a cell; a fraction inside a function is on the line, or its letters would be tiny."""
-    return f"${_HALF.sub(_ON_LINE, latex_cell(text, letters))}$"
 
 
 def _number(value: float, digits: int) -> str:

@@ -474,13 +474,9 @@ def _of_object(kinds: tuple[str, ...]) -> _Table:
         whole = whole and product(whole, cells)
         if any(len(cell.above) > _MOST_TERMS for row in whole for cell in row):
             whole = []
-    short = zip(_texts(whole) if whole else _OF_OBJECT, _OF_OBJECT, strict=True)
-    return table | {
-        FROM_OBJECT: tuple(
-            tuple(cell if len(cell) <= _LONGEST else o for cell, o in zip(*rows, strict=True))
-            for rows in short
-        )
-    }
+    pairs = zip(_texts(whole) if whole else _OF_OBJECT, _OF_OBJECT, strict=True)
+    shorter = (map(lambda cell, o: cell if len(cell) <= _LONGEST else o, *pair) for pair in pairs)
+    return table | {FROM_OBJECT: tuple(map(tuple, shorter))}
 
 
 def _texts(cells: list[list[Ratio]]) -> Formulas:

@@ -25,7 +25,8 @@ _ALIGNED_PT = 10.0  # of aligned, after its lines
 _READABLE = 1.16  # of a text's width: a wider product of formulas is left to its factors
 _LETTER_PT, _CAPITAL_PT, _SCRIPT = 5.6, 9.5, 0.72
 _PT = {
-    **dict.fromkeys("0123456789/", 5.1), **dict.fromkeys("+-", 12.3), **dict.fromkeys("()", 3.9),
+    **dict.fromkeys("0123456789", 5.1), **dict.fromkeys("+-", 12.3), **dict.fromkeys("()", 3.9),
+    "/": 7.2,
     **dict.fromkeys(".,|", 2.8), " ": 1.5, "=": _EQUAL_PT, r"\cdot": 7.3, r"\,": 1.7,
     **dict.fromkeys((r"\leftarrow", r"\to"), 15.6),
     **dict.fromkeys((r"\vec", r"\text", r"\mathrm"), 0.0), r"\left": 4.4, r"\right": 4.4,

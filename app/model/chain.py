@@ -184,14 +184,9 @@ class Tile:
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
                 raise Refusal(field, numbers[12:], REFUSALS["has-w"])
-            rows = [[*map(Fraction, numbers[i : i + 3])] for i in (0, 4, 8)]
-            if (rank := eliminate(rows).rank) < 3:
-                raise Refusal(
-                    field,
-                    tuple(numbers[i : i + 3] for i in (0, 4, 8)),
-                    REFUSALS["invertible"],
-                    rank,
-                )
+            linear = tuple(numbers[i : i + 3] for i in (0, 4, 8))
+            if (rank := eliminate([[*map(Fraction, row)] for row in linear]).rank) < 3:
+                raise Refusal(field, linear, REFUSALS["invertible"], rank)
         if self.kind == "rotate" and not any(numbers[:3]):
             raise Refusal(field, numbers[:3], REFUSALS["not-zero"])
         if field in ("scale", "shear", "matrix"):
@@ -211,11 +206,8 @@ class Tile:
             raise Refusal("chain", text, REFUSALS["no-kind"], ", ".join(KINDS), near)
         values, count = numbers_in(" ".join(words[len(kind.split()) :])), len(KINDS[kind].neutral)
         if values is None or len(values) != count:
-            raise Refusal(
-                "chain",
-                text,
-                *((REFUSALS["so-many"], count, kind) if count else (REFUSALS["no-numbers"], kind)),
-            )
+            bound = (REFUSALS["so-many"], count, kind) if count else (REFUSALS["no-numbers"], kind)
+            raise Refusal("chain", text, *bound)
         return cls(kind, tuple(values), is_off)
 
     @property
@@ -286,15 +278,12 @@ class Chain:
     tiles: tuple[Tile, ...] = ()
 
     def __post_init__(self) -> None:
-        if isinstance(self.tiles, str) or not isinstance(self.tiles, Iterable):
-            raise Refusal("chain", self.tiles, REFUSALS["a-chain"])
-        tiles = tuple(self.tiles)
+        tiles = tuple(self.tiles) if isinstance(self.tiles, Iterable) else (self.tiles,)
         if not all(isinstance(tile, Tile) for tile in tiles):
-            raise Refusal("chain", tiles, REFUSALS["a-chain"])
+            raise Refusal("chain", self.tiles, REFUSALS["a-chain"])
         if len(tiles) > MOST_TILES:
-            raise Refusal(
-                "chain", tiles[MOST_TILES].text, REFUSALS["chain-too-many"], MOST_TILES, len(tiles)
-            )
+            most, ninth = REFUSALS["chain-too-many"], tiles[MOST_TILES].text
+            raise Refusal("chain", ninth, most, MOST_TILES, len(tiles))
         keep_checked(self, tiles=tiles)
         if len(self.on) > 1:
             for row in self.exact[:3]:
@@ -418,12 +407,9 @@ class Chain:
         """
         numbers, bits = [[int(i == j) for j in range(4)] for i in range(4)], 0
         for factor in self.factors:
-            below = max(part.denominator.bit_length() for row in factor for part in row)
-            whole = [
-                [part.numerator << (below - part.denominator.bit_length()) for part in row]
-                for row in factor
-            ]
-            numbers, bits = product(numbers, whole), bits + below - 1
+            unit = max(part.denominator for row in factor for part in row)
+            whole = [[x.numerator * (unit // x.denominator) for x in row] for row in factor]
+            numbers, bits = product(numbers, whole), bits + unit.bit_length() - 1
         return [[Fraction(part, 1 << bits) for part in row] for row in numbers]
 
     @cached_property

@@ -404,7 +404,9 @@ def translation(offset: ArrayLike) -> Array:
     return matrix
 
 
-def checked_points(points: ArrayLike, widths: tuple[int, ...] = (3,)) -> Array:
+def checked_points(
+    points: ArrayLike, widths: tuple[int, ...] = (3,), name: str = "points"
+) -> Array:
     """Points as a new float64 array, (..., 3), or (..., 4) if `widths` has 4, or a `Refusal`.
 
     They must be rows of finite numbers up to `LARGEST`.
@@ -412,28 +414,33 @@ def checked_points(points: ArrayLike, widths: tuple[int, ...] = (3,)) -> Array:
     try:
         given = np.asanyarray(points)
     except ValueError:  # rows of different lengths
-        raise Refusal("points", points, REFUSALS["equal-rows"]) from None
+        raise Refusal(name, points, REFUSALS["equal-rows"]) from None
     if isinstance(given, np.ma.MaskedArray) and given.mask.any():
-        _refuse_first(given, np.ma.getmaskarray(given), REFUSALS["nothing-masked"])
+        _refuse_first(name, given, np.ma.getmaskarray(given), REFUSALS["nothing-masked"])
     if given.dtype.kind not in "iuf" and given.size:
         cells = np.array(points, dtype=object)
         if not cells.ndim:
-            raise Refusal("points", points, REFUSALS["finite-numbers"])
-        _refuse_first(cells, ~np.array(_is_real(cells), dtype=bool), REFUSALS["finite-numbers"])
+            raise Refusal(name, points, REFUSALS["finite-numbers"])
         _refuse_first(
-            cells, np.array(abs(cells) > LARGEST, dtype=bool), REFUSALS["numbers-up-to"], LARGEST
+            name, cells, ~np.array(_is_real(cells), dtype=bool), REFUSALS["finite-numbers"]
         )
-        raise Refusal("points.dtype", str(given.dtype), REFUSALS["real-numbers"])
+        _refuse_first(
+            name,
+            cells,
+            np.array(abs(cells) > LARGEST, dtype=bool),
+            REFUSALS["numbers-up-to"],
+            LARGEST,
+        )
+        raise Refusal(f"{name}.dtype", str(given.dtype), REFUSALS["real-numbers"])
     if given.shape[-1:] not in [(width,) for width in widths]:
-        raise Refusal(
-            "points.shape", given.shape, REFUSALS["rows-of"], " or ".join(map(str, widths))
-        )
+        limit = " or ".join(map(str, widths))
+        raise Refusal(f"{name}.shape", given.shape, REFUSALS["rows-of"], limit)
     with np.errstate(over="ignore"):  # of longer floats
         checked = np.array(given, dtype=np.float64)
     if not checked.size or (checked.max() <= LARGEST and checked.min() >= -LARGEST):
         return checked
-    _refuse_first(checked, ~np.isfinite(checked), REFUSALS["finite-numbers"])
-    _refuse_first(checked, np.abs(checked) > LARGEST, REFUSALS["numbers-up-to"], LARGEST)
+    _refuse_first(name, checked, ~np.isfinite(checked), REFUSALS["finite-numbers"])
+    _refuse_first(name, checked, np.abs(checked) > LARGEST, REFUSALS["numbers-up-to"], LARGEST)
     return checked
 
 
@@ -443,16 +450,18 @@ _is_real: Any = np.frompyfunc(
 
 
 def _refuse_first(
-    points: NDArray[Any], wrong: NDArray[np.bool_], bound: Bound, *limits: float
+    name: str, points: NDArray[Any], wrong: NDArray[np.bool_], bound: Bound, *limits: float
 ) -> None:
     """Refuse the first point that has a wrong number, by its place."""
     for place in np.argwhere(wrong.any(axis=-1))[:1].tolist():
-        raise Refusal(named_point(place), tuple(points[tuple(place)].tolist()), bound, *limits)
+        raise Refusal(
+            named_point(place, name), tuple(points[tuple(place)].tolist()), bound, *limits
+        )
 
 
-def named_point(place: Sequence[int]) -> str:
+def named_point(place: Sequence[int], name: str = "points") -> str:
     """Return the name of one of several points in a refusal."""
-    return f"points[{', '.join(map(str, place))}]" if place else "points"
+    return f"{name}[{', '.join(map(str, place))}]" if place else name
 
 
 def checked_pixels(points_image: ArrayLike) -> Array:

@@ -241,9 +241,7 @@ def _lost_single(sizes: Array, local: Array) -> Array:
 
 
 def drawing_bounds_px(
-    projection: Projection,
-    parts: Iterable[tuple[Array, Space]],
-    origin: Vector = (0.0, 0.0, 0.0),
+    projection: Projection, parts: Iterable[tuple[Array, Space]], origin: Vector = (0.0, 0.0, 0.0)
 ) -> list[float]:
     """Bound the `float32` errors, in pixels, in the visible part of each box, from its corners.
 

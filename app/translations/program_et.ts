@@ -8030,6 +8030,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema ülimalt {0}</translation>
     </message>
     <message>
+        <source>must be axes of matplotlib, such as pyplot.gca()</source>
+        <translation>peab olema matplotlibi axes, näiteks pyplot.gca()</translation>
+    </message>
+    <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
         <translation>sellele peab järgnema # ja number, kuni {0}, või vaate nimi: {1}</translation>
     </message>
@@ -8080,6 +8084,14 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
         <translation>peab olema kasvavad arvud 0 kuni 1, üks vähem kui võrreldavaid pilte, või mitte ühtegi, kui pildid on kõrvuti</translation>
+    </message>
+    <message>
+        <source>must be left out where there is no cloud</source>
+        <translation>tuleb ära jätta, kui cloud puudub</translation>
+    </message>
+    <message>
+        <source>must be left out where width is given, which crops the figure</source>
+        <translation>tuleb ära jätta, kui on antud width, mis kärbib joonise</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
@@ -8136,6 +8148,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>must be the document&apos;s own, {0}</source>
         <translation>peab olema dokumendi oma, {0}</translation>
+    </message>
+    <message>
+        <source>must be the name of a file</source>
+        <translation>peab olema faili nimi</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
@@ -8274,6 +8290,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>igas reas peab olema sama palju arve</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>peab sisaldama ainult lõplikke reaalarve</translation>
     </message>
@@ -8300,10 +8320,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>koordinaatide arv peab olema {0}, eraldatud märgiga „,“</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9690,6 +9706,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Remove it</source>
         <translation>Eemalda see</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>alguspunkt</translation>
     </message>
     <message>
         <source>axis</source>

@@ -8046,6 +8046,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora biti najviše {0}</translation>
     </message>
     <message>
+        <source>must be axes of matplotlib, such as pyplot.gca()</source>
+        <translation>mora biti axes iz matplotliba, npr. pyplot.gca()</translation>
+    </message>
+    <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
         <translation>mora iza sebe imati # i broj, do {0}, ili ime pogleda: {1}</translation>
     </message>
@@ -8096,6 +8100,14 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
         <translation>mora biti rastući niz brojeva od 0 do 1, jedan manje od broja uspoređenih slika, ili nijedan za prikaz jedno uz drugo</translation>
+    </message>
+    <message>
+        <source>must be left out where there is no cloud</source>
+        <translation>mora izostati kad nema oblaka (cloud)</translation>
+    </message>
+    <message>
+        <source>must be left out where width is given, which crops the figure</source>
+        <translation>mora izostati kad je zadan width, koji obrezuje sliku</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
@@ -8152,6 +8164,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must be the document&apos;s own, {0}</source>
         <translation>mora biti vlastito dokumentu, {0}</translation>
+    </message>
+    <message>
+        <source>must be the name of a file</source>
+        <translation>mora biti ime datoteke</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
@@ -8290,6 +8306,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora imati jednako mnogo brojeva u svakom retku</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>mora imati konačne brojeve nakon {1}, ukupno {0}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>mora imati samo konačne realne brojeve</translation>
     </message>
@@ -8316,10 +8336,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>mora imati {0} koordinata, odvojenih znakom „,”</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>mora imati {0} konačnih brojeva nakon {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9706,6 +9722,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Remove it</source>
         <translation>Uklanja je</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>ishodište</translation>
     </message>
     <message>
         <source>axis</source>

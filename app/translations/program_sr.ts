@@ -8046,6 +8046,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да буде највише {0}</translation>
     </message>
     <message>
+        <source>must be axes of matplotlib, such as pyplot.gca()</source>
+        <translation>мора да буде axes из matplotlib-а, као pyplot.gca()</translation>
+    </message>
+    <message>
         <source>must be followed by # and the number, up to {0}, or the name of a view: {1}</source>
         <translation>после њега мора да стоји # и број, највише {0}, или име погледа: {1}</translation>
     </message>
@@ -8096,6 +8100,14 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>must be increasing numbers from 0 to 1, one fewer than the compared pictures, or none for side by side</source>
         <translation>мора да буде растући низ бројева од 0 до 1, за један мањи од броја слика које се пореде, или ниједан за једну поред друге</translation>
+    </message>
+    <message>
+        <source>must be left out where there is no cloud</source>
+        <translation>мора да изостане када нема облака (cloud)</translation>
+    </message>
+    <message>
+        <source>must be left out where width is given, which crops the figure</source>
+        <translation>мора да изостане када је задат width, који опсеца цртеж</translation>
     </message>
     <message>
         <source>must be less than far, which is {0}</source>
@@ -8152,6 +8164,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>must be the document&apos;s own, {0}</source>
         <translation>мора да буде оно из самог документа, {0}</translation>
+    </message>
+    <message>
+        <source>must be the name of a file</source>
+        <translation>мора да буде име датотеке</translation>
     </message>
     <message>
         <source>must be the name of a scene or of a mesh file</source>
@@ -8290,6 +8306,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да има једнако много бројева у свакој врсти</translation>
     </message>
     <message>
+        <source>must have finite numbers after {1}, {0} in all</source>
+        <translation>мора да има коначне бројеве после {1}, укупно {0}</translation>
+    </message>
+    <message>
         <source>must have finite real numbers only</source>
         <translation>мора да има само коначне реалне бројеве</translation>
     </message>
@@ -8316,10 +8336,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>must have {0} coordinates, separated by “,”</source>
         <translation>мора да има {0} координата, раздвојених знаком „,”</translation>
-    </message>
-    <message>
-        <source>must have {0} finite numbers after {1}</source>
-        <translation>мора да има {0} коначних бројева после {1}</translation>
     </message>
     <message>
         <source>must have {0} significant digits in front of “...”</source>
@@ -9706,6 +9722,10 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Remove it</source>
         <translation>Уклони је</translation>
+    </message>
+    <message>
+        <source>origin</source>
+        <translation>почетак</translation>
     </message>
     <message>
         <source>axis</source>

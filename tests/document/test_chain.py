@@ -59,9 +59,9 @@ def test_older_fields_replace_the_chain_and_keep_each_other() -> None:
 @pytest.mark.parametrize(
     ("text", "says"),
     [
-        ("translate 1,0,0; rotate w 3", "object.chain[1] = 'rotate w 3': must have 4 finite"),
-        ("scale 1,nan,1", "object.chain[0] = 'scale 1,nan,1': must have 3 finite numbers"),
-        ("rotate z 1" + "0" * 400, "must have 1 finite numbers after rotate z"),
+        ("translate 1,0,0; rotate w 3", "object.chain[1] = 'rotate w 3': must have finite numb"),
+        ("scale 1,nan,1", "object.chain[0] = 'scale 1,nan,1': must have finite numbers"),
+        ("rotate z 1" + "0" * 400, "must have finite numbers after rotate z, 1 in all"),
         ("; ".join(["mirror x"] * 9), "object.chain = 'mirror x': must have at most 8 tiles"),
         ("matrix 1 2 3 4 2 4 6 8 0 0 1 0 0 0 0 1", "must have an inverse, but its rank is 2"),
         ("matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 1 1", "no move of an object changes w"),

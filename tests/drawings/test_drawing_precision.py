@@ -33,6 +33,7 @@ from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
 from tests.support.bounds import drawing_bound_px
 from tests.support.drawings import MakeScreen, OffScreen, drawn, off_screen, scene_of, to_bytes
+from tests.support.lenses import at_distance
 
 __all__ = ["off_screen"]
 
@@ -48,16 +49,10 @@ def triangle_at(
     kind: Any = np.float32,
 ) -> NDArray[np.floating]:
     """Scene-local vertices that are seen at (x_ndc, y_ndc) from a distance, rounded to `kind`."""
-    left, right, bottom, top = projection.window
-    camera, lens = projection.camera, projection.lens
-    points = []
+    camera, points = projection.camera, []
     for x_ndc, y_ndc, distance in corners:
-        scale = 1.0 if lens.parallel else distance / lens.near
-        x = scale * (left + (right - left) * (x_ndc + 1.0) / 2.0)
-        y = scale * (bottom + (top - bottom) * (y_ndc + 1.0) / 2.0)
-        x -= projection.lens.shear[0] * (lens.near - distance)
-        y -= projection.lens.shear[1] * (lens.near - distance)
-        offset = np.array([x, y, -distance]) @ camera.frame
+        parts = (x_ndc + 1.0) / 2.0, (y_ndc + 1.0) / 2.0
+        offset = np.array(at_distance(projection, distance, *parts)) @ camera.frame
         points.append((np.array(camera.eye) - origin) + offset)
     return np.array(points).astype(kind)
 

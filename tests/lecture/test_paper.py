@@ -52,6 +52,9 @@ def test_symbols_are_those_of_the_lecture_and_numbers_follow_them() -> None:
     assert second.splitlines()[2] == r"0 & 0 & -1.571 & -10.29 \\"
     alone = displayed(one("clip_from_view", "003"), "003", symbols=True, numbers=False)
     assert alone.count("pmatrix") == 2 and "10.2" not in alone
+    for letters in LETTERS:  # a fraction in a fraction has letters of 5 points
+        tex = displayed(one("clip_from_view", letters), letters, symbols=True, numbers=False)
+        assert all(cell.count(r"\frac") < 2 for cell in re.split(r"&|\\\\", tex)), tex
 
 
 @pytest.mark.parametrize(

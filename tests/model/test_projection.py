@@ -45,39 +45,15 @@ from app.model.projection import (
 )
 from app.model.refusal import REFUSALS, Refusal, shown_limits, six_digits
 from tests.oracles import exact
-from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED, made
+from tests.support.lenses import LENSES, ONE_OF_EACH, SLANTED, at_distance, in_world, made
 from tests.support.marked import marked
 
 EPS = float(np.finfo(np.float64).eps)
 QUICK = settings(max_examples=60)
 
 
-def in_world(projection: Projection, *points_view: tuple[float, float, float]) -> Array:
-    """Points given along u, v, n from the eye, in world coordinates."""
-    camera = projection.camera
-    return np.array(points_view) @ camera.frame + camera.eye
-
-
 def homogeneous(points: Array) -> Array:
     return np.column_stack([points, np.ones(len(points))])
-
-
-def cot_deg(angle_deg: float) -> float:
-    return float(exact.cotangent_deg(angle_deg))
-
-
-def at_distance(
-    projection: Projection, distance: float, across: float = 0.5, along: float = 0.5
-) -> tuple[float, float, float]:
-    """The view-space point seen at these parts of the picture's width and height."""
-    lens, (left, right, bottom, top) = projection.lens, projection.window
-    x, y = left + across * (right - left), bottom + along * (top - bottom)
-    if not lens.parallel:
-        return x * (distance / lens.near), y * (distance / lens.near), -distance
-    if isinstance(lens, Oblique):  # its projectors lean: (-cot a, -cot b, -1) into the picture
-        x += (distance - lens.near) * cot_deg(lens.alpha_deg)
-        y += (distance - lens.near) * cot_deg(lens.beta_deg)
-    return x, y, -distance
 
 
 PROJECTIONS = [
@@ -111,7 +87,7 @@ def test_meaning(lens: Lens, depth: str) -> None:
         (at_distance(projection, far, 0.75, 0.25), (0.5, -0.5, z_far), (960.0, 540.0), depth_far),
     ]
     points_view, points_ndc, points_image, depths = map(np.array, zip(*meaning, strict=True))
-    points_world = in_world(projection, *points_view)
+    points_world = in_world(projection.camera, points_view)
     trace = projection.trace(points_world)
     scale = np.abs(points_view).max(axis=-1, keepdims=True)
     np.testing.assert_allclose(trace.view / scale, points_view / scale, atol=1e-13)
@@ -146,7 +122,7 @@ def test_outside_names_the_planes_that_a_point_lies_beyond(lens: Lens) -> None:
     }
     if far != math.inf:
         points["far",] = at_distance(projection, far + 0.01)
-    points_world = in_world(projection, *points.values())
+    points_world = in_world(projection.camera, [*points.values()])
     for depth in DEPTH_RANGES:
         outside = replace(projection, depth=depth).trace(points_world).outside
         assert [tuple(np.array(PLANES)[row].tolist()) for row in outside] == list(points)
@@ -291,7 +267,7 @@ def points_in_view(projection: Projection, parts: Array) -> Array:
         else:
             distance = lens.near * (far / lens.near) ** deep
         points.append(at_distance(projection, distance, across, along))
-    return in_world(projection, *points)
+    return in_world(projection.camera, points)
 
 
 def rounding_ndc(projection: Projection) -> float:
@@ -475,7 +451,7 @@ def test_with_lens_keeps_the_picture_of_the_plane_through_the_target(
     there = [at_distance(projection, distance, x, y) for x, y, _ in parts]
     if not (lens.parallel or changed.lens.parallel):
         there += [at_distance(projection, 1.5 * lens.near * z, x, y) for x, y, z in parts]
-    before = projection.trace(in_world(projection, (0.0, 0.0, -distance), *there))
+    before = projection.trace(in_world(projection.camera, [(0.0, 0.0, -distance), *there]))
     after = changed.trace(before.world)
     tolerance = 1e-9 + 1e3 * (rounding_ndc(projection) + rounding_ndc(changed))
     # Outside the picture, where the axis may be for a window far off it, relative.

@@ -52,7 +52,7 @@ from app.scenes.scene import BUILT_IN, load
 from tests.oracles import exact
 from tests.support import lenses as samples
 from tests.support.bounds import drawing_bound_px
-from tests.support.lenses import ONE_OF_EACH, SLANTED, free_matrix, made
+from tests.support.lenses import ONE_OF_EACH, SLANTED, at_distance, free_matrix, in_world, made
 from tests.support.reference import Reference
 from tests.support.samples import pairwise
 
@@ -114,26 +114,16 @@ def check_outside(projection: Projection, points: Array) -> None:
 # --------------------------------------------------------------------------- cameras and points
 
 
-def in_world(camera: Camera, points_view: Array) -> Array:
-    return np.asarray(points_view) @ camera.frame + camera.eye
-
-
 def points_in_view(projection: Projection, rng: np.random.Generator, count: int) -> Array:
     """Points spread over the view volume; where float64 has no such points, those beside them."""
     lens = projection.lens
-    left, right, bottom, top = projection.window
     if lens.parallel:
         distance = rng.uniform(lens.near, lens.far, count)
     else:
         far = min(lens.far, 1e6 * lens.near)
         distance = lens.near * (far / lens.near) ** rng.random(count)
-    spread = 1.0 if lens.parallel else distance / lens.near
-    x = rng.uniform(left, right, count) * spread
-    y = rng.uniform(bottom, top, count) * spread
-    if lens.parallel:
-        x += projection.lens.shear[0] * (distance - lens.near)
-        y += projection.lens.shear[1] * (distance - lens.near)
-    return in_world(projection.camera, np.column_stack([x, y, -distance]))
+    points_view = at_distance(projection, distance, *rng.random((2, count)))
+    return in_world(projection.camera, np.column_stack(points_view))
 
 
 def seen(projection: Projection, points: Array) -> Array:

@@ -4,7 +4,6 @@ import math
 from dataclasses import replace
 from typing import Any
 
-import mpmath as mp
 import numpy as np
 import pytest
 
@@ -12,9 +11,8 @@ from app.model.lenses import LENSES
 from app.model.projection import Camera, Perspective, Projection
 from app.scenes.phenomena.cheap_arithmetic import PHENOMENON, PRESETS, enlargement
 from app.scenes.phenomena.illustration import Illustration
+from tests.oracles.exact import Exact, mp
 from tests.oracles.illustrations import readings, showing, subject_of, value, why
-
-mp.mp.dps = 40
 
 POINTS = np.unique(PHENOMENON.geometry()[0][0].reshape(-1, 3), axis=0)
 START = PHENOMENON.start
@@ -25,18 +23,7 @@ show = showing(PHENOMENON, subject_of(PHENOMENON))
 
 
 def pixel(seen: Projection, point: Any) -> list[Any]:
-    """Lecture 003 by hand: n, u, v, then x' = cot(fov/2) x/(a (-z)), then the image."""
-    eye, target = (mp.matrix(each) for each in (seen.camera.eye, seen.camera.target))
-    n = (eye - target) / mp.norm(eye - target)
-    u = mp.matrix([n[2], 0, -n[0]])  # (0, 1, 0) x n
-    u /= mp.norm(u)
-    v = mp.matrix([n[1] * u[2] - n[2] * u[1], n[2] * u[0] - n[0] * u[2], n[0] * u[1] - n[1] * u[0]])
-    offset = mp.matrix(point) - eye
-    x, y, z = ((axis.T * offset)[0] for axis in (u, v, n))
-    width, height = seen.image_size
-    assert isinstance(seen.lens, Perspective)
-    per_unit = mp.mpf(height) / 2 * mp.cot(mp.radians(seen.lens.fov_y_deg) / 2) / -z
-    return [width / mp.mpf(2) + per_unit * x, height / mp.mpf(2) - per_unit * y]
+    return Exact(seen)([mp.mpf(part) for part in point]).image
 
 
 def largest(seen: Projection, stored: Any, drawn: Any = lambda place: place) -> float:

@@ -3,9 +3,13 @@
 import dataclasses
 import math
 from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
 
 from app.model import lenses
 from app.model.projection import (
+    Array,
     Camera,
     FreeMatrix,
     Frustum,
@@ -15,6 +19,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from tests.oracles.exact import cotangent_deg
 
 SLANTED = Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0), (0.3, 1.0, -0.2))
 """A camera that no axis of the world is parallel to."""
@@ -54,3 +59,22 @@ def made(kind: str, window: Iterable[float], near: float, far: float, **own: obj
     names = {field.name for field in dataclasses.fields(lenses.LENSES[kind])}
     lens: Lens = lenses.LENSES[kind](**{name: values[name] for name in names & set(values)})
     return lens
+
+
+def at_distance(
+    projection: Projection, distance: Any, across: Any = 0.5, along: Any = 0.5
+) -> tuple[Any, Any, Any]:
+    """The view-space points seen at these parts of the picture's width and height."""
+    lens, (left, right, bottom, top) = projection.lens, projection.window
+    x, y = left + across * (right - left), bottom + along * (top - bottom)
+    if not lens.parallel:
+        return x * (distance / lens.near), y * (distance / lens.near), -distance
+    if isinstance(lens, Oblique):  # its projectors lean: (-cot a, -cot b, -1) into the picture
+        x = x + (distance - lens.near) * float(cotangent_deg(lens.alpha_deg))
+        y = y + (distance - lens.near) * float(cotangent_deg(lens.beta_deg))
+    return x, y, -distance
+
+
+def in_world(camera: Camera, points_view: Any) -> Array:
+    """Points given along u, v, n from the eye, in world coordinates."""
+    return np.asarray(points_view) @ camera.frame + camera.eye

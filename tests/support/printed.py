@@ -40,7 +40,7 @@ class _Reader:
     def product(self) -> Any:
         value = self.power()
         while self.taken(r"\cdot") or (self.left and self.left[0] not in "+-)}"):
-            value = np.dot(value, self.power())
+            value = value / self.power() if self.taken("/") else np.dot(value, self.power())
         return value
 
     def power(self) -> Any:

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from PySide6.QtCore import Qt, QTimer
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel
+from PySide6.QtWidgets import QLabel
 
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal
@@ -189,19 +189,6 @@ def test_play_and_pause_enclose_one_gesture(bar: AnimationBar, record: Record) -
     bar.advance(1.0)
     assert record.events == ["start", "finish"]
     assert record.cameras == [camera_at(START, t, motion(bar)) for t in (1.0, 2.0)]
-
-
-def test_the_timer_makes_one_frame_after_another(
-    bar: AnimationBar, record: Record, qtbot: Any
-) -> None:
-    bar.play()
-    qtbot.waitUntil(lambda: len(record.cameras) >= 3)
-    bar.pause()
-    count = len(record.cameras)
-    QApplication.processEvents()
-    assert len(record.cameras) == count
-    azimuths = [camera.orbit.azimuth_deg for camera in record.cameras]
-    assert azimuths == sorted(set(azimuths)) and azimuths[0] > 0.0
 
 
 def test_no_frame_is_asked_for_while_one_is_handled(bar: AnimationBar, qtbot: Any) -> None:

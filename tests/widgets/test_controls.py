@@ -855,15 +855,6 @@ def test_eye_on_target_and_up_along_the_view(controls: Column) -> None:
     assert len(record.edits) == 2
 
 
-def test_the_error_line_exists_only_while_there_is_an_error(controls: Column) -> None:
-    near = number(controls, "near")
-    height = near.sizeHint().height()
-    enter(near, "40")
-    assert near.sizeHint().height() > height
-    QTest.keyClick(near.field, KEY.Key_Escape)
-    assert near.sizeHint().height() == height
-
-
 def test_leaving_the_field_takes_what_was_typed(controls: Column, record: Record) -> None:
     row = number(controls, "near")
     row.field.setFocus()

@@ -145,17 +145,19 @@ def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWin
     assert window.panels.open_panel is panel
     views = [panel.views[f"world_from_object/{name}"] for name in ("rotation_z2", "rotation_z")]
     assert all(view.isVisible() for view in views)
+    titles = [card.switch.text() for card in editor.cards]
+    assert titles == ["rotation about z", "mirror x", "translation", "rotation about z 2"]
     assert panel.views["world_from_object"].hasFocus()
     section = window.controls.sections["object"]
     for view, row in zip(views, ("rotate_deg2_z", "rotate_deg_z"), strict=True):
         section.set_open(False)
-        QTest.mouseClick(
-            view, Qt.MouseButton.LeftButton, pos=view.cell_rect(1, 0).center().toPoint()
-        )
+        place = view.cell_rect(1, 0).center().toPoint()
+        move_mouse(view, place, Qt.MouseButton.NoButton)
+        QTest.mouseClick(view, Qt.MouseButton.LeftButton, pos=place)
         settle()
         card = editor.rows[row].parentWidget()
-        place = card.mapTo(window.controls, QPoint(0, 0)).y()
-        assert section.is_open and 0 <= place < window.controls.height()
+        top = card.mapTo(window.controls, QPoint(0, 0)).y()
+        assert section.is_open and 0 <= top < window.controls.height()
         assert editor.rows[row].is_marked and view.hasFocus()
         QTest.keyClick(view, Qt.Key.Key_Return)
         settle()
@@ -163,7 +165,7 @@ def test_a_product_leads_to_its_factors_and_a_factor_to_its_tile(window: MainWin
     window.present.begin()
     settle()
     section.set_open(False)
-    panel.sought.emit("rotation_z", True)
+    panel.sought.emit("world_from_object/rotation_z", True)
     assert not section.is_open
 
 
@@ -220,7 +222,7 @@ def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
     controls.bring_into_view(card)
     grip = card.findChild(MoveButton)
     activate(window)
-    grip.setFocus()
+    QTest.mouseClick(grip, Qt.MouseButton.LeftButton)
     for place in range(1, 8):
         QTest.keyClick(grip, Qt.Key.Key_Down)
         settle()
@@ -289,7 +291,7 @@ def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> N
 @pytest.mark.undrawn
 def test_the_product_is_beside_the_tiles_in_numbers_and_letters(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; scale 2,1,1")
-    assert editor.product.formula.startswith("T R_z S =\n[0&-1&0&3;2&0&0&0")
+    assert editor.product.formula.startswith("T R_z S =\n[0&\u22121&0&3;2&0&0&0")
     editor.vectors.setChecked(True)
     assert editor.product.formula.startswith("S R_z T =\n[0&2&0&0")
     editor.letters.setChecked(True)

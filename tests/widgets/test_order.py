@@ -81,7 +81,7 @@ def test_tiles_are_arranged_switched_off_and_typed_into(window: MainWindow) -> N
     assert {"Show it", "Your idea beside the model", "Show the answer"} <= names
     view.rows[0].field.setText("nine")
     view.check()
-    assert "must have 1 finite numbers" in said(view)
+    assert "numbers after rotate z, 1 in all" in said(view)
     view.rows[0].field.setText("90")
     arrange(view, "translate", "rotate")
     view.check()

@@ -265,17 +265,6 @@ def test_an_error_goes_when_another_value_removes_its_cause(owner: Owner) -> Non
     assert gap.error == ""
 
 
-def test_a_drag_is_one_gesture_and_a_typed_number_another(owner: Owner) -> None:
-    slider = number_row(owner.card, "turn").slider
-    slider.setSliderDown(True)
-    for value in (10, 20, 30):
-        slider.setValue(value)
-    slider.setSliderDown(False)
-    assert owner.gestures == ["started", "finished"] and len(owner.edits) == 3
-    enter(number_row(owner.card, "gap").field, "3")
-    assert owner.gestures == ["started", "finished"] * 2
-
-
 def test_during_a_gesture_only_the_edited_value_is_updated(
     owner: Owner, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -20,18 +20,18 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.lecture.letters import written
 from app.lecture.notation import names_of, object_product
 from app.lecture.stages import IMAGE, NDC, REACHED_BY, VIEW
-from app.lecture.titles import stage_title
+from app.lecture.titles import stage_title, tile_title
 from app.lecture.wrong_chains import DIVIDE, difference, tiles_of, written_numbers
-from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, lettered_kinds, view_chain
+from app.model.chain import KINDS, MOST_TILES, Chain, FiveTiles, Tile, view_chain
 from app.model.parameters import TILES
 from app.model.projection import Projection
-from app.model.refusal import Refusal, format_value
+from app.model.refusal import Refusal
 from app.model.tables import VIEWPORT
 from widgets.controls.parameter_rows import make_row
 from widgets.parts.fields import Row, RowHolder
 from widgets.parts.labels import RefusalLabel
 from widgets.parts.layouts import FREE, discard, in_column, in_row, tool_button
-from widgets.parts.messages import lettering, parameter_text, sentence
+from widgets.parts.messages import FEW, figure_text, lettering, parameter_text, sentence
 from widgets.parts.movable import MovableColumn, MoveButton
 from widgets.parts.number_field import refusal
 from widgets.parts.number_rows import NumberRow, VectorRow
@@ -40,13 +40,10 @@ from widgets.parts.scales import Linear
 from widgets.parts.section import GAP_PX, Rows
 from widgets.parts.typeset import TypesetLabel, matrix
 
-_COLUMNS = ("x", "y", "z", "origin")
 _LINE_LETTERS = 26  # of a factor's name on one line of the narrowest dock
 
 
-def _beyond(
-    projection: Projection, *, undone: bool, from_left: bool
-) -> Iterator[tuple[str, float]]:
+def _beyond(projection: Projection, undone: bool, from_left: bool) -> Iterator[tuple[str, float]]:
     """Yield the factors left of the object's, each with its stop in the strip."""
     turned, moved = (VIEW / 2.0, VIEW) if from_left else (VIEW, VIEW / 2.0)
     yield stage_title(VIEWPORT.name), IMAGE
@@ -60,17 +57,11 @@ def _beyond(
         yield stage_title("view_from_world"), VIEW
         return
     *turns, move = view_chain(camera.frame, camera.eye).tiles
-    if undone:
-        for tile in turns:
-            angle = f"{_read(tile.numbers[0])}\N{DEGREE SIGN}"
-            yield f"{stage_title(KINDS[tile.kind].factor)} {angle}", turned
-    else:
+    if not undone:
         yield stage_title("rotation"), turned
-    yield f"{stage_title('translation')} {_read(move.numbers)}", moved
-
-
-def _read(numbers: object) -> str:
-    return with_comma(written_numbers(numbers)).replace("-", "\N{MINUS SIGN}")
+    for tile in (*(turns if undone else ()), move):
+        title = tile_title(tile.kind, ",".join(map(written_numbers, tile.numbers)))
+        yield with_comma(title).replace("-", "\N{MINUS SIGN}"), moved if tile is move else turned
 
 
 class _TileCard(Rows):
@@ -106,7 +97,7 @@ class _TileCard(Rows):
         named = QCoreApplication.translate("Field", "{0} {1}")
         tip = parameter_text(parameter, parameter.tip)
         if tile.kind == "matrix":
-            for column in _COLUMNS:
+            for column in ("x", "y", "z", self.tr("origin")):
                 yield column, VectorRow(named.format(title, column), tip)
             return
         letters = KINDS[tile.kind].letters
@@ -127,6 +118,8 @@ class _TileCard(Rows):
 
     def show_tile(self, tile: Tile, field: str) -> None:
         self._tile, self.field = tile, field
+        kind = KINDS[tile.kind]  # a second one is numbered, as its factor in Matrices
+        self.switch.setText(stage_title(kind.factor + field.removeprefix(kind.field)))
         self.switch.setChecked(not tile.is_off)
         for row, value in zip(self.rows.values(), self._values(tile), strict=True):
             row.setValue(value)
@@ -217,8 +210,7 @@ class ChainEditor(QWidget, RowHolder):
     def show_pipeline(self, projection: Projection) -> None:
         """Show the factors from the picture to the camera, which act after the tiles."""
         self._projection = projection
-        undone, left = self.undone.isChecked(), self._from_left
-        factors = [*_beyond(projection, undone=undone, from_left=left)]
+        factors = [*_beyond(projection, self.undone.isChecked(), self._from_left)]
         if len(factors) != len(self.beyond):
             discard(self._beyond, self.beyond)
             tip = self.tr("Show the scene after this factor")
@@ -253,8 +245,8 @@ class ChainEditor(QWidget, RowHolder):
 
     def card_of(self, factor: str) -> _TileCard | None:
         """Return the tile of a factor, as the Matrices panel names it."""
-        names = [kind.factor for kind in lettered_kinds(self._chain.kinds)]
-        cards = [card for card in self.cards if card.field]
+        step, cards = self._chain.step, [card for card in self.cards if card.field]
+        names = [f"{step.name}/{name}" for name, _ in step.factors]
         return cards[names.index(factor)] if factor in names else None
 
     def return_borrowed(self) -> None:
@@ -291,12 +283,9 @@ class ChainEditor(QWidget, RowHolder):
             return
         place = self.cards.index(card)
         tile = self._chain.tiles[place]
-        self._attempt(
-            lambda: self._chain.with_tile(
-                place, replace(tile, numbers=card.typed(tile, key, value)), over=1
-            ),
-            card.rows[key].show_error,
-        )
+        typed = partial(replace, tile, numbers=card.typed(tile, key, value))
+        refuse = card.rows[key].show_error
+        self._attempt(lambda: self._chain.with_tile(place, typed(), over=1), refuse)
 
     def join(self, card: _TileCard, key: str, row: Row) -> None:
         """Follow a new row."""
@@ -341,6 +330,6 @@ class ChainEditor(QWidget, RowHolder):
         cells = [[written(cell, "own") for cell in line] for line in formulas]
         if not self.letters.isChecked():
             product = self._chain.matrix.T if rows else self._chain.matrix
-            cells = [[format_value(float(f"{x:.4g}")) for x in line] for line in product + 0.0]
+            cells = [[figure_text(x, FEW) for x in line] for line in product + 0.0]
         lead = " ".join(names) + (" =\n" if len(names) > 2 else " = ")  # many leave too little room
         self.product.set_formula(lead * bool(names) + matrix(cells))

@@ -34,7 +34,6 @@ from app.lecture.typed_matrix import (
     shown,
     with_cell,
 )
-from app.model.chain import FROM_OBJECT
 from app.model.formula import ARROW
 from app.model.limits import finite_matrix
 from app.model.matrix_text import read_matrix
@@ -44,7 +43,7 @@ from widgets.panels.cell_words import CellWords
 from widgets.panels.matrix_row import MatrixBox, MatrixRow
 from widgets.panels.matrix_view import MatrixNotation, MatrixView, add_copies, rich
 from widgets.parts.labels import REFUSAL_SHEET, WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row, lay_out, tool_button
+from widgets.parts.layouts import FREE, in_column, in_row, tool_button
 from widgets.parts.messages import read_text, sentence, translated
 from widgets.parts.number_field import refusal
 from widgets.parts.number_text import parse_number
@@ -79,7 +78,7 @@ class MatrixPanel(ReadablePanel):
     """All matrices between the object and its picture."""
 
     concerns = PROJECTION
-    sought = Signal(str, bool)  # a factor of the object to see in the dock, and whether to go there
+    sought = Signal(str, bool)  # a factor to see in the dock, and whether to go there
     letters_changed = Signal(str)  # the chosen letters, for panes and panels alike
 
     def __init__(self) -> None:
@@ -356,9 +355,8 @@ class MatrixPanel(ReadablePanel):
         for matrix in self.shown:
             box = MatrixBox(matrix, self._new_view, unfolded=matrix.name in self._unfolded)
             box.unfolded.connect(partial(self._folded, matrix.name))
-            of_object = matrix.factors if matrix.name == FROM_OBJECT else ()
-            for factor, view in zip(of_object, box.factor_views, strict=False):
-                view.sought.connect(partial(self.sought.emit, factor.name))
+            for factor, view in zip(matrix.factors, box.factor_views, strict=True):
+                view.sought.connect(partial(self.sought.emit, f"{matrix.name}/{factor.name}"))
             boxes.append(box)
         self._row.fill(boxes)
         if self._speaker is not None:  # `fill` may emit its sentence by moving the focus
@@ -370,14 +368,12 @@ class MatrixPanel(ReadablePanel):
 
     # -- what stands out
 
-    def show_factors(self, name: str) -> None:
-        """Unfold the factors of a matrix, and go to it."""
-        for box in self._row.boxes:
-            if box.name == name:
-                box.unfold()
-                lay_out()
-                self._row.scroll_to(box)
-                box.view.setFocus()
+    def show_object(self) -> None:
+        """Unfold the factors of the object's matrix, which stands first, and go to it."""
+        for box in self._row.boxes[:1]:
+            box.fold.setChecked(True)
+            self._row.scroll_to(box)
+            box.view.setFocus()
 
     def show_highlight(self, highlighted: Highlight) -> None:
         self._highlight = highlighted

@@ -34,7 +34,7 @@ class MatrixBox(QWidget):
         self.name = matrix.name
         self._title = PlainLabel(objectName="paneTitle")
         self._note = PlainLabel(objectName="paneNote", visible=False)
-        fold = self._fold = tool_button(
+        fold = self.fold = tool_button(
             "", self.tr("Show the factors of this matrix"),
             name=self.tr("Factors of {0}").format(stage_title(matrix.name)),
             flat=True, checkable=True,
@@ -63,12 +63,9 @@ class MatrixBox(QWidget):
     def views(self) -> tuple[MatrixView, ...]:
         return (self.view, *self.factor_views)
 
-    def unfold(self) -> None:
-        self._fold.setChecked(True)
-
     def _unfold(self, unfolded: bool) -> None:
         self._factors.setVisible(unfolded and bool(self.factor_views))
-        show_icon(self._fold, "back" if unfolded else "unfold")
+        show_icon(self.fold, "back" if unfolded else "unfold")
 
     def show_matrix(
         self,

@@ -483,6 +483,7 @@ class MatrixView(QWidget):
 
     def focusInEvent(self, event: QFocusEvent) -> None:
         super().focusInEvent(event)
+        self._pointed_at = NOTHING  # the view that has lost the focus has removed the highlight
         self._describe_cell()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:

@@ -233,16 +233,12 @@ class StageStrip(QWidget, Playing):
             text = WORDS.say("world")
         elif self._free and VIEW < stop < NDC:
             text = WORDS.say("no-volumes")
-        elif self._free and stop == VIEW:
-            text = WORDS.say("view")
         elif stop == VIEW:
-            text = WORDS.say("axes")
+            text = WORDS.say("view" if self._free else "axes")
         elif stop == NDC:
-            z_near, z_far = projection.depth_range
-            text = WORDS.say("ndc", f"{z_near:g}", f"{z_far:g}")
+            text = WORDS.say("ndc", *(f"{z:g}" for z in projection.depth_range))
         elif stop == IMAGE:
-            width, height = projection.image_size
-            text = WORDS.say("image", width, height)
+            text = WORDS.say("image", *projection.image_size)
         elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
             text = WORDS.say("is-identity")
         elif self._parallel or stop == CANONICAL_PARALLEL:

@@ -10,8 +10,6 @@ from widgets.parts.icons import show_icon
 from widgets.parts.layouts import discard, in_column, lay_out
 from widgets.parts.plain import set_tip
 
-AROUND_PX = 100  # of the neighbours of a moved part: the pointer at the edge goes on to them
-
 
 class MovableColumn(QWidget):
     """Parts, one below the other; each has a `MoveButton` somewhere."""
@@ -40,7 +38,7 @@ class MovableColumn(QWidget):
         while around is not None and not isinstance(around, QScrollArea):
             around = around.parentWidget()
         if around is not None:
-            around.ensureWidgetVisible(part, 0, AROUND_PX)
+            around.ensureWidgetVisible(part, 0, 100)  # the pointer at the edge goes on to the next
 
 
 class MoveButton(QToolButton):
@@ -53,6 +51,7 @@ class MoveButton(QToolButton):
         set_tip(self, tip)
         show_icon(self, "grip")
         self.setCursor(Qt.CursorShape.SizeVerCursor)
+        self.setFocusPolicy(Qt.FocusPolicy.StrongFocus)
         self._begin = -1  # the place from which the part is dragged
 
     def _place(self) -> tuple[MovableColumn, QWidget, int]:

@@ -6,7 +6,6 @@
 from functools import partial
 from typing import Any
 
-from app.model.chain import FROM_OBJECT
 from widgets.panes.pane import Pane
 from widgets.parts.gestures import Gestures
 from widgets.parts.messages import all_digits, lettering
@@ -38,11 +37,8 @@ def _wire_components(window: Any) -> None:
         (controls.object_unfolded, partial(world.request, "object_axes")),
         (controls.chain.compared, partial(world.request, "former")),
         (controls.chain.stood, strip.go_to),
-        (
-            controls.chain.factored,
-            lambda: window.panels.open(window.matrices),
-            lambda: window.matrices.show_factors(FROM_OBJECT),
-        ),
+        (controls.chain.factored, lambda: window.panels.open(window.matrices)),
+        (controls.chain.factored, window.matrices.show_object),
         (window.matrices.sought, controls.show_tile),
         (controls.animation.gesture_started, partial(menus.show_playing, True)),
         (controls.animation.gesture_finished, partial(menus.show_playing, False)),

@@ -32,9 +32,8 @@ class _TileRow(QWidget):
 
     @property
     def text(self) -> str:
-        return (
-            f"{'' if self.switch.isChecked() else 'off '}{self._head} {self.field.text()}".strip()
-        )
+        off = "off " * (not self.switch.isChecked())
+        return f"{off}{self._head} {self.field.text()}".strip()
 
 
 class OrderView(MarkedAnswerView):
