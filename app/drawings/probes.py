@@ -60,6 +60,7 @@ class Probes(Layer):
         self._state = state
         self._slots: list[_Slot] = []
         self._spots: list[tuple[int, float, float]] = []
+        self._lines: list[Array] = []  # of the projectors, (2, 3)
 
     @abstractmethod
     def marks(self) -> Sequence[ProbeMark]: ...
@@ -75,6 +76,7 @@ class Probes(Layer):
             slot.show(marks[i] if i < len(marks) else None, state.size_px)
         spots = [(mark.number, _place(mark.spot_px, state.size_px[1])) for mark in marks]
         self._spots = [(number, *spot) for number, spot in spots if spot is not None]
+        self._lines = [mark.line for mark in marks if mark.line is not None]
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the discs, and ask for a place for each number."""
@@ -87,6 +89,12 @@ class Probes(Layer):
                 text = letter if f"{PROBE_LETTER}{letter}" in named else str(number)
                 board.label(key, "", self._state.style.accent).set_text(text)
                 board.want_beside(key, (x, y, 1.0), PROBE)
+
+    def ink(self, ground: Ground) -> None:
+        if self._lines:
+            spots = np.array(self._state.seen(np.concatenate(self._lines)))
+            spots[~(spots[:, 2] > 0.0)] = np.nan
+            ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
 
     def _traced(self, projection: Projection) -> list[tuple[Probe, Trace | None]]:
         """Each probe with its point through all stages; None for a ray."""

@@ -41,7 +41,7 @@ _FORMULA = re.compile(
     rf"(?:\\(?:{_COMMANDS})(?![a-zA-Z])|\\,|[a-zA-Z0-9_ +\-*/=<>()\[\].,:;|{{}}'\u2032]|\^(?!\^))*"
 )
 _NO_GAP = r"\nulldelimiterspace0pt"  # no space beside fractions, as in other formats
-_NO_SPACE = re.compile(r" *\\, *(?=\(|\\(?:tan|cot|sin|cos)\b)")  # TeX makes its own
+_NO_SPACE = re.compile(r"(?<! ) *\\, *(?=\(|\\(?:tan|cot|sin|cos)\b)")  # TeX makes its own
 _CYRILLIC = re.compile("[\u0400-\u052f]")
 _PLAIN = "0123456789+=/()[],."
 _IN_MATH = {

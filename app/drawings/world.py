@@ -270,11 +270,11 @@ class WorldDrawing(Drawing):
 
     def _framed(self) -> Framed:
         state, at, volume = self.state, self.state.standing, self.state.volume
-        inside, middle = self.layers.inside(), state.objects.mean(axis=0)
+        inside, middle = self._inside(), state.objects.mean(axis=0)
         if self.fit == "frustum" and volume.exists:
             inside["frustum"] = volume.corners
         elif self.fit == "scene":
-            inside = {"subject": inside["subject"]}
+            inside = {"subject": state.objects}
         offsets = np.concatenate(list(inside.values())) - middle
         lengths = np.maximum(np.linalg.norm(offsets, axis=1, keepdims=True), 1e-100)
         points = middle + offsets * np.minimum(1.0, _WIDEST * at.extent / lengths)
@@ -283,6 +283,13 @@ class WorldDrawing(Drawing):
             volume.corners if volume.exists and "frustum" not in state.left_out else points,
             state.projection.lens.central, self._lengths.below_em, self._lengths.below, self._shot,
         )  # fmt: skip
+
+    def _inside(self) -> dict[str, Array]:
+        """What has to be inside the pane."""
+        inside = self.layers.inside()
+        if "subject" in self.state.left_out and len(inside) > 1:
+            del inside["subject"]
+        return inside
 
     @property
     def _shot(self) -> Shot:
@@ -296,12 +303,12 @@ class WorldDrawing(Drawing):
         return scene.shot if scene.upright is None or width_px >= height_px else scene.upright
 
     def cut(self) -> dict[str, float]:
-        inside, (arrows, ends) = self.layers.inside(), self.camera.named_arrows
+        inside, (arrows, ends) = self._inside(), self.camera.named_arrows
         if "eye" in inside:
             inside["eye"] = np.vstack([inside["eye"], self.camera.box])
             inside |= dict(zip(arrows, ends, strict=True))
         if self.own.sees_from_eye:  # the picture cuts it as the lens does
-            del inside["subject"]
+            inside.pop("subject", None)
         outside = {name: self.own.pane.outside_px(points) for name, points in inside.items()}
         return {name: px for name, px in outside.items() if px > _ROUNDING_PX}
 

@@ -239,6 +239,8 @@ class WorldState(PaneState):
             return frozenset()
         if any(name in names for name in ENDS):
             left_out -= {"frustum", "near-picture"}
+        else:
+            left_out -= {"subject"}
         if any(name in names for name in ("eye", "target", *AXES)):
             left_out -= {"camera"}
         return left_out

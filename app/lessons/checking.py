@@ -177,7 +177,6 @@ def _problems(text: str) -> Iterator[tuple[str, str]]:
         except ValueError as error:
             why = str(error).strip().splitlines()[-1]
             # Drop the exception's name, its position, and its list of expected tokens.
-            noise = r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)"
-            why = re.sub(noise, "", why)
+            why = re.sub(r"^\w+Exception: | {0,2}\(at char \d+\)|,? \(line:\d+, col:\d+\)", "", why)
             why = re.sub(r"Expected \{.{80,}\}, found", "Expected something else, found", why)
             yield tex, why

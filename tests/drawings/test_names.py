@@ -262,6 +262,20 @@ def test_probes_have_letters_in_every_pane_that_the_view_names(off_screen: MakeS
         assert "probe-A" not in nameable(pane, document, scene)
 
 
+@pytest.mark.parametrize("fixed", ["", "side"])
+def test_the_projectors_of_probes_are_ink(off_screen: MakeScreen, fixed: str) -> None:
+    drawing = WorldDrawing(off_screen(480, 300), load("letter-f"), WORDS, LIGHT)
+    drawing.show_projection(load("letter-f").start)
+    drawing.show_fixed(fixed)
+    drawing.show_layers(frozenset({"grid", "frustum", "near-picture"}))
+    point, eye = np.array((6.0, 6.0, 4.0)), np.array(load("letter-f").start.camera.eye)
+    x, y = drawing.own.pane.spots((point + eye) / 2.0 - drawing.state.origin)
+    box = np.array([[x - 9.0, y - 9.0, x + 9.0, y + 9.0]])
+    before = drawing.layers.ground().hidden(box)
+    drawing.show_probes([Probe(1, (6.0, 6.0, 4.0))])
+    assert drawing.layers.ground().hidden(box) > before + 0.1
+
+
 @pytest.mark.parametrize(("letters", "near", "far"), [("002", "+1", "−1"), ("003", "−1", "+1")])
 def test_lecture_002_has_its_own_sign_of_depth_in_the_cube(
     off_screen: MakeScreen, letters: Letters, near: str, far: str

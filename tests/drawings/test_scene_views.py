@@ -67,6 +67,27 @@ def test_without_the_frustum_the_subject_is_larger(off_screen: MakeScreen) -> No
     assert large > 1.5 * share(screen.pixels(), blue) > 0.0
 
 
+@pytest.mark.parametrize("fixed", ["", "top", "side"])
+def test_a_subject_much_longer_than_the_frustum_may_leave_the_pane(
+    off_screen: MakeScreen, fixed: str
+) -> None:
+    drawing = opened(off_screen(*SIZE), "far-plane-popping")
+    drawing.show_fixed(fixed)
+
+    def filled() -> float:
+        spots = drawing.own.pane.spots(drawing.state.volume.corners)
+        return float((np.ptp(spots, axis=0) / SIZE).max())
+
+    assert filled() > 0.6
+    assert not drawing.cut()
+    subject = drawing.state.objects
+    assert drawing.own.pane.outside_px(subject) > 100.0
+    drawing.show_names(frozenset())
+    drawing.reset_view()
+    assert drawing.own.pane.outside_px(subject) <= 0.0
+    assert filled() < 0.4
+
+
 def test_a_pale_subject_is_a_silhouette_and_its_picture_is_not(off_screen: MakeScreen) -> None:
     screen = off_screen(*SIZE)
     opened(screen, "similar-triangles")

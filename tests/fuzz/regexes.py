@@ -31,7 +31,16 @@ MOST_TEXTS = 400
 """Most texts for one expression."""
 BOUNDED = {"app/lessons/marking.py": 60}
 """Files whose expressions read short texts only, and the characters of the longest one."""
+OF_THE_PROGRAM = {
+    "app/languages.py": "translations",
+    "app/lessons/translating.py": "lessons that come with the program",
+    "app/drawings/page.py": "the SVG text that it has just drawn",
+    "widgets/parts/chart_picture.py": "the PDF file that it has just drawn",
+}
+"""Files whose expressions read only what the program wrote itself."""
 LOCAL = {
+    "app/lecture/letters.py": [r"t\d*_"],
+    "app/commands/options.py": ["[0-9]{1,9}", "[1-9]|1[0-7]"],
     "app/bootstrap.py": ["No space left", "Failed to build|Failed building"],
     "widgets/parts/messages.py": [r"(\S{40})(?=\S)"],
     "widgets/parts/typeset.py": [r"[−+·\s]"],
@@ -268,7 +277,7 @@ def main(words: Sequence[str]) -> int:
     os.environ.setdefault("QT_QPA_PLATFORM", "offscreen")
     count = findings = 0
     for each in used():
-        if options.only not in each.where:
+        if options.only not in each.where or each.where.rpartition(":")[0] in OF_THE_PROGRAM:
             continue
         count += 1
         if what := finding(each, options.size):

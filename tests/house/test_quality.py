@@ -16,6 +16,7 @@ from xml.etree import ElementTree
 from app.bootstrap import ROOT
 from app.model.refusal import SENTENCES
 from tests import mutants, texts
+from tests.fuzz.regexes import used
 from tests.support.sources import nodes_of
 
 SOURCES = sorted(path for folder in ("app", "widgets") for path in (ROOT / folder).rglob("*.py"))
@@ -35,6 +36,11 @@ def test_ruff_reports_nothing() -> None:
 
 def test_mypy_reports_nothing_in_strict_mode() -> None:
     assert report("mypy") == ""
+
+
+def test_every_regular_expression_can_be_measured() -> None:
+    """``python3 -m tests.fuzz regexes`` measures them, for minutes."""
+    assert sum(1 for _ in used()) > 200
 
 
 def translated(node: ast.AST, context: str) -> Iterator[tuple[str, str]]:

@@ -53,8 +53,10 @@ def with_native_keys(text: str) -> str:
     if sys.platform != "darwin":
         return text
     native = QKeySequence.SequenceFormat.NativeText
-    keys = r"\b(?:(?:Ctrl|Alt|Shift|Meta)\+)+\w+"
-    return re.sub(keys, lambda match: QKeySequence(match[0]).toString(native), text)
+    return re.sub(
+        r"\b(?:(?:Ctrl|Alt|Shift|Meta)\+)+\w+",
+        lambda match: QKeySequence(match[0]).toString(native), text,
+    )  # fmt: skip
 
 
 def tip_of(text: str) -> str:

@@ -47,7 +47,7 @@ _BLOCK = re.compile(
     rf"{OPEN}(?P<above>[^{OPEN}{OVER}{CLOSE}]*){OVER}(?P<below>[^{OPEN}{OVER}{CLOSE}]*){CLOSE}"
     r"|\[(?P<matrix>[^\[\]]*)\]"
 )
-_INDEXED = re.compile("([^\\W_]+_[^\\W_]+(?:\u2192[^\\W_]+)?)")
+_INDEXED = re.compile("((?<![^\\W_])[^\\W_]+_[^\\W_]+(?:\u2192[^\\W_]+)?)")
 _IS_FORMULA = re.compile(  # not the powers of ten of a number
     rf"(?:(?<!\d)|(?!e[-+]?\d))[^\W\d⁰¹²³⁴-⁹]|[{OPEN}\[\n:]"
 )

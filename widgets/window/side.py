@@ -10,7 +10,7 @@ from widgets.controls.controls import Controls
 from widgets.window.lesson_card import LessonCard
 
 WIDTH_EM = 31.0  # width of the column while a lesson is open
-SHARE = 0.62  # the card's share of the column's height
+SHARE = 0.63  # the card's share of the column's height
 
 
 class Side(QSplitter):

@@ -17,7 +17,7 @@ from app.model.refusal import REFUSALS
 
 DONE = "done"  # kept as the answer of a finished task, and the verdict on a sample that fulfils it
 _PANES = "view.panes="
-_NEXT = re.compile(r"\s+(?=[\w.]+=)")  # between assignments: a chain has spaces of its own
+_NEXT = re.compile(r"(?<!\s)\s+(?=[\w.]+=)")  # between assignments: a chain has spaces of its own
 _IN_CONDITIONS = {"panes": "turned", "probes": "_"}
 """The names that conditions have for fields of the view with other names."""
 _MOVED = NEAR, FAR, EYE, DISTANCE, TARGET, *WINDOW_SIDES

@@ -130,7 +130,8 @@ class Appearance:
       upwards.
     - `fixed`: the fixed view of the world with which the scene opens; empty for the free one.
     - `leaves_out`: layers that the world pane leaves out and does not frame, as long as nothing of
-      them is named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``.
+      them is named: ``"frustum"``, ``"near-picture"``, ``"camera"``, ``"grid"``. A ``"subject"``
+      that is much longer than the frustum is drawn, but not framed while near or far is named.
     - `pale`: the panes that draw the subject as a pale silhouette, because what is beside it
       matters more.
     """
