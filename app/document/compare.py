@@ -109,8 +109,8 @@ def differences(states: Sequence[Held]) -> list[tuple[str, tuple[Any, ...]]]:
             compared(f"lens.{each.name}", [getattr(lens, each.name) for lens in lenses])
     compared("image", [projection.image_size for projection in shown])
     chains = [projection.placement for projection in shown]
-    fives = [five for chain in chains if (five := chain.five) is not None]
-    if len(fives) == len(chains):
+    fives = [chain.five for chain in chains]
+    if all(fives):
         for each in fields(FiveTiles):
             compared(f"object.{each.name}", [getattr(five, each.name) for five in fives])
     else:

@@ -1,6 +1,6 @@
 """The largest error of each precision for a scene in its present place."""
 
-from itertools import islice
+from itertools import chain, islice
 from weakref import WeakKeyDictionary
 
 from app.model.projection import Projection
@@ -15,12 +15,11 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
     """
     kept = _bounds.get(scene)
     if kept is None or kept[0] != projection:
-        parts = [(part.boxes, space) for part, space in scene.parts(projection.placement)]
-        together = [(boxes.together, space) for boxes, space in parts]
-        errors = iter(drawing_bounds_px(projection, together, scene.origin))
-        bounds = [
-            max(islice(errors, len(each)), default=0.0) for kinds, _ in parts for each in kinds
-        ]
+        parts = [*scene.parts(projection.placement)]
+        boxes = [(part.boxes.together, space) for part, space in parts]
+        errors = iter(drawing_bounds_px(projection, boxes, scene.origin))
+        kinds = chain.from_iterable(part.boxes for part, _ in parts)
+        bounds = [max(islice(errors, len(each)), default=0.0) for each in kinds]
         del bounds[3:5]  # the ground has no faces and no dots
         kept = _bounds[scene] = projection, tuple(bounds)
     return kept[1]

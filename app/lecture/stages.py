@@ -246,10 +246,7 @@ class Morph:
         return float(unit / self._lens.w(self._middle_depth))
 
     def _turned(self, position: float) -> Array:
-        """Return the rotation from the world's axes to the camera's, with the scale.
-
-        It takes the half of the way in which the eye is not moved.
-        """
+        """Return the turn towards the camera's axes, in its half of the way, with the scale."""
         matrix = np.eye(4)
         part = min(1.0, max(0.0, 2.0 * position - (not self.from_left)))
         matrix[:3, :3] = rotation_between(self.projection.camera.frame, part)

@@ -458,7 +458,7 @@ def test_quality_is_reduced_during_a_drag_and_restored_after_it(
     assert window.look.adaptive.budget.level == FrameQuality(False, 0.005)
     dragged_pictures = pictures(window)
     (late,) = said_to_be_late(window)
-    assert late.endswith("ms per frame instead of 33.")
+    assert "ms to draw" in late
     window.store.end_gesture()
     assert said_to_be_late(window) == []
     settle()
@@ -473,7 +473,7 @@ def test_quality_is_reduced_during_a_drag_and_restored_after_it(
 
 
 def said_to_be_late(window: MainWindow) -> list[str]:
-    return [line for line in window.status.health.toolTip().splitlines() if "coarsest" in line]
+    return [line for line in window.status.health.toolTip().splitlines() if "stutters" in line]
 
 
 def test_late_frames_are_reported_during_a_drag_at_no_cost(

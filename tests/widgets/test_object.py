@@ -279,6 +279,11 @@ def test_what_is_impossible_is_said_and_nothing_is_lost(window: MainWindow) -> N
     assert editor.refusal.text().startswith("Not possible. ")
     assert "product" in editor.refusal.text() and not editor.cards[0].switch.isChecked()
     assert chain_of(window).text == "off scale 1e+20,1,1; scale 1e+20,1,1"
+    editor = build(window, "shear xy 1e30; scale 2,1,1")
+    QTest.keyClick(editor.cards[0].findChild(MoveButton), Qt.Key.Key_Down)
+    assert "product" in editor.refusal.text()
+    assert [card.kind for card in editor.cards] == ["shear xy", "scale"]
+    assert row_of(window, "scale_x").value() == 2.0
     editor = build(window, "matrix 1 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1")
     column = editor.rows["matrix_x"]
     column.edited.emit((0.0, 0.0, 0.0))

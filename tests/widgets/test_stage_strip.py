@@ -24,6 +24,7 @@ from app.scenes.scene import load
 from tests.support.drawings import OffScreen, labels_of, rendered
 from tests.support.lenses import LENSES
 from tests.support.window import activate, move_mouse, picture, present, settle  # fmt: skip
+from widgets.panes import stage_strip
 from widgets.panes.stage_strip import CATCH, REST_S, STEP_S, STEPS, StageStrip
 from widgets.window.main_window import MainWindow
 
@@ -523,3 +524,14 @@ def test_the_moves_of_the_object_are_stops_before_the_world(window: MainWindow) 
     strip.go_to(float(NDC))
     settle()
     assert strip.first == WORLD and len(strip.stops) == len(STOPS)
+
+
+@pytest.mark.undrawn
+def test_a_hyphen_of_a_word_is_no_minus(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(stage_strip, "tile_title", lambda kind, numbers: f"z-telje {numbers}°")
+    chain = "object.chain=translate 2,0,0; rotate z -20"
+    window.store.set_document(set_values(window.store.document, [chain]))
+    window.strip.go_to(-1.0)
+    assert window.strip.slider.accessibleDescription().endswith("z-telje  \u221220°")

@@ -60,8 +60,8 @@ def _beyond(projection: Projection, undone: bool, from_left: bool) -> Iterator[t
     if not undone:
         yield stage_title("rotation"), turned
     for tile in (*(turns if undone else ()), move):
-        title = tile_title(tile.kind, ",".join(map(written_numbers, tile.numbers)))
-        yield with_comma(title).replace("-", "\N{MINUS SIGN}"), moved if tile is move else turned
+        numbers = ",".join(map(written_numbers, tile.numbers)).replace("-", "\N{MINUS SIGN}")
+        yield with_comma(tile_title(tile.kind, numbers)), moved if tile is move else turned
 
 
 class _TileCard(Rows):
@@ -96,14 +96,10 @@ class _TileCard(Rows):
             return
         named = QCoreApplication.translate("Field", "{0} {1}")
         tip = parameter_text(parameter, parameter.tip)
-        if tile.kind == "matrix":
-            for column in ("x", "y", "z", self.tr("origin")):
-                yield column, VectorRow(named.format(title, column), tip)
-            return
-        letters = KINDS[tile.kind].letters
-        if tile.kind == "rotate":
-            yield "axis", VectorRow(named.format(title, self.tr("axis")), tip)
-            letters = letters[-1:]
+        columns = {"matrix": ("x", "y", "z", self.tr("origin")), "rotate": (self.tr("axis"),)}
+        for column in columns.get(tile.kind, ()):
+            yield column, VectorRow(named.format(title, column), tip)
+        letters = KINDS[tile.kind].letters[{"matrix": 12, "rotate": 3}.get(tile.kind, 0) :]
         for letter in letters:
             part = letter.rpartition("_")[2]
             name = named.format(title, part) if len(letters) > 1 else title
@@ -185,7 +181,7 @@ class ChainEditor(QWidget, RowHolder):
         parts = (self.add, self.refusal, self.tiles, self.first, self.product, bar)
         in_column(*parts, on=self.own, margins=(0, 0, 0, 0))
         in_column(self._beyond, self.undone, self.own, on=self, margins=(0, 0, 0, 0))
-        self._build(self._chain)
+        self._build()
 
     @property
     def cards(self) -> list[_TileCard]:
@@ -202,8 +198,6 @@ class ChainEditor(QWidget, RowHolder):
         self.refusal.show_text("")
         self.compared.emit(None)
         self.first.setText(self.tr("The tile at the bottom acts first."))
-        if [card.kind for card in self.cards] != [tile.kind for tile in chain.tiles]:
-            self._build(chain)
         self._show_tiles()
         self._show_product()
 
@@ -258,24 +252,19 @@ class ChainEditor(QWidget, RowHolder):
     def put(self, card: _TileCard | None, *tiles: Tile) -> None:
         """Put tiles over that of a card, or at the left, which acts last."""
         place, over = (0, 0) if card is None else (self.cards.index(card), 1)
-        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._refuse)
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._say)
 
     def _move(self, place: int, to: int) -> None:
         """Move a tile; show where the object was before, and say what differs."""
         before = self._chain
         self._attempt(lambda: before.moved(place, to), self._say)
-        if self._chain == before:
-            self._build(before)
-            self._show_tiles()
-            return
-        self.compared.emit(before)
-        self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
-
-    def _refuse(self, said: str) -> None:
-        self._show_tiles()
-        self._say(said)
+        if self._chain != before:
+            self.compared.emit(before)
+            self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
 
     def _say(self, said: str) -> None:
+        """Refuse a change, and show the tiles as they were."""
+        self._show_tiles()
         self.refusal.show_text(refusal(said))
 
     def type_in(self, card: _TileCard, key: str, value: object) -> None:
@@ -310,13 +299,15 @@ class ChainEditor(QWidget, RowHolder):
 
     # -- shown
 
-    def _build(self, chain: Chain) -> None:
-        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in chain.tiles])
+    def _build(self) -> None:
+        self.tiles.show_parts([_TileCard(tile, self._reach, self) for tile in self._chain.tiles])
         self.add.setEnabled(len(self.cards) < MOST_TILES)
         for part in (self.first, self.product, self.letters, self.vectors, self.to_factors):
             part.setVisible(bool(self.cards))
 
     def _show_tiles(self) -> None:
+        if [card.kind for card in self.cards] != [tile.kind for tile in self._chain.tiles]:
+            self._build()
         self.rows.clear()
         tiles = zip(self.cards, self._chain.tiles, self._chain.fields(), strict=True)
         for place, (card, tile, field) in enumerate(tiles):

@@ -4,6 +4,7 @@ The strip knows positions and words, but no matrix.
 """
 
 import math
+import re
 from functools import partial
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
@@ -249,7 +250,7 @@ class StageStrip(QWidget, Playing):
             place = -lens.near / lens.far
             value = f"{place:.{digits_apart(place, -1.0, least=3)}g}"
             text = WORDS.say("pyramid").replace("{0}", value)
-        return in_letters(text, lettering.now).replace("-", "−")
+        return re.sub(r"(?<!\w)-", "−", in_letters(text, lettering.now))  # no hyphen of a word
 
     # -- playing
 

@@ -96,12 +96,9 @@ def _wire_components(window: Any) -> None:
         (measure.used, window.manipulation.let_go, window.quality.use),
         (measure.used, lambda: window.panels.open(measure)),  # it stays open
     )
-    for name in ("world", "image"):  # which have no stage after the world's
-        stand = partial(
-            lambda pane, at: pane.request("stage", min(at, 0.0) or None), window.panes[name]
-        )
-        strip.moved.connect(stand)
-    for pane in window.panes.values():
+    for name, pane in window.panes.items():
+        if name != "ndc":  # the others have no stage after the world's
+            strip.moved.connect(lambda at, pane=pane: pane.request("stage", min(at, 0.0) or None))
         window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
         pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:

@@ -44,8 +44,6 @@ from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal
 OF = {"object": FROM_OBJECT, "view": "view_from_world", "projection": "clip_from_view"}
 """The matrices whose factors may be arranged in a picture of their own."""
 _MADE, _VIEWED = (1.0, 0.0, 0.0, 1.0), (1.0, 1.0, -5.0, 1.0)  # the points of worked solutions
-
-
 _MOST = 6  # tiles of a right order, since all their orders are compared
 _IN_LETTERS = QT_TRANSLATE_NOOP(
     "Exam", "Write the letters of the tiles as a product: what stands on the right acts first."
