@@ -6,6 +6,7 @@ picture at `REFERENCE` x `REFERENCE` samples per pixel.
 
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing, contextmanager
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -66,29 +67,26 @@ def measure(
     with ExitStack() as stack:
         finest = Smoothing("", scale=REFERENCE)
         with pane(scene, projection, size, finest) as (draw, read):
-            draw()
-            reference = shown(read(), REFERENCE, size)[..., :3].astype(np.float64)
+            reference = _seen(draw, read, REFERENCE, size)[..., :3].astype(np.float64)
         runs: dict[str, Callable[[], Any]] = {}
         choices = []
         for smoothing, note in pictures():
             draw, read = stack.enter_context(pane(scene, projection, size, smoothing))
-            draw()
-
-            def frame(
-                draw: Callable[[], None] = draw,
-                read: Callable[[], Pixels] = read,
-                scale: float = smoothing.scale,
-            ) -> None:
-                draw()
-                shown(read(), scale, size)
-
-            runs[smoothing.name] = frame
-            difference = shown(read(), smoothing.scale, size)[..., :3] - reference
+            seen = partial(_seen, draw, read, smoothing.scale, size)
+            runs[smoothing.name] = seen
+            difference = seen()[..., :3] - reference
             error, name = float(np.sqrt((difference**2).mean())), smoothing.name
             use, paid = {"smoothing": name}, memory(smoothing)
             choices.append(ChartPoint(name, None, None, error, note=note, use=use, bytes=paid))
         trade = Trade("smoothing", "ms", "levels RMS", tuple(choices), 0)
         return timed(trade, runs, seconds, 1e3, watch)
+
+
+def _seen(
+    draw: Callable[[], None], read: Callable[[], Pixels], scale: float, size: tuple[int, int]
+) -> Pixels:
+    draw()
+    return shown(read(), scale, size)
 
 
 def pictures() -> list[tuple[Smoothing, str]]:

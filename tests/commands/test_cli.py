@@ -910,7 +910,7 @@ def test_a_scene_that_is_given_as_a_file_names_the_option() -> None:
 def test_every_command_opens_a_lesson_by_its_name_as_by_its_file(tmp_path: Path) -> None:
     own = str(CONTENT / "l05-similar-triangles.md")
     points = tmp_path / "points.csv"
-    points.write_text("0,1,0\n")
+    points.write_text("0,1,0\n", encoding="utf-8")
     for words in (
         ["matrices", "FILE"], ["project", "FILE", str(points)], ["lesson", "list", "FILE"],
     ):  # fmt: skip

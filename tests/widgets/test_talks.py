@@ -1266,6 +1266,19 @@ def test_the_equation_of_the_next_step_is_set_ahead(
     assert SET.keys() - made <= {"M ="}, "all but what stands before it"
 
 
+def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
+    window: MainWindow, tmp_path: Path, qtbot: Any
+) -> None:
+    window.present.end()
+    path = tmp_path / "lesson.md"
+    steps = lesson_of("scene=letter-f", "scene=posts").replace("# Step 2", "# Step $q_{27}$")
+    path.write_text(steps.replace("```note\nminutes: 1\n```\n", ""), encoding="utf-8")
+    before = len(drawn_in())
+    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+    qtbot.waitUntil(lambda: any("q_{27}" in formula for formula in SET))
+    assert window.lessons.place == 0 and len(drawn_in()) == before
+
+
 def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: MainWindow) -> None:
     press(window, Qt.Key.Key_Escape)
     go_to(window.lessons, 1)

@@ -284,8 +284,7 @@ class Pane(QFrame):
             self._due = self._due - {"bare"} | {"layers"}
         if self._due & {"detail", "layers"}:
             self._due.add("projection")  # sets the matrices of the faces that are now shown
-        drawing = self.drawing
-        if drawing is None:
+        if (drawing := self.drawing) is None:
             return
         with drawing.layers.placing_once():
             for what, wanted in self.requested.items():

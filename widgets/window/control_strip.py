@@ -95,7 +95,7 @@ class ControlStrip(QFrame):
             self._row.addWidget(row, 1)
             # The layout would show it after the first picture, which would be drawn again.
             is_left_out = row.testAttribute(Qt.WidgetAttribute.WA_WState_ExplicitShowHide)
-            row.setVisible(not (row.isHidden() and is_left_out))
+            row.setHidden(row.isHidden() and is_left_out)
             for part in (row, *row.findChildren(QWidget)):
                 part.installEventFilter(self)
         self._share_out()

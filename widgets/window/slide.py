@@ -86,8 +86,7 @@ class Slide(QWidget):
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
-        # Later, when the panes have their sizes.
-        QTimer.singleShot(0, self.question, self.question.settle)
+        QTimer.singleShot(0, self.question, self.question.settle)  # the panes have their sizes
         self.pen.resize(event.size())
         if self._slots.has_equation:
             self.arrange()

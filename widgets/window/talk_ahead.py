@@ -1,4 +1,4 @@
-"""Prepare the neighbouring steps of a talk while the speaker talks."""
+"""Prepare the neighbouring steps of a talk while the speaker talks, or of a lesson that is read."""
 
 from collections.abc import Iterator
 
@@ -28,24 +28,22 @@ class StepPreparation(QObject):
         super().__init__(parent)
         self._lessons, self._look = lessons, look
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._begin)
         self._slice = QTimer(self, singleShot=True, interval=0)
+        self._rest.timeout.connect(self._slice.start)
         self._slice.timeout.connect(self._go_on)
         self._work: Iterator[None] = iter(())
+        self._draws = False
 
-    def begin_later(self) -> None:
-        """Stop, and begin again for the current step."""
-        self._slice.stop()
+    def begin_later(self, *, draws: bool) -> None:
+        """Stop, and begin again for the current step; only a talk `draws` its pictures ahead."""
+        self._draws, self._work = draws, self._pieces()
+        self._slice.stop() if draws else self.forget()
         self._rest.start()
 
     def forget(self) -> None:
         """Stop, and drop what was prepared."""
         self._slice.stop()
         self._look.forget_ahead()
-
-    def _begin(self) -> None:
-        self._work = self._pieces()
-        self._slice.start()
 
     def _go_on(self) -> None:
         """Do one piece, and schedule the next one for when Qt is idle."""
@@ -80,5 +78,6 @@ class StepPreparation(QObject):
             except Refusal:
                 continue
             yield
-        yield from self._look.draw_ahead(scenes)
-        self.done.emit()
+        if self._draws:
+            yield from self._look.draw_ahead(scenes)
+            self.done.emit()

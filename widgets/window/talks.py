@@ -136,10 +136,7 @@ class Talks(QObject):
         if self.speaker is not None:
             self.speaker.show_step(player, self._band.left_out if self.is_on else "")
         self.see_later()
-        if self.is_on or self.speaker is not None:
-            self._ahead.begin_later()
-        else:
-            self._ahead.forget()
+        self._ahead.begin_later(draws=self.is_on or self.speaker is not None)
 
     @property
     def _screen_px(self) -> float:
