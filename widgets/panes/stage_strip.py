@@ -358,7 +358,8 @@ class StageStrip(QWidget, Playing):
         for stop, button in enumerate(self.stops):
             first, beyond = max(0, 2 * stop - rows + 1), min(halves, 2 * stop + rows + 1)
             self._below.addWidget(button, stop % rows, first, 1, beyond - first)
-            button.show()  # not after the first picture, which would be drawn again
+        for button in self.stops:  # not after the first picture, which would be drawn again
+            button.show()  # which may come back here
 
     @property
     def _longest(self) -> list[str]:
