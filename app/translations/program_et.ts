@@ -8291,7 +8291,7 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     </message>
     <message>
         <source>must have finite numbers after {1}, {0} in all</source>
-        <translation>peab olema lõplikke arve: {0}, pärast {1}</translation>
+        <translation>pärast {1} peab lõplikke arve olema kokku {0}</translation>
     </message>
     <message>
         <source>must have finite real numbers only</source>

@@ -9245,7 +9245,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>The moves of object and camera done from the left: each in the axes that the moves before have moved</source>
-        <translation>Pomicanja objekta i kamere slijeva: svako u osima koje su pomaknula prethodna pomicanja</translation>
+        <translation>Pomicanja objekta i kamere izvedena slijeva: svako u osima koje su pomaknula prethodna pomicanja</translation>
     </message>
     <message>
         <source>The moves of object and camera read from the right: each in fixed axes</source>

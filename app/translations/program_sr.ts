@@ -9725,7 +9725,7 @@ An error in {3} is {2} times as large in u and v.</source>
     </message>
     <message>
         <source>origin</source>
-        <translation>почетак</translation>
+        <translation>координатни почетак</translation>
     </message>
     <message>
         <source>axis</source>
