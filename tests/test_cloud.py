@@ -119,7 +119,7 @@ def test_it_is_told_in_words_and_by_colours_of_its_own() -> None:
         ({"cloud": np.empty((0, 3))}, "cloud: must have 1 to 1000000 points, and 0 were given."),
         ({"cloud": np.zeros((1_000_001, 3))}, "cloud: must have 1 to 1000000 points, and 1000001"),
         ({"cloud": [(0.0, float("nan"), 1.0)]}, "nan"),
-        ({"cloud": [(0.0, 1.0)]}, "points"),
+        ({"cloud": [(0.0, 1.0)]}, r"cloud\.shape = \(1, 2\): must end in 3"),
         ({"cloud": [(1e40, 0, 0), (0, 1, 0)]}, "cloud: the size"),
         ({"cloud": [(1e15, 0.0, 0.0)]}, "cloud: a vertex has the coordinate 1e\\+15"),
         ({"cloud": POINTS, "colours": "red"}, "colours = 'red': must be #rrggbb, or red, green"),
