@@ -308,6 +308,7 @@ def peers(scale: float) -> dict[str, Any]:
     from matplotlib.figure import Figure
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
     from PySide6.QtWidgets import QHBoxLayout, QWidget
+    from pyvista import PolyData
     from pyvistaqt import QtInteractor
 
     app = application()
@@ -326,7 +327,7 @@ def peers(scale: float) -> dict[str, Any]:
             canvas = QtInteractor(beside, auto_update=False, multi_samples=0)
             canvas.setFixedSize(width, height)
             layout.addWidget(canvas)
-            shown.append((canvas, mesh.copy()))
+            shown.append((canvas, PolyData(mesh, deep=True)))
             canvas.add_mesh(shown[-1][1], scalars="rgb", rgb=True, lighting=False)
             if vertices <= 10_000:
                 figure = Figure((width / 100.0, height / 100.0), dpi=100.0)
