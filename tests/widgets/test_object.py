@@ -240,6 +240,21 @@ def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
+def test_what_is_typed_for_a_tile_does_not_move_the_fixed_objects_of_another_scene(
+    window: MainWindow,
+) -> None:
+    editor = build(window, "translate 3,0,0")
+    activate(window)
+    field = editor.cards[0].findChildren(QLineEdit)[0]
+    field.setFocus()
+    field.selectAll()
+    QTest.keyClicks(field, "7")
+    window.store.set_document(Document("clipping", load("clipping").start))
+    settle()
+    assert chain_of(window) == Chain() and window.store.document.scene == "clipping"
+
+
+@pytest.mark.undrawn
 def test_a_tile_is_dragged_to_another_place(window: MainWindow) -> None:
     editor = build(window, "translate 3,0,0; rotate z 90; mirror x")
     drag(editor, 0, 1)

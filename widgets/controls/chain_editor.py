@@ -293,7 +293,7 @@ class ChainEditor(QWidget, RowHolder):
             refuse(sentence(error))
 
     def _adopt(self, chain: Chain) -> None:
-        if chain != self._chain:
+        if chain != self._chain and not self.own.isHidden():  # a fixed object's is no one's to edit
             self.show_chain(chain)
             self.edited.emit(chain)
 
