@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
+from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
@@ -23,11 +24,13 @@ from app.measure import smoothing
 from app.model.projection import FreeMatrix, Orthographic, Perspective
 from app.model.refusal import Refusal
 from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
+from app.scenes import fewer_triangles
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, canvas
+from widgets.panes.adaptive import BETWEEN_MS
 from widgets.panes.pane import REST_MS
 from widgets.parts.number_field import NumberDialog
 from widgets.window.main_window import MainWindow
@@ -574,6 +577,26 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     window.look.adaptive.findChild(QTimer).timeout.emit()  # nothing is asked for just now
     QApplication.processEvents()
     assert found == [True]
+
+
+def test_a_small_scene_is_made_coarser_in_pauses_and_not_in_a_drag(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A hand waits for one version at most."""
+    monkeypatch.setattr(fewer_triangles, "_reduced", WeakKeyDictionary())
+    window.guide.choose("far-plane-popping")
+    scene, pause = window.shown.scene, window.look.adaptive.findChild(QTimer)
+    shares = shares_for_dragging(scene)
+    assert pause.isActive() and pause.interval() == BETWEEN_MS and len(shares) == 3
+    made = []
+    window.store.begin_gesture()
+    step(window, 40.0)
+    for _ in range(5):
+        pause.timeout.emit()
+        made.append(sum(is_made(scene, share) for share in shares))
+        if made == [0]:
+            window.store.end_gesture()
+    assert made == [0, 1, 2, 3, 3]
 
 
 def test_a_pane_hidden_during_the_drag_is_restored_too(
