@@ -260,7 +260,7 @@ class SceneActors:
                 actor.GetMapper().AddClippingPlane(plane)
 
     def __iter__(self) -> Iterator[vtkActor]:
-        return (actor for actor, _ in self.placed)
+        return iter([actor for actor, _ in self.placed])
 
     @property
     def placed(self) -> list[tuple[vtkActor, Space]]:

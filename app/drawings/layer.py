@@ -14,7 +14,7 @@ How a change reaches the screen::
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from typing import Any, ClassVar, NamedTuple
@@ -277,38 +277,45 @@ class Layers:
             if asked:
                 self.place_labels(afresh=any(asked))
 
-    def _all(self, act: Callable[[Layer], object]) -> list[object]:
+    def _all(self) -> tuple[Layer, ...]:
+        """The layers, before they change: no labels rest."""
         self._state.board.rests = False
-        return [act(layer) for layer in self._layers]
+        return self._layers
 
     def show(self) -> None:
-        self._all(lambda layer: layer.show())
+        for layer in self._all():
+            layer.show()
 
     def show_names(self) -> None:
-        self._all(lambda layer: layer.show_names())
+        for layer in self._all():
+            layer.show_names()
         self._state.emphasis.show_names(self._state.names)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        self._all(lambda layer: layer.show_detail(fewer))
+        for layer in self._all():
+            layer.show_detail(fewer)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        return any(self._all(lambda layer: layer.show_highlight(highlighted)))
+        changes = [layer.show_highlight(highlighted) for layer in self._all()]
+        return any(changes)
 
     def follow(self) -> None:
-        self._all(lambda layer: layer.follow())
+        for layer in self._all():
+            layer.follow()
 
     def settle(self) -> None:
-        self._all(lambda layer: layer.settle())
+        for layer in self._all():
+            layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
         """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
-        if not (state.places_labels and state.canvas.is_laid_out) or (
-            at_rest and state.board.rests
-        ):
+        if at_rest and state.board.rests:
             return False
         if self._asked is not None:
             self._asked.append(afresh or at_rest)
+            return False
+        if not (state.places_labels and state.canvas.is_laid_out):
             return False
         ground = self.ground()
         for layer in self._layers:

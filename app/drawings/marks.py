@@ -112,7 +112,7 @@ class MarksDrawing(Layer):
         """
         state, illustration = self._state, self._state.marked
         if illustration is None:
-            if not self.is_empty:
+            if self._now is not None:
                 self._show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
                 self._show_copies(())
             return

@@ -68,8 +68,7 @@ class NearPicture(FacesLayer):
         # From the eye itself the picture covers the scene exactly, and is left out.
         seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
         self.is_seen = bool(seen)
-        for actor in self.actors:
-            state.canvas.set_visible(actor, seen)
+        state.canvas.set_visible(self.is_seen, *self.actors)
         if not seen:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
@@ -156,7 +155,7 @@ def flatten(
     start = max(near, depths[0] - free)
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
     view_from_local, local_from_view = view
-    clip_from_local = matrices_between(projection, start, end)[0] @ view_from_local
+    clip_from_local = projection.matrices_between(start, end)[0] @ view_from_local
     film_end = math.inf if lens.far_may_be_infinite else near + reach
     film = matrices_between(projection, near, film_end)
     film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]

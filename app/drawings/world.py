@@ -232,7 +232,7 @@ class WorldDrawing(Drawing):
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        is_first = self._marks.is_empty and illustration is not None
+        is_first = illustration is not None and self._marks.is_empty
         self.state.take(projection, illustration)
         self.layers.show()
         if is_first and not self.own.was_moved:
