@@ -33,6 +33,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import matplotlib.font_manager  # noqa: F401  (it warns where it reads all fonts, once a machine)
 import psutil
 import shiboken6
 from PySide6 import QtCore, QtGui, QtWidgets
