@@ -13,7 +13,7 @@ from app.scenes.poly_mesh import vtk_points
 
 
 class EyeWalk(Layer):
-    """One line, made when the camera first walks; each walk has equally many points."""
+    """The line along which the eye walks, made at the first walk; all walks have as many points."""
 
     def __init__(self, state: WorldState) -> None:
         self._state = state

@@ -175,8 +175,9 @@ class FrustumDrawing(Layer):
 
     def _show_parts(self, *parts: vtkActor) -> None:
         """Show these actors, and no others."""
+        others = [part for part in self._parts if part not in parts]
         self._canvas.set_visible(True, *parts)
-        self._canvas.set_visible(False, *(part for part in self._parts if part not in parts))
+        self._canvas.set_visible(False, *others)
 
     def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:
@@ -211,13 +212,13 @@ class FrustumDrawing(Layer):
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)
 
     def show_names(self) -> None:
-        """Tint the planes that are not named more palely, from the next `follow` on."""
+        """Tint the planes that are not named more palely, from the next `settle` on."""
         names = self._state.names
         self._quiet = frozenset(
             name for name in self.tints if not any(each in names for each in _NAMED_BY[name])
         )
 
-    def follow(self) -> None:
+    def settle(self) -> None:
         """Tint the planes, less where they would flood the pane, and turn the breaks."""
         state, pane = self._state, self._state.own.pane
         # From the eye the planes cover all of the picture, and one another.

@@ -131,7 +131,7 @@ def size_px(text: str, em: float, **how: bool) -> tuple[int, int]:
 
 
 class LabelText(NamedTuple):
-    """A label as text: its pieces as of `LineLayout`, and where its line of writing begins.
+    """A label as text: its pieces as of `LineLayout`, and where its baseline begins.
 
     `place` is in pixels, counted from the renderer's left and bottom; `turn` is in radians.
     """

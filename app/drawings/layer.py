@@ -5,8 +5,7 @@ How a change reaches the screen::
     PaneState             what the pane shows: projection, names, its own camera
         |
     layer.show()          each layer sets its matrices
-    layer.follow()        sizes and places that depend on the pane's own camera
-    layer.settle()        what depends on the depths that this camera sees
+    layer.settle()        sizes and places that depend on the pane's own camera
     layer.want(), ink()   wishes for names, and what they should not hide; one placing
         |
     one repaint by the caller
@@ -238,11 +237,8 @@ class Layer:
         """Highlight what `Emphasis` does not know; return whether anything has changed."""
         return False
 
-    def follow(self) -> None:
-        """Follow the pane's own camera and its size."""
-
     def settle(self) -> None:
-        """Draw what also depends on the depths that the pane's own camera sees."""
+        """Follow the pane's own camera, its size, and the depths that it sees."""
 
     def want(self, ground: Ground) -> None:
         """Ask for the places of names, and keep labels off points."""
@@ -298,10 +294,6 @@ class Layers:
     def show_highlight(self, highlighted: Highlight) -> bool:
         changes = [layer.show_highlight(highlighted) for layer in self._all()]
         return any(changes)
-
-    def follow(self) -> None:
-        for layer in self._all():
-            layer.follow()
 
     def settle(self) -> None:
         for layer in self._all():

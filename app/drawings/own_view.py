@@ -70,7 +70,7 @@ _AXES = {"side": _SIDE, "top": _TOP, "axis": _FROM_EYE, "eye": _FROM_EYE}
 
 
 class Framed(NamedTuple):
-    """What the pane shows, and from where; scene-local."""
+    """What has to be inside the pane, and from where it is seen; scene-local."""
 
     camera: Camera  # the model's
     eye: Array

@@ -174,7 +174,7 @@ class PaneView(NamedTuple):
 
 
 class Pose(NamedTuple):
-    """Where a pane's own camera stands: what two states of a drawing have between them."""
+    """Where a pane's own camera stands; it can be blended with that of another state."""
 
     focus: Array
     axes: Array  # right, up and toward what is looked at, the rows of a (3, 3)

@@ -349,7 +349,7 @@ class WorldDrawing(Drawing):
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
-        self.layers.follow()
+        self.camera.follow()  # its body has to be within reach
         self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)

@@ -33,6 +33,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import matplotlib.font_manager  # noqa: F401  (it warns where it reads all fonts, once a machine)
 import psutil
 import shiboken6
 from PySide6 import QtCore, QtGui, QtWidgets
@@ -312,10 +313,9 @@ class Hands:
 
     def _move(self, handle: Any, place: QPoint) -> bool:
         """Move the mouse; False if the window is gone, as a menu is while another one opens."""
-        if not shiboken6.isValid(handle):
-            return False
-        QTest.mouseMove(handle, place)
-        return True
+        if shiboken6.isValid(handle):
+            QTest.mouseMove(handle, place)
+        return shiboken6.isValid(handle)
 
     def click(self) -> None:
         (handle, place, what), button, key = self._target(), self._button(), self._modifier()
