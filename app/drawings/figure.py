@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from operator import itemgetter
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -40,8 +40,6 @@ if TYPE_CHECKING:
     from app.drawings.off_screen import Pixels
     from app.drawings.one_pane import PanePicture
     from app.drawings.vectors import Shape
-
-Drawn = TypeVar("Drawn")
 
 ENDINGS = (".png", ".svg", ".pdf", ".tex")
 HIDDEN = ("none", "dashed", "grey")  # what becomes of lines that faces hide
@@ -219,20 +217,15 @@ class Figure:
 
             size, shapes = self.shapes()
             return rastered(shapes, size, self.scale)[..., : 4 if self.transparent else 3]
-        _, whole = self._wide_pixels(_Watch(progress, len(self.panes)), seen)
+        watch = _Watch(progress, len(self.panes))
+        figure, whole = self._as_wide(watch, seen)
+        if figure.scale != self.scale:
+            whole = replace(figure, scale=self.scale)._whole(watch, seen)
         return self._cropped(whole) if self._is_cropped else whole
 
     def boxed(self) -> Figure:
         """Return it in a box in which what is seen is as wide as asked for."""
-        return self._wide_pixels(_Watch(None, len(self.panes)))[0]
-
-    def _wide_pixels(
-        self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
-    ) -> tuple[Figure, Pixels]:
-        return self._as_wide(
-            lambda figure: figure._whole(watch, seen),
-            lambda pixels: float(np.ptp(self._seen(pixels)[0])) / self.scale,
-        )
+        return replace(self._as_wide(_Watch(None, len(self.panes)))[0], scale=self.scale)
 
     @property
     def _is_cropped(self) -> bool:
@@ -259,20 +252,24 @@ class Figure:
         return np.concatenate([whole, titled(line, self.note, style, centred=False)])
 
     def _as_wide(
-        self, draw: Callable[[Figure], Drawn], wide: Callable[[Drawn], float]
-    ) -> tuple[Figure, Drawn]:
-        """Draw it in a box in which what is seen is as wide as asked for; return both."""
-        figure, tries = self, list[tuple[tuple[bool, float], Figure, Drawn]]()
+        self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
+    ) -> tuple[Figure, Pixels]:
+        """Draw it in a box in which what is seen is as wide as asked for; return both.
+
+        The box is the same for all formats, and so it is found with the pixels at scale 1.
+        """
+        if self.width is None or self._has_own_size:
+            return self, self._whole(watch, seen)
+        figure = replace(self, scale=1.0)
+        tries: list[tuple[tuple[bool, float], Figure, Pixels]] = []
         while len(tries) <= _TRIES:
-            drawn = draw(figure)
-            if self.width is None or self._has_own_size:
-                return figure, drawn
-            seen = wide(drawn) or self.width
-            missing = self.width - seen
+            drawn = figure._whole(watch, seen)
+            wide = float(np.ptp(self._seen(drawn)[0])) or self.width
+            missing = self.width - wide
             tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
             if abs(missing) <= _NEAR_PX:
                 break
-            (across, up), larger = figure.full_size.px, self.width / seen
+            (across, up), larger = figure.full_size.px, self.width / wide
             figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
         return min(tries, key=itemgetter(0))[1:]  # what is too wide would be cut
 
@@ -310,10 +307,8 @@ class Figure:
         from app.drawings.vectors import Area, box_of, moved
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
-        _, shapes = self._as_wide(
-            lambda figure: [*figure._whole_shapes(watch)],
-            lambda shapes: float(np.ptp((box_of(shapes, background) or (0.0,) * 4)[::2])),
-        )
+        figure = self if self.width is None or self._has_own_size else self._as_wide(watch)[0]
+        shapes = [*figure._whole_shapes(watch)]
         width, height = self.full_size.px
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:

@@ -131,7 +131,7 @@ def size_px(text: str, em: float, **how: bool) -> tuple[int, int]:
 
 
 class LabelText(NamedTuple):
-    """A label as text: its pieces as of `LineLayout`, and where its line of writing begins.
+    """A label as text: its pieces as of `LineLayout`, and where its baseline begins.
 
     `place` is in pixels, counted from the renderer's left and bottom; `turn` is in radians.
     """
@@ -186,14 +186,14 @@ class SceneLabel:
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self._text, self._tone = with_comma(text), style.tone(colour)
-        self.size_px = size_px(self._text, self.em, **self._how)
+        self.text, self._tone = with_comma(text), style.tone(colour)
+        self.size_px = size_px(self.text, self.em, **self._how)
         """Width and height of the letters without halo."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
-        self._image, self._texture = vtkImageData(), vtkTexture()
-        self._texture.SetInputData(self._image)
-        self._texture.SetColorModeToDirectScalars()
+        self._image, self.texture = vtkImageData(), vtkTexture()
+        self.texture.SetInputData(self._image)
+        self.texture.SetColorModeToDirectScalars()
         self._corners = vtkPoints()
         self._corners.SetNumberOfPoints(4)
         quad = vtkPolyData()
@@ -205,12 +205,8 @@ class SceneLabel:
         self.actor = LabelActor()
         self.actor.label = weakref.ref(self)
         self.actor.SetMapper(mapper)
-        self.actor.SetTexture(self._texture)
+        self.actor.SetTexture(self.texture)
         self._show()
-
-    @property
-    def text(self) -> str:
-        return self._text
 
     @property
     def is_visible(self) -> bool:
@@ -220,8 +216,8 @@ class SceneLabel:
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
         text = with_comma(text)
-        if text != self._text:
-            self._text = text
+        if text != self.text:
+            self.text = text
             self.size_px = size_px(text, self.em, **self._how)
             self._show()
 
@@ -258,22 +254,22 @@ class SceneLabel:
             self._show()
 
     def _show(self) -> None:
-        seen = self._visible and self._shown and bool(self._text)
+        seen = self._visible and self._shown and bool(self.text)
         self.actor.SetVisibility(seen)
         if not seen:
             return
-        wanted = self._text, self._tone, self._underlined
+        wanted = self.text, self._tone, self._underlined
         if wanted != self._drawn:
             self._drawn = wanted
             halo = self._style.background
-            pixels = drawn(self._text, self.em, self._tone, halo, self._underlined, **self._how)
+            pixels = drawn(self.text, self.em, self._tone, halo, self._underlined, **self._how)
             height, width = pixels.shape[:2]
             self._size = width, height
             rows = np.ascontiguousarray(pixels[::-1]).reshape(-1, 4)
             self._image.SetDimensions(width, height, 1)
             self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
         (x, y, turn), (width, height) = self._place, self._size
-        self._texture.SetInterpolate(bool(turn))
+        self.texture.SetInterpolate(bool(turn))
         (wide, high), rim, (to_right, to_top) = self.size_px, rim_px(self.em), self._anchor
         below = height - high - rim  # with the underline
         left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below
@@ -289,7 +285,7 @@ class SceneLabel:
 
     @property
     def written(self) -> LabelText:
-        label = line_of(self._text, **self._how)
+        label = line_of(self.text, **self._how)
         left, low, _, _ = label.box
         (x, y, turn), (to_right, to_top) = self._place, self._anchor
         (wide, high), (cos, sin) = self.size_px, (math.cos(turn), math.sin(turn))
@@ -298,7 +294,7 @@ class SceneLabel:
         place = x + cos * along - sin * up, y + sin * along + cos * up
         widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in label.pieces)
         return LabelText(
-            self._text, label.pieces, widths, place, turn, self.em, self._tone,
+            self.text, label.pieces, widths, place, turn, self.em, self._tone,
             self._style.background, self._opacity * self._light, self._underlined, to_right,
         )  # fmt: skip
 

@@ -215,6 +215,18 @@ def test_no_two_classes_share_a_name() -> None:
     assert {name: places for name, places in homes.items() if len(places) > 1} == {}
 
 
+def test_no_class_knows_everybody() -> None:
+    """A class with more than 35 methods has more than one idea."""
+    large = {
+        node.name
+        for path in SOURCES
+        for node in nodes_of(path.read_text(encoding="utf-8"))
+        if isinstance(node, ast.ClassDef)
+        if sum(isinstance(each, ast.FunctionDef) for each in node.body) > 35
+    }
+    assert large == set()
+
+
 def test_no_name_says_only_that_something_was_found() -> None:
     """A name says what it holds: `match`, `corners`, and never `found`, `outs` or `ways`."""
     vague = {

@@ -8,7 +8,6 @@ are opened. There is one row for each value: the scene's card borrows those that
 scene.
 """
 
-import math
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 from functools import partial
@@ -25,7 +24,7 @@ from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
 from app.model.parameters import DISTANCE, EYE, FOV_X, FX, KIND, TARGET, TILES, parameters
 from app.model.projection import LARGEST, LENSES, Camera, Projection
-from app.model.refusal import REFUSALS, Refusal, shown_limits
+from app.model.refusal import REFUSALS, Refusal
 from widgets.controls.animation import AnimationBar
 from widgets.controls.chain_editor import ChainEditor
 from widgets.controls.dock import ControlTexts, Dock, find
@@ -414,8 +413,8 @@ class Controls(Dock, RowHolder):
     def _connect(self, binding: Binding) -> None:
         row = binding.row
         if isinstance(row, NumberRow):
-            row.limits = partial(self._limits, binding)
-            row.accepts = partial(self._accepts, binding)
+            row.limits = lambda: binding.limits(self._projection)
+            row.accepts = lambda value: binding.accepts(self._projection, value)
         row.edited.connect(partial(self._edit, binding))
         self._join(row)
 
@@ -439,7 +438,7 @@ class Controls(Dock, RowHolder):
                 (-LARGEST,),
             )
             if isinstance(value, float) and abs(value) > LARGEST and general:
-                seen = self._limit(binding, value) or seen
+                seen = binding.limit(before, value) or seen
             binding.row.show_error(sentence(_as_shown(seen, value)))
             # Later, when the layout has made room, and if the error is still there.
             QTimer.singleShot(0, self, partial(self._reveal, binding.row))
@@ -459,37 +458,6 @@ class Controls(Dock, RowHolder):
             bar = self.verticalScrollBar()
             bar.setValue(bar.value() + moved.y())
 
-    def _limit(self, binding: Binding, value: float) -> Refusal | None:
-        """Return the model's limit that an infinite value exceeds, if there is one."""
-        if not self._in_use(binding):
-            return None
-        probe = math.copysign(LARGEST, value)
-        try:
-            binding.parameter.put(self._projection, probe)
-        except Refusal as error:
-            seen = seen_from(binding.field, binding.row.name, probe, error)
-            if seen.field == binding.field and seen.value == probe:
-                return Refusal(seen.field, value, seen.bound, *seen.limits)
-        return None
-
-    def _accepts(self, binding: Binding, value: float) -> bool:
-        if not self._in_use(binding):
-            return False
-        try:
-            binding.parameter.put(self._projection, value)
-        except Refusal:
-            return False
-        return True
-
-    def _limits(self, binding: Binding) -> str:
-        """State the model's limits for a number in this row."""
-        clauses = []
-        for value in (-math.inf, math.inf):
-            error = self._limit(binding, value)
-            if error is not None:
-                clauses.append(translated(error.bound).format(*shown_limits(error.limits, value)))
-        return "; ".join(dict.fromkeys(clauses))
-
     def _adopt(self, projection: Projection) -> None:
         if projection != self._projection:
             self._show(projection)
@@ -506,8 +474,7 @@ class Controls(Dock, RowHolder):
 
     def _in_use(self, binding: Binding) -> bool:
         """Whether the row applies to lens and scene, and no setting of the scene replaces it."""
-        of_lens = not binding.lenses or self._projection.lens.kind in binding.lenses
-        return of_lens and binding.field not in self._replaced
+        return binding.belongs_to(self._projection.lens) and binding.field not in self._replaced
 
     def _show_rows(self) -> None:
         """Show the rows in use, or only the results of a search, with their values."""

@@ -9,14 +9,21 @@ from typing import Any, NamedTuple
 
 from PySide6.QtCore import QCoreApplication, QObject, Signal
 
+from app.model.lenses import Lens
 from app.model.parameter import Computed, Parameter, Part
 from app.model.parameters import KIND, lenses_with, tidy
-from app.model.projection import LENSES, FreeMatrix, Projection
-from app.model.refusal import QT_TRANSLATE_NOOP
+from app.model.projection import LARGEST, LENSES, FreeMatrix, Projection
+from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_limits
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import CheckRow, ChoiceRow, Option, Row
 from widgets.parts.layouts import tool_button
-from widgets.parts.messages import limits_text, of_phenomena, parameter_text, translated
+from widgets.parts.messages import (
+    limits_text,
+    of_phenomena,
+    parameter_text,
+    seen_from,
+    translated,
+)
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
 from widgets.parts.section import Rows
@@ -86,6 +93,42 @@ class Binding(NamedTuple):
     field: str  # the model's name of the value, of a component that of its vector
     memory: TypedMemory | None  # keeps an accepted edit
     lenses: tuple[str, ...]  # kinds of lens that have this value; empty if it depends on no lens
+
+    def belongs_to(self, lens: Lens) -> bool:
+        """Whether the lens has this value."""
+        return not self.lenses or lens.kind in self.lenses
+
+    def accepts(self, projection: Projection, value: float) -> bool:
+        """Whether the lens has this value and the model takes it."""
+        if not self.belongs_to(projection.lens):
+            return False
+        try:
+            self.parameter.put(projection, value)
+        except Refusal:
+            return False
+        return True
+
+    def limit(self, projection: Projection, value: float) -> Refusal | None:
+        """Return the model's limit that an infinite value exceeds, if there is one."""
+        if not self.belongs_to(projection.lens):
+            return None
+        probe = math.copysign(LARGEST, value)
+        try:
+            self.parameter.put(projection, probe)
+        except Refusal as error:
+            seen = seen_from(self.field, self.row.name, probe, error)
+            if seen.field == self.field and seen.value == probe:
+                return Refusal(seen.field, value, seen.bound, *seen.limits)
+        return None
+
+    def limits(self, projection: Projection) -> str:
+        """State the model's limits for a number in this row."""
+        clauses = []
+        for value in (-math.inf, math.inf):
+            error = self.limit(projection, value)
+            if error is not None:
+                clauses.append(translated(error.bound).format(*shown_limits(error.limits, value)))
+        return "; ".join(dict.fromkeys(clauses))
 
 
 def bindings_of(parameter: Parameter, rows: Rows, memory: TypedMemory | None) -> Iterator[Binding]:
