@@ -5,7 +5,6 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
-from weakref import WeakKeyDictionary
 
 import numpy as np
 import pytest
@@ -24,7 +23,6 @@ from app.measure import smoothing
 from app.model.projection import FreeMatrix, Orthographic, Perspective
 from app.model.refusal import Refusal
 from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
-from app.scenes import fewer_triangles
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
@@ -580,11 +578,12 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
 
 
 def test_a_small_scene_is_made_coarser_in_pauses_and_not_in_a_drag(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, tmp_path: Path
 ) -> None:
     """A hand waits for one version at most."""
-    monkeypatch.setattr(fewer_triangles, "_reduced", WeakKeyDictionary())
-    window.guide.choose("far-plane-popping")
+    path = tmp_path / "small.ply"
+    pv.Sphere(theta_resolution=66, phi_resolution=66).save(path)
+    assert window.files.open(path)
     scene, pause = window.shown.scene, window.look.adaptive.findChild(QTimer)
     shares = shares_for_dragging(scene)
     assert pause.isActive() and pause.interval() == BETWEEN_MS and len(shares) == 3
