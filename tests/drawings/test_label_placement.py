@@ -256,3 +256,21 @@ def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_
     x, y = label.centre
     assert x - 4.0 * em == pytest.approx(left) and low < y - em / 2.0, "in the frame"
     assert y + em / 2.0 <= 3.1 * em and label.leader is not None, "in the strip"
+
+
+@pytest.mark.parametrize("has_room", [True, False])
+def test_only_where_its_words_would_cover_something_a_letter_stands_alone(has_room: bool) -> None:
+    spot, whole, letter = (100.0, 100.0), (80.0, 14.0), (10.0, 14.0)
+    ground = Ground(FRAME, EM)
+    if not has_room:
+        held = np.ones(ground.shape, dtype=np.bool_)
+        held[int(85 / 5) : int(125 / 5), int(75 / 5) : int(125 / 5)] = False
+        ground.ink(held)
+    short = letter, partial(around, spot, letter, EM)
+    wanted = Wish("n", whole, [spot], partial(around, spot, whole, EM), 0.0, short)
+    placed = place([wanted], ground)
+    assert placed["n"].kept.brief != has_room
+    box = box_of(placed["n"], whole if has_room else letter)
+    assert ground.hidden(np.array([box])) == 0.0
+    kept = place([wanted], Ground(FRAME, EM), {"n": placed["n"].kept})
+    assert kept["n"].kept == placed["n"].kept, "it keeps its form while something moves"
