@@ -1,4 +1,4 @@
-"""Actors under one 4x4, for all drawings.
+"""VTK actors whose place is one 4x4 matrix, for all drawings.
 
 A slider step reaches the screen without any work per vertex::
 
@@ -260,7 +260,7 @@ class SceneActors:
                 actor.GetMapper().AddClippingPlane(plane)
 
     def __iter__(self) -> Iterator[vtkActor]:
-        return (actor for actor, _ in self.placed)
+        return iter([actor for actor, _ in self.placed])
 
     @property
     def placed(self) -> list[tuple[vtkActor, Space]]:

@@ -1,10 +1,10 @@
-"""Pictures that are made of several: of a lens with an opening, and of two eyes.
+"""Pictures that are made of several: through the opening of a lens, or with two eyes.
 
 Every point of the opening sees a picture of its own. All have the focused plane as their common
 window, and so their average is sharp there and blurred elsewhere, as on the film of a camera. The
 pictures are drawn one by one in a window of their own, which is on no screen. After any of them
-the average can be shown: it becomes finer with each. Those of two eyes are put
-together, and averaged only to smooth their edges.
+the average can be shown: it becomes finer with each. Those of two eyes are put together, and
+averaged only to smooth their edges.
 """
 
 import math

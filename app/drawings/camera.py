@@ -135,10 +135,8 @@ class CameraDrawing(Layer):
 
     def _show_parts(self) -> None:
         for axis, shaft in self.shafts.items():
-            for actor in (shaft, self._heads[axis]):
-                self._canvas.set_visible(actor, self._shows(axis))
-        for actor in (*self._target_parts, self._sight):
-            self._canvas.set_visible(actor, self.shows_target)
+            self._canvas.set_visible(self._shows(axis), shaft, self._heads[axis])
+        self._canvas.set_visible(self.shows_target, *self._target_parts, self._sight)
 
     def _shows(self, axis: str) -> bool:
         step = self._state.step
@@ -203,14 +201,13 @@ class CameraDrawing(Layer):
         state = self._state
         pane, standing, near = state.own.pane, state.standing, state.own.depths[0]
         eye, target = standing.eye, standing.target
-        for space, point, on_top in (
-            (self._eye_space, eye, 1.01),
-            (self._target_space, target, 1.02),
-            (self._rim_space, target, 1.03),
-        ):
-            space.place(*pane.moved_forward(point, on_top * near))
-        k, at = pane.moved_forward(eye, max(near, self._eye_depth - 2.8 * self.axes_size))
-        pane_from_axes = _scaled(standing.local_from_view, k * self.axes_size)
+        size = self.axes_size
+        depths = 1.01 * near, 1.02 * near, 1.03 * near, max(near, self._eye_depth - 2.8 * size)
+        *places, (k, at) = map(pane.moved_forward, (eye, target, target, eye), depths)
+        spaces = self._eye_space, self._target_space, self._rim_space
+        for space, place in zip(spaces, places, strict=True):
+            space.place(*place)
+        pane_from_axes = _scaled(standing.local_from_view, k * size)
         pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)
         if state.step is not None and self.steps is not None:
@@ -241,8 +238,9 @@ class CameraDrawing(Layer):
         if depth.min() > 0.0:
             line = _LINE_EM * state.em
             ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
+        named = state.named_points("eye", "target")
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
-            if state.names_point(name):
+            if name in named:
                 if spot[2] > 0.0:
                     ground.keep([spot], DOT_EM * state.em)
                 board.want_beside(name, spot, rank, (0.0, -1.0))

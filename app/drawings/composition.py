@@ -63,7 +63,7 @@ class PlacedText(NamedTuple):
 
 
 class ComposedPicture(NamedTuple):
-    """A picture of a pane."""
+    """One pane's picture: its labels, its points, and how well it fills the pane."""
 
     pane: str
     size_px: tuple[int, int]

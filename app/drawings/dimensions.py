@@ -61,7 +61,7 @@ class Dimensions(Layer):
         self._sentences = [canvas.label("", anchor=(-1, -1), plain=True) for _ in range(_LINES)]
         self._is_made = True
 
-    def follow(self) -> None:
+    def settle(self) -> None:
         """Hide everything in the free view."""
         if self._is_shown and not self._state.own.fixed:
             self._is_shown = False

@@ -1,4 +1,4 @@
-"""The interface of the three drawings, for panes, figures and the hand."""
+"""The interface of the three drawings, for panes, figures, mouse and keyboard."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ class Rectangle(NamedTuple):
 
 
 class Taken(NamedTuple):
-    """What the pointer takes: a handle, the world point (3,) that it grabs, and what lights up."""
+    """What the pointer takes: a handle, the world point (3,) grabbed, and what is highlighted."""
 
     handle: Handle
     point: Array

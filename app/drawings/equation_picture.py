@@ -31,7 +31,7 @@ class _EquationPart(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class EquationPicture:
-    """The equation of a view; `size` in pixels, of which 0 is as much as it needs."""
+    """The equation of a view; `size` is in pixels, and a side of 0 becomes as long as it needs."""
 
     document: Document
     style: Style

@@ -13,7 +13,7 @@ from app.scenes.poly_mesh import vtk_points
 
 
 class EyeWalk(Layer):
-    """One line, made when the camera first walks; each walk has equally many points."""
+    """The line along which the eye walks, made at the first walk; all walks have as many points."""
 
     def __init__(self, state: WorldState) -> None:
         self._state = state
@@ -29,7 +29,7 @@ class EyeWalk(Layer):
             self._line = line_actor(self._points, ends, state.style.muted, state.style.line_width)
             state.canvas.add(self._line, layer="camera")
         if self._line is not None:
-            state.canvas.set_visible(self._line, len(eyes) > 0)
+            state.canvas.set_visible(len(eyes) > 0, self._line)
             if len(eyes):
                 mesh = self._line.GetMapper().GetInput()
                 mesh.SetPoints(vtk_points(self._points.astype(np.float32)))

@@ -38,7 +38,7 @@ _FADING = 2  # frames in which a label fades, on each side of a change
 
 
 class Wanted(NamedTuple):
-    """What the labels of one frame want, with their candidates, and what they must not hide."""
+    """The wishes of one frame's labels, each with its candidates, and what they must not hide."""
 
     wishes: Sequence[tuple[Wish, Places]]
     ground: Ground

@@ -66,11 +66,10 @@ class FrameSteps:
     def show(self, step: int | None) -> None:
         """Show the arrows up to a step, 0 to ``len(STEPS) - 1``; nothing for None."""
         for name, made in self._shown_from.items():
-            for actor in made:
-                self._canvas.set_visible(actor, is_built(name, step))
+            self._canvas.set_visible(is_built(name, step), *made)
         marked = () if step is None else _RIGHT_ANGLES.get(STEPS[step], ())
         for name, square in self._squares.items():
-            self._canvas.set_visible(square, name in marked)
+            self._canvas.set_visible(name in marked, square)
 
     def place(self, pane_from_body: Array, camera: Camera) -> None:
         """Stand at the camera; (4, 4), from view space in sizes of the camera's body."""

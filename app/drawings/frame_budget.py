@@ -35,7 +35,7 @@ class FrameBudget:
     """Chooses a level frame by frame.
 
     `levels` run from the finest to the coarsest; `target_ms` is 0 for no limit; `first` is the
-    level of the first frame.
+    level of the first frame. `is_late` if even the coarsest level exceeds the target.
     """
 
     def __init__(self, levels: Sequence[FrameQuality], target_ms: float, first: int = 0) -> None:
@@ -46,6 +46,7 @@ class FrameBudget:
         self._recent: deque[float] = deque(maxlen=_WINDOW)
         self._known: dict[int, tuple[float, int]] = {}
         self._is_new = first > 0
+        self.is_late = False
 
     @property
     def level(self) -> FrameQuality:
@@ -55,13 +56,6 @@ class FrameBudget:
     def frame_ms(self) -> float:
         """The time that nearly all frames of this level stay below; 0 before the first one."""
         return self._high() if self._recent else 0.0
-
-    @property
-    def is_late(self) -> bool:
-        """Whether even the coarsest level exceeds the target."""
-        coarsest = self._now == len(self._levels) - 1
-        known = len(self._recent) >= _FRAMES_TO_JUDGE
-        return coarsest and known and 0.0 < self.target_ms < self.frame_ms
 
     def frame(self, ms: float) -> None:
         """Record how long a frame of the present level took, and choose the next one's level."""
@@ -86,6 +80,8 @@ class FrameBudget:
             and self._expected(self._now - 1) <= _ROOM * self.target_ms
         ):
             self._go(self._now - 1)
+        is_coarsest, known = self._now == len(self._levels) - 1, len(self._recent)
+        self.is_late = is_coarsest and known >= _FRAMES_TO_JUDGE and high > self.target_ms
 
     def _high(self) -> float:
         ordered = sorted(self._recent)

@@ -93,7 +93,7 @@ class FrustumDrawing(Layer):
         )
         self.apex_space.add(self.apex)
         self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {end: [] for end in ENDS}
-        self._break_ends: dict[str, Array] = {}
+        self._break_ends: dict[str, Array] = {}  # of the edges before a plane that are broken
         for broken_edges in self.breaks.values():
             for _ in range(4):
                 edge = actors.line_actor(*_broken_edge(), style.frustum, width)
@@ -102,7 +102,8 @@ class FrustumDrawing(Layer):
         broken = [edge for edges in self.breaks.values() for _, edge in edges]
         lines = near_line, far_line, self._body, self.apex, *broken
         self.dimmable = *lines, walls
-        self._canvas.add(*lines, far_face, walls, near_face, layer="frustum")
+        self._parts = *lines, far_face, walls, near_face
+        self._canvas.add(*self._parts, layer="frustum")
         self._make_emphasis(broken)
 
     def _make_emphasis(self, broken: list[vtkActor]) -> None:
@@ -113,7 +114,10 @@ class FrustumDrawing(Layer):
         emphasis.line(self.apex, "fov", of=_VOLUME)
         for line in (self._body, *broken):
             emphasis.line(line, of=_VOLUME)
+        self._measured = dict[str, str]()  # what stands before a plane's distance
         for name in ENDS:
+            letter = state.words.get(f"{{{name}_distance}}", name)
+            self._measured[name] = f"{state.words[name]} {letter} = "
             label = state.board.label(name, state.words[name], getattr(state.style, name))
             emphasis.label(label, name)
         for letter, side in WINDOW.items():
@@ -122,6 +126,7 @@ class FrustumDrawing(Layer):
     def show(self) -> None:
         state = self._state
         depths = self._depths_of(state.projection.lens, state.standing)
+        self._break_ends = {}
         if depths is None:
             state.volume = self._show_whole(state.projection, state.standing)
         else:
@@ -130,11 +135,7 @@ class FrustumDrawing(Layer):
     def _show_whole(self, projection: Projection, standing: CameraPose) -> DrawnVolume:
         """Draw the cube under the inverse of a free matrix; nothing if it has none."""
         exists, corners = projection.frustum_sign != 0, np.tile(standing.eye, (8, 1))
-        for actor in (*self._volume, self._body):
-            self._canvas.set_visible(actor, exists)
-        self._canvas.set_visible(self.apex, False)
-        for name in self.breaks:
-            self._break(name, None)
+        self._show_parts(*((*self._volume, self._body) if exists else ()))
         if exists:
             reversed_range = projection.with_depth("reversed")
             local_from_cube = reversed_range.world_from_clip_at(self._state.origin)
@@ -149,36 +150,34 @@ class FrustumDrawing(Layer):
     ) -> DrawnVolume:
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
-        for actor in self._volume:
-            self._canvas.set_visible(actor, True)
+        parts = [*self._volume]
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
         self.space.set(frustum)
         start, end = reach.body
-        self._canvas.set_visible(self._body, start < end)
         if start < end:
+            parts.append(self._body)
             self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
         for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
-            ends = None
             if broken is not None:
-                ends = applied(frustum @ _cube_from_part(view_from_cube, *broken), CUBE)
-            self._break(name, ends)
-        self._canvas.set_visible(self.apex, lens.central)
+                cut = frustum @ _cube_from_part(view_from_cube, *broken)
+                self._break_ends[name] = applied(cut, CUBE)
+                parts += [edge for _, edge in self.breaks[name]]
         if lens.central:
+            parts.append(self.apex)
             base = frustum
             if reach.near_break is not None:
                 _, view_from_cube = matrices_between(projection, *reach.near_break)
                 base = normalised(local_from_view @ view_from_cube)
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        self._show_parts(*parts)
         return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
 
-    def _break(self, name: str, ends: Array | None) -> None:
-        """Break the edges before a plane between these corners, (8, 3); None for no break."""
-        for _, edge in self.breaks[name]:
-            self._canvas.set_visible(edge, ends is not None)
-        self._break_ends.pop(name, None)
-        if ends is not None:
-            self._break_ends[name] = ends
+    def _show_parts(self, *parts: vtkActor) -> None:
+        """Show these actors, and no others."""
+        others = [part for part in self._parts if part not in parts]
+        self._canvas.set_visible(True, *parts)
+        self._canvas.set_visible(False, *others)
 
     def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:
@@ -213,13 +212,13 @@ class FrustumDrawing(Layer):
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)
 
     def show_names(self) -> None:
-        """Tint the planes that are not named more palely, from the next `follow` on."""
+        """Tint the planes that are not named more palely, from the next `settle` on."""
         names = self._state.names
         self._quiet = frozenset(
             name for name in self.tints if not any(each in names for each in _NAMED_BY[name])
         )
 
-    def follow(self) -> None:
+    def settle(self) -> None:
         """Tint the planes, less where they would flood the pane, and turn the breaks."""
         state, pane = self._state, self._state.own.pane
         # From the eye the planes cover all of the picture, and one another.
@@ -268,14 +267,13 @@ class FrustumDrawing(Layer):
         if corners is None:
             return
         digits, body = 0 if planes is None else digits_apart(*planes), state.seen(corners)
-        faces = slice(4), slice(4, 8)
+        faces, named = (slice(4), slice(4, 8)), state.named_points(*ENDS)
         for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
-            if not state.names_point(name):
+            if name not in named:
                 continue
             text = state.words[name]
             if distance is not None:
-                letter = state.words.get(f"{{{name}_distance}}", name)
-                text = f"{text} {letter} = {written_distance(distance, digits)}"
+                text = self._measured[name] + written_distance(distance, digits)
             state.board.label(name).set_text(text)
             covered = partial(state.own.pane.covered, corners[face])
             want_plane(state.board, ground, name, body[face], body, covered)

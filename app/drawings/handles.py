@@ -78,6 +78,8 @@ class HandleMarks(Handles, Layer):
         self.held = None
         self.called = frozenset[str]()
         self.shown = []
+        self.drawn = dict[Handle, Spot]()
+        """The handles that are marked, each with its place in the renderer."""
         self._at_rest: tuple[Sequence[Handle], frozenset[Handle]] = (), frozenset()
         self._last: tuple[Spot, Taken | None] | None = None
         """The pixel that was asked for last, and what is there."""
@@ -125,17 +127,7 @@ class HandleMarks(Handles, Layer):
 
     def want(self, ground: Ground) -> None:
         """Keep labels off the marks that are drawn."""
-        ground.keep(self.drawn().values(), DOT_EM * self._state.em)
-
-    def drawn(self) -> dict[Handle, Spot]:
-        """Return the handles that are marked, each with its place in the renderer."""
-        every, wanted = self._state.names.all, {self.held, *self._at_rest[1]}
-        drawn = {
-            handle: spot
-            for handle, spot in self.shown
-            if every or handle in wanted or {handle.name, handle.setting} & self.called
-        }
-        return dict(zip(drawn, self._in_renderer(*drawn.values()), strict=True))
+        ground.keep(self.drawn.values(), DOT_EM * self._state.em)
 
     def _in_renderer(self, *spots: Spot) -> list[Spot]:
         (left, top), height = self._state.corner_px, self._state.size_px[1]
@@ -147,9 +139,16 @@ class HandleMarks(Handles, Layer):
         listed = [handle for handle, _ in self.shown]
         if listed != self._at_rest[0]:
             self._at_rest = listed, self._resting(listed)
+        every, wanted = self._state.names.all, {self.held, *self._at_rest[1]}
+        drawn = {
+            handle: spot
+            for handle, spot in self.shown
+            if every or handle in wanted or {handle.name, handle.setting} & self.called
+        }
+        self.drawn = dict(zip(drawn, self._in_renderer(*drawn.values()), strict=True))
         self._places[..., :2] = _AWAY_PX
         ring = _bytes(self._style.background)
-        for i, (handle, spot) in enumerate(self.drawn().items()):
+        for i, (handle, spot) in enumerate(self.drawn.items()):
             if not math.isfinite(sum(spot)):
                 continue
             out = handle == self.held

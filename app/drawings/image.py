@@ -87,8 +87,8 @@ class SceneInPicture(Layer):
             self._moved.show(None if illustration is None else illustration.vertices)
 
     def _rasterise(self, seen: Projection) -> None:
-        state, placed = self._state, self.model.actors.placed
-        if not self._rasterised or not placed:
+        state = self._state
+        if not self._rasterised or not (placed := self.model.actors.placed):
             return
         if self._rasteriser is None:
             first, *others = placed

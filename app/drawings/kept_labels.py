@@ -1,4 +1,4 @@
-"""Labels that stay set between runs, because to start matplotlib takes a sixth of a window's start.
+"""Labels kept between runs: to load matplotlib would take a sixth of the time of a window's start.
 
 Those of the letter F come with the program; ``python3 -m tests.pictures --labels`` makes their
 files, of which a language's has only what English has not. The user's own file keeps those of other

@@ -133,7 +133,7 @@ def size_px(text: str, em: float, **how: bool) -> tuple[int, int]:
 
 
 class LabelText(NamedTuple):
-    """A label as text: its pieces as of `LineLayout`, and where its line of writing begins.
+    """A label as text: its pieces as of `LineLayout`, and where its baseline begins.
 
     `place` is in pixels, counted from the renderer's left and bottom; `turn` is in radians.
     """
@@ -193,9 +193,9 @@ class SceneLabel:
         """Width and height of the letters without halo, of the whole text."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
-        self._image, self._texture = vtkImageData(), vtkTexture()
-        self._texture.SetInputData(self._image)
-        self._texture.SetColorModeToDirectScalars()
+        self._image, self.texture = vtkImageData(), vtkTexture()
+        self.texture.SetInputData(self._image)
+        self.texture.SetColorModeToDirectScalars()
         self._corners = vtkPoints()
         self._corners.SetNumberOfPoints(4)
         quad = vtkPolyData()
@@ -207,7 +207,7 @@ class SceneLabel:
         self.actor = LabelActor()
         self.actor.label = weakref.ref(self)
         self.actor.SetMapper(mapper)
-        self.actor.SetTexture(self._texture)
+        self.actor.SetTexture(self.texture)
         self._show()
 
     @property
@@ -279,7 +279,7 @@ class SceneLabel:
             self._show()
 
     def _show(self) -> None:
-        seen = self._visible and self._shown and bool(self._text)
+        seen = self._visible and self._shown and bool(self.text)
         self.actor.SetVisibility(seen)
         if not seen:
             return
@@ -294,7 +294,7 @@ class SceneLabel:
             self._image.SetDimensions(width, height, 1)
             self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
         (x, y, turn), (width, height) = self._place, self._size
-        self._texture.SetInterpolate(bool(turn))
+        self.texture.SetInterpolate(bool(turn))
         (wide, high), rim, (to_right, to_top) = self._shown_px, rim_px(self.em), self._anchor
         below = height - high - rim  # with the underline
         left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below

@@ -161,7 +161,7 @@ class Board:
             for key in self._fades:
                 self._fade(key, 1.0)
             self._fades = {}
-        texts = [(self.label(wish.key).text, wish) for wish in self._wishes]
+        texts = [(self._labels[wish.key][0].text, wish) for wish in self._wishes]
         self.left_out = [text for text, wish in texts if wish.key not in placed]
         self.points = [(text, wish.spots[0]) for text, wish in texts if len(wish.spots) == 1]
         self._wishes = []
@@ -334,7 +334,7 @@ class ScreenLines:
 
     def end(self) -> None:
         self._cells.changed()
-        self._canvas.set_visible(self.actor, self.used > 0)
+        self._canvas.set_visible(self.used > 0, self.actor)
 
 
 def vector(word: str) -> str:

@@ -5,8 +5,7 @@ How a change reaches the screen::
     PaneState             what the pane shows: projection, names, its own camera
         |
     layer.show()          each layer sets its matrices
-    layer.follow()        sizes and places that depend on the pane's own camera
-    layer.settle()        what depends on the depths that this camera sees
+    layer.settle()        sizes and places that depend on the pane's own camera
     layer.want(), ink()   wishes for names, and what they should not hide; one placing
         |
     one repaint by the caller
@@ -14,7 +13,7 @@ How a change reaches the screen::
 
 import math
 from abc import abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
 from typing import Any, ClassVar, NamedTuple
@@ -238,11 +237,8 @@ class Layer:
         """Highlight what `Emphasis` does not know; return whether anything has changed."""
         return False
 
-    def follow(self) -> None:
-        """Follow the pane's own camera and its size."""
-
     def settle(self) -> None:
-        """Draw what also depends on the depths that the pane's own camera sees."""
+        """Follow the pane's own camera, its size, and the depths that it sees."""
 
     def want(self, ground: Ground) -> None:
         """Ask for the places of names, and keep labels off points."""
@@ -277,38 +273,41 @@ class Layers:
             if asked:
                 self.place_labels(afresh=any(asked))
 
-    def _all(self, act: Callable[[Layer], object]) -> list[object]:
+    def _all(self) -> tuple[Layer, ...]:
+        """The layers, before they change: no labels rest."""
         self._state.board.rests = False
-        return [act(layer) for layer in self._layers]
+        return self._layers
 
     def show(self) -> None:
-        self._all(lambda layer: layer.show())
+        for layer in self._all():
+            layer.show()
 
     def show_names(self) -> None:
-        self._all(lambda layer: layer.show_names())
+        for layer in self._all():
+            layer.show_names()
         self._state.emphasis.show_names(self._state.names)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        self._all(lambda layer: layer.show_detail(fewer))
+        for layer in self._all():
+            layer.show_detail(fewer)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        return any(self._all(lambda layer: layer.show_highlight(highlighted)))
-
-    def follow(self) -> None:
-        self._all(lambda layer: layer.follow())
+        changes = [layer.show_highlight(highlighted) for layer in self._all()]
+        return any(changes)
 
     def settle(self) -> None:
-        self._all(lambda layer: layer.settle())
+        for layer in self._all():
+            layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
         """Place the labels, unless a layout will; return whether one has changed its place."""
         state = self._state
-        if not (state.places_labels and state.canvas.is_laid_out) or (
-            at_rest and state.board.rests
-        ):
+        if at_rest and state.board.rests:
             return False
         if self._asked is not None:
             self._asked.append(afresh or at_rest)
+            return False
+        if not (state.places_labels and state.canvas.is_laid_out):
             return False
         ground = self.ground()
         for layer in self._layers:

@@ -112,13 +112,13 @@ class MarksDrawing(Layer):
         """
         state, illustration = self._state, self._state.marked
         if illustration is None:
-            if not self.is_empty:
+            if self._now is not None:
                 self._show(Marks(), Placing(np.ones(3), np.zeros(3), 1.0))
                 self._show_copies(())
             return
         self._show(getattr(illustration, state.pane), state.placing())
         self._show_copies([copy for copy in illustration.copies if state.pane in copy.panes])
-        self.follow()
+        self.settle()
 
     def _show(self, marks: Marks, placing: Placing) -> None:
         self._now = marks, placing
@@ -302,7 +302,7 @@ class MarksDrawing(Layer):
     # -- copies
 
     def _show_copies(self, copies: Sequence[Copy]) -> None:
-        """Draw these copies, and no others; `follow` places them."""
+        """Draw these copies, and no others; `settle` places them."""
         while len(self._copies) < len(copies):
             self._copies.append(_CopyActors())
         self._shown = []
@@ -319,7 +319,7 @@ class MarksDrawing(Layer):
         for actors in self._copies[len(copies) :]:
             self._dress(actors, None)
 
-    def follow(self) -> None:
+    def settle(self) -> None:
         if self._shown:
             pane_from_local = self._state.copies_from_local(COPY_LIFT)
             for actors, local_from_local in self._shown:

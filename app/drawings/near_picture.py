@@ -39,9 +39,10 @@ class NearPicture(FacesLayer):
     def __init__(self, state: WorldState) -> None:
         self._planes = [vtkPlane() for _ in range(6)]
         drawn = actors.SceneActors(state.scene, state.style, self._planes, in_plane=True)
-        for actor in drawn:
+        self._drawn = list(drawn)
+        for actor in self._drawn:
             actors.flat(actor).is_drawing = True
-        state.canvas.add(*drawn, layer="near-picture")
+        state.canvas.add(*self._drawn, layer="near-picture")
         super().__init__(state, drawn, "projected")
         self.space, *self._line_spaces, self._ground_space = drawn.spaces
         self.is_seen = False
@@ -68,8 +69,7 @@ class NearPicture(FacesLayer):
         # From the eye itself the picture covers the scene exactly, and is left out.
         seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
         self.is_seen = bool(seen)
-        for actor in self.actors:
-            state.canvas.set_visible(actor, seen)
+        state.canvas.set_visible(self.is_seen, *self._drawn)
         if not seen:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
@@ -109,7 +109,7 @@ class NearPicture(FacesLayer):
 
 
 class Film(NamedTuple):
-    """The picture on the near plane, as matrices local from local."""
+    """How the scene becomes its picture on the near plane: matrices within scene-local space."""
 
     surface: Array  # from the scene to its picture
     lines: Array  # the same, a little in front
@@ -156,7 +156,7 @@ def flatten(
     start = max(near, depths[0] - free)
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
     view_from_local, local_from_view = view
-    clip_from_local = matrices_between(projection, start, end)[0] @ view_from_local
+    clip_from_local = projection.matrices_between(start, end)[0] @ view_from_local
     film_end = math.inf if lens.far_may_be_infinite else near + reach
     film = matrices_between(projection, near, film_end)
     film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]

@@ -53,8 +53,7 @@ def nearest_place(sights: Iterable[tuple[Array, Array]], least: float) -> Array:
     return np.append(middle, back)
 
 
-_VIEW_ANGLE_DEG = 50.0
-_HALF = math.tan(math.radians(_VIEW_ANGLE_DEG / 2.0))
+_HALF = math.tan(math.radians(25.0))  # slope of the free view
 _MARGIN, _LABEL_EM = 0.04, 1.3  # on each side: of the pane, and for labels
 _SMALL_MARGIN = 1.0 / 24.0  # of a small pane: labels get no more of it
 _MOST_BESIDE = 0.5  # of the height: title, rows of lengths and margins together take no more
@@ -71,7 +70,7 @@ _AXES = {"side": _SIDE, "top": _TOP, "axis": _FROM_EYE, "eye": _FROM_EYE}
 
 
 class Framed(NamedTuple):
-    """What the pane shows, and from where; scene-local."""
+    """What has to be inside the pane, and from where it is seen; scene-local."""
 
     camera: Camera  # the model's
     eye: Array
@@ -152,8 +151,7 @@ class OwnView(PaneCamera):
         return self._now != before
 
     def _stand_freely(self, *place: Any) -> None:
-        self._camera.SetParallelProjection(False)
-        self._camera.SetViewAngle(_VIEW_ANGLE_DEG)
+        self._look_through(_HALF)
         self._stand_at(*place)
 
     def _shot_axes(self, shot: Shot) -> Array:
@@ -224,17 +222,14 @@ class OwnView(PaneCamera):
     # -- fixed views
 
     def follow(self, framed: Framed) -> None:
-        axes, camera = _AXES[self.fixed] @ framed.camera.frame, self._camera
+        axes = _AXES[self.fixed] @ framed.camera.frame
         if self._fixed_at is None:
             self._fixed_at = self._fix(axes, framed)
         offset, half_height = self._fixed_at
         position = framed.eye + offset @ axes
         away = max(-float(offset[2]), framed.camera.distance)
-        camera.SetParallelProjection(self.fixed != "eye" or not framed.has_eye)
-        if camera.GetParallelProjection():
-            camera.SetParallelScale(half_height)
-        else:
-            camera.SetViewAngle(2.0 * math.degrees(math.atan(half_height)))
+        from_eye = self.fixed == "eye" and framed.has_eye
+        self._look_through(half_height if from_eye else 0.0, half_height)
         self._stand_at(position, position + away * axes[2], axes[1])
         self._placed = self._now
 

@@ -48,7 +48,7 @@ _SCRIPT = (_CONTENT / "page.js").read_text("utf-8")
 
 
 class PagePane(NamedTuple):
-    """A pane's shapes, its size in pixels, and the sentence that says what it is."""
+    """A pane's size in pixels, its shapes, and the sentence that describes them."""
 
     size: tuple[float, float]
     shapes: Sequence[Shape]

@@ -174,7 +174,7 @@ class PaneView(NamedTuple):
 
 
 class Pose(NamedTuple):
-    """Where a pane's own camera stands: what two states of a drawing have between them."""
+    """Where a pane's own camera stands; it can be blended with that of another state."""
 
     focus: Array
     axes: Array  # right, up and toward what is looked at, the rows of a (3, 3)
@@ -279,13 +279,17 @@ class PaneCamera:
     def glide(self, part: float) -> None:
         """Go to a part of the way from the start to where the camera stands now."""
         pose = self._glide_from.towards(self.pose, part)
-        self._camera.SetParallelProjection(not pose.slope)
-        if pose.slope:
-            self._camera.SetViewAngle(2.0 * math.degrees(math.atan(pose.slope)))
-        else:
-            self._camera.SetParallelScale(pose.half_height)
+        self._look_through(pose.slope, pose.half_height)
         self._stand_at(pose.focus - pose.distance * pose.axes[2], pose.focus, pose.axes[1])
         self._placed = self._now
+
+    def _look_through(self, slope: float, half_height: float = 0.0) -> None:
+        """See as steeply as `slope`; if that is 0, by parallel rays, half of this height."""
+        self._camera.SetParallelProjection(not slope)
+        if slope:
+            self._camera.SetViewAngle(2.0 * math.degrees(math.atan(slope)))
+        else:
+            self._camera.SetParallelScale(half_height)
 
     def _stand_at(self, position: Array, focus: Array, up: ArrayLike = (0.0, 1.0, 0.0)) -> None:
         self._camera.SetPosition(*position)

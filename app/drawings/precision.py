@@ -128,7 +128,8 @@ class ModelActors:
     def show_picture(self, projection: Projection) -> None:
         """Show the picture of `show_projection`, with dots and lines lifted before the faces."""
         matrices = self.show_projection(projection)
-        forward = {id(matrix): lifted(matrix, projection, self._scene) for matrix in matrices[1:]}
+        forward = {id(matrix): matrix for matrix in matrices[1:]}  # often one matrix for all
+        forward = {key: lifted(each, projection, self._scene) for key, each in forward.items()}
         self.actors.place([matrices[0], *(forward[id(matrix)] for matrix in matrices[1:])])
 
     def show_placed(self, placement: Chain) -> Array:

@@ -61,10 +61,11 @@ class PropGroup:
                 self._layers[prop] = layer
                 prop.SetVisibility(layer not in self.hidden)
 
-    def set_visible(self, prop: vtkProp, visible: bool) -> None:
-        """Show a prop of a layer, unless the layer is hidden; or hide the prop."""
-        (self._unwanted.discard if visible else self._unwanted.add)(prop)
-        prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
+    def set_visible(self, visible: bool, *props: vtkProp) -> None:
+        """Show props of layers, unless the layer is hidden; or hide them."""
+        (self._unwanted.difference_update if visible else self._unwanted.update)(props)
+        for prop in props:
+            prop.SetVisibility(visible and self._layers[prop] not in self.hidden)
 
     def show_layers(self, hidden: frozenset[str]) -> None:
         self.hidden = hidden

@@ -301,8 +301,7 @@ class StageBox(Layer):
                 if morph.projection.has_camera:
                     self._camera_at = start + BODY * BODY_BOX @ axes
             starts = inner = np.tile(start, (3, 1))
-        for part in self._body:
-            self._canvas.set_visible(part, len(self._camera_at) > 0)
+        self._canvas.set_visible(len(self._camera_at) > 0, *self._body)
         moves = position < VIEW and (morph.projection.has_camera or position == WORLD)
         origin = np.tile(morph.origin_at(position) if moves else np.zeros(3), (3, 1))
         starts, inner = np.concatenate([starts, origin]), np.concatenate([inner, origin])

@@ -61,6 +61,7 @@ class Style:
         return max(BLACK, WHITE, key=lambda text: contrast(text, colour))
 
 
+@cache
 def rgb(colour: str) -> tuple[float, float, float]:
     """Red, green and blue in 0..1 of ``"#rrggbb"``, as VTK takes them."""
     red, green, blue = (int(colour[i : i + 2], 16) / 255.0 for i in (1, 3, 5))

@@ -71,7 +71,7 @@ class Disc(NamedTuple):
 
 
 class TextShape(NamedTuple):
-    """A label: where its line of writing begins, and its letters' em."""
+    """A label: where its baseline begins, and its letters' em."""
 
     written: LabelText
     place: tuple[float, float]

@@ -232,7 +232,7 @@ class WorldDrawing(Drawing):
     def show_projection(
         self, projection: Projection, illustration: Illustration | None = None
     ) -> None:
-        is_first = self._marks.is_empty and illustration is not None
+        is_first = illustration is not None and self._marks.is_empty
         self.state.take(projection, illustration)
         self.layers.show()
         if is_first and not self.own.was_moved:
@@ -349,7 +349,7 @@ class WorldDrawing(Drawing):
 
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
-        self.layers.follow()
+        self.camera.follow()  # its body has to be within reach
         self.own.fit_range(self.layers.reach(), *self.camera.depths)
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)

@@ -193,10 +193,6 @@ class WorldState(PaneState):
         return self.own.pane.lifted(times)
 
     @property
-    def size_px(self) -> tuple[int, int]:
-        return self.own.pane.size_px
-
-    @property
     def sight(self) -> Sight:
         return self.own.pane.sight(self.origin, self.own.depths[0])
 
@@ -270,9 +266,9 @@ class WorldState(PaneState):
             unseen |= {"eye"}
         return frozenset(unseen)
 
-    def names_point(self, name: str) -> bool:
-        """Whether a thing has a name in the picture."""
-        return name in self.names and name not in self.unseen
+    def named_points(self, *points: str) -> set[str]:
+        """Those of these things that have a name in the picture."""
+        return {name for name in points if name in self.names} - self.unseen
 
 
 def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:

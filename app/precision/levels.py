@@ -256,8 +256,8 @@ def drawing_bounds_px(
     clips, losses = [np.empty((0, 8, 4))], [np.empty((4, 0))]
     for boxes, space in parts:
         if len(boxes):
-            local, matrix = boxes - origin, projection.clip_from_local(origin, space)
-            sizes = _single_sizes(projection, projection.local_to_eye(origin, space))
+            local, to_eye = boxes - origin, projection.local_to_eye(origin, space)
+            matrix, sizes = projection.clip_from_eye @ to_eye, _single_sizes(projection, to_eye)
             losses.append(_lost_single(sizes, np.abs(local).max(axis=1).T))
             clips.append(local @ matrix[:, :3].T + matrix[:, 3])
     clip, lost = np.concatenate(clips), np.concatenate(losses, axis=1)

@@ -23,7 +23,11 @@ NAMES = (EYE.name, NEAR.name, FAR.name, "x", "y", "z")
 SHOWN: dict[str, dict[str, Any]] = {  # how the panes show a scene that differs from the letter F
     "cube": {"shot": Shot(-80.0, 25.0, "camera")},
     # The numbers are on the fronts; in the cube the posts crowd along its depth.
-    "posts": {"shot": Shot(-38.0, 28.0, "camera"), "cube_side": (75.0, 10.0)},
+    "posts": {
+        "shot": Shot(-38.0, 28.0, "camera"),
+        "upright": Shot(-20.0, 35.0, "camera"),
+        "cube_side": (75.0, 10.0),
+    },
 }
 WORDS = {name: PhenomenonWords(name) for name in ("letter-f", "cube", "posts")}
 """The title of each scene, and what to try there."""

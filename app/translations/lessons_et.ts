@@ -7791,8 +7791,8 @@
         <translation>Tegelikul kaameral on teravustamiskaugus ning selle ees ja taga teravussügavus. Sünteetilisel kaameral ei ole kumbagi: kõik on terav.</translation>
     </message>
     <message>
-        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel teravustamiskaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 5 m peale: terav 4.720 kuni 5.316 m, kontuuriga post. Lohistage teravustamiskaugus 10 m peale; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 10 m: sharp from 8.933 to 11.36 m, the outlined post. Drag the focal distance to 5 m and back; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <translation>Kaamera parameetrid: asukoht, kaks vektorit, kaks nurka, kaks tasandit. Tegelikul on veel teravustamiskaugus ja diafragma. Siin on 50-mm objektiiv avaga f/1, teravustatud 10 m peale: terav 8.933 kuni 11.36 m, kontuuriga post. Lohistage teravustamiskaugus 5 m peale ja tagasi; siis tehke N väärtuseks 16. Küsige, kust alates on kõik kaugel olev terav: hüperfokaalsest kaugusest alates.</translation>
     </message>
     <message>
         <source>Camera obscura</source>

@@ -7791,8 +7791,8 @@
         <translation>Prava kamera ima udaljenost izoštravanja te dubinsku oštrinu ispred nje i iza nje. Sintetička kamera nema ni jedno ni drugo: sve je oštro.</translation>
     </message>
     <message>
-        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation>Parametri kamere: položaj, dva vektora, dva kuta, dvije ravnine. Prava ima i udaljenost izoštravanja i otvor blende. Ovdje je objektiv od 50 mm pri f/1, izoštren na 5 m: oštro od 4.720 do 5.316 m, obrubljeni stup. Povucite udaljenost izoštravanja na 10 m; zatim postavite N na 16. Pitajte odakle je sve daleko oštro: od hiperfokalne udaljenosti.</translation>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 10 m: sharp from 8.933 to 11.36 m, the outlined post. Drag the focal distance to 5 m and back; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <translation>Parametri kamere: položaj, dva vektora, dva kuta, dvije ravnine. Prava ima i udaljenost izoštravanja i otvor blende. Ovdje je objektiv od 50 mm pri f/1, izoštren na 10 m: oštro od 8.933 do 11.36 m, obrubljeni stup. Povucite udaljenost izoštravanja na 5 m i natrag; zatim postavite N na 16. Pitajte odakle je sve daleko oštro: od hiperfokalne udaljenosti.</translation>
     </message>
     <message>
         <source>Camera obscura</source>

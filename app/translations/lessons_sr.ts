@@ -7791,8 +7791,8 @@
         <translation>Права камера има растојање фокуса и дубину видног поља испред и иза њега. Синтетичка камера нема ни једно ни друго: све је оштро.</translation>
     </message>
     <message>
-        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 5 m: sharp from 4.720 to 5.316 m, the outlined post. Drag the focal distance to 10 m; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
-        <translation>Параметри камере: позиција, два вектора, два угла, две равни. Права има и растојање фокуса и бленду. Овде објектив од 50 mm на f/1, фокусиран на 5 m: оштро од 4.720 до 5.316 m, уоквирени стуб. Превуците растојање фокуса на 10 m; затим поставите N на 16. Питајте одакле је надаље све далеко оштро: од хиперфокалног растојања.</translation>
+        <source>The camera&apos;s parameters: position, two vectors, two angles, two planes. A real one has a focal distance and an aperture too. Here a 50-mm lens at f/1, focused at 10 m: sharp from 8.933 to 11.36 m, the outlined post. Drag the focal distance to 5 m and back; then make N 16. Ask from where on everything far is sharp: from the hyperfocal distance.</source>
+        <translation>Параметри камере: позиција, два вектора, два угла, две равни. Права има и растојање фокуса и бленду. Овде објектив од 50 mm на f/1, фокусиран на 10 m: оштро од 8.933 до 11.36 m, уоквирени стуб. Превуците растојање фокуса на 5 m и назад; затим поставите N на 16. Питајте одакле је надаље све далеко оштро: од хиперфокалног растојања.</translation>
     </message>
     <message>
         <source>Camera obscura</source>

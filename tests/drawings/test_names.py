@@ -81,7 +81,7 @@ def test_at_rest_the_controls_have_grips_and_else_the_handle_in_the_hand(
 ) -> None:
     screen = off_screen(*PANE_PX)
     drawing = opened(screen, live=True)
-    resting = {handle.name for handle in drawing.handles.drawn()}
+    resting = {handle.name for handle in drawing.handles.drawn}
     assert resting == {"eye", "target", "near", "far"}
     drawing.handles.rest(())
     drawing.show_layers(frozenset())  # which places the labels afresh

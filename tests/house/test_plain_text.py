@@ -1,4 +1,4 @@
-"""No text is taken for HTML: labels, tooltips and documents are those of `widgets.parts.plain`."""
+"""No text is taken for HTML: labels, tooltips, documents are those of `widgets.parts.plain`."""
 
 import ast
 from pathlib import Path
@@ -8,12 +8,12 @@ from tests.support.sources import nodes_of
 
 HOME = "widgets/parts/plain.py"
 #: What takes a text that looks like HTML for HTML, or loads what it names.
-MADE = {"QLabel", "QMessageBox", "QTextDocument", "QTextBrowser", "QErrorMessage", "QWhatsThis",
-        "QSplashScreen", "QToolTip", "QStaticText"}  # fmt: skip
+MADE = {"QLabel", "QMessageBox", "QTextDocument", "QTextEdit", "QTextBrowser", "QErrorMessage",
+        "QWhatsThis", "QSplashScreen", "QToolTip", "QStaticText"}  # fmt: skip
 CALLED = {"setToolTip", "setStatusTip", "setWhatsThis", "setTextFormat", "setMarkdown",
           "insertHtml", "appendHtml", "setLabelText", "setDetailedText"}  # fmt: skip
 #: Kinds of Qt's whose enumerations and types others may name.
-NAMED = {"QMessageBox", "QTextDocument"}
+NAMED = {"QMessageBox", "QTextDocument", "QTextEdit"}
 
 
 def faults(path: str, source: str) -> list[str]:
@@ -52,6 +52,7 @@ def test_each_other_way_is_seen() -> None:
         "QMessageBox.warning(window, 'x', name)",
         "QMessageBox(window)",
         "QTextDocument(self)",
+        "QTextEdit(readOnly=True)",
         "QPushButton(name, toolTip=name)",
         "document.setMarkdown(text)",
     ):

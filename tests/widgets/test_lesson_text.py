@@ -6,9 +6,10 @@ from typing import Any
 import numpy as np
 import pytest
 import shiboken6
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, Qt, QTimer
 from PySide6.QtGui import (
     QColor,
+    QDrag,
     QFont,
     QImage,
     QPainter,
@@ -17,11 +18,12 @@ from PySide6.QtGui import (
     QRegion,
     QTextDocument,
 )
+from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.lecture.typesetting import outline
 from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, in_line, plain_of, readable
-from tests.support.window import rgb_of
+from tests.support.window import LEFT, NO_KEY, rgb_of
 from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 
 
@@ -200,6 +202,29 @@ def test_formulas_are_copied_as_tex_and_read_out_in_words(qtbot: Any) -> None:
     text.selectAll()
     assert text.createMimeDataFromSelection().text().split() == ["$a$", "$b$,", "$c$", "2"]
     assert plain_of("- a\n- b\n\n| c | d |\n|---|---|\n| e | $f$ |") == "a b c d e f"
+
+
+def test_selected_text_is_selected_anew_and_not_dragged_away(qtbot: Any) -> None:
+    text, begun = LessonText("Some words of a lesson, all of which are selected."), list[int]()
+    qtbot.addWidget(text)
+    with qtbot.waitExposed(text):
+        text.show()
+
+    def end() -> None:
+        begun.append(len(text.findChildren(QDrag)))
+        QDrag.cancel()
+
+    ends = QTimer(interval=0)  # Qt deletes the text even while it waits in a drag, and crashes
+    ends.timeout.connect(end)
+    ends.start()
+    text.selectAll()
+    line, handle = text.cursorRect(text.textCursor()).center().y(), text.windowHandle()
+    QTest.mousePress(handle, LEFT, NO_KEY, QPoint(20, line))
+    for x in (60, 100, 140):
+        QTest.mouseMove(handle, QPoint(x, line))
+    QTest.mouseRelease(handle, LEFT, NO_KEY, QPoint(140, line))
+    assert not any(begun)
+    assert 0 < len(text.textCursor().selectedText()) < len("Some words of a lesson")
 
 
 @pytest.mark.parametrize(

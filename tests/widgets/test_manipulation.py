@@ -446,7 +446,7 @@ def test_a_step_adds_and_removes_nothing_and_a_figure_has_no_marks() -> None:
 def at_rest(window: MainWindow) -> set[str]:
     """The handles whose grips are drawn."""
     handles: Any = world(window).handles
-    return {handle.setting or handle.name for handle in handles.drawn()}
+    return {handle.setting or handle.name for handle in handles.drawn}
 
 
 def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
@@ -461,7 +461,7 @@ def test_the_grips_at_rest_are_those_of_the_scene_s_controls(
     }.items():
         window = make_scene(scene)
         assert at_rest(window) == names, scene
-        assert len(world(window).handles.drawn()) <= 4
+        assert len(world(window).handles.drawn) <= 4
 
 
 def test_the_marks_of_a_moved_view_are_where_the_view_shows_them(window: MainWindow) -> None:

@@ -72,8 +72,9 @@ class LensSliders(QObject):
         self._projection = projection
         if projection.lens.planes is not None:
             near, far = projection.lens.planes
-            self._row(NEAR).field.keep_between(None, far)
-            self._row(FAR).field.keep_between(near, None)
+            rows = self._row(NEAR), self._row(FAR)
+            rows[0].field.keep_between(None, far)
+            rows[1].field.keep_between(near, None)
         self._fit_window()
         if projection.lens.symmetric:
             near = 10.0 ** round(math.log10(projection.lens.near))

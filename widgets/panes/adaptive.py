@@ -19,7 +19,7 @@ from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
-from widgets.panes.canvas import SMOOTHINGS, multisamples
+from widgets.panes.canvas import MULTISAMPLES, SMOOTHINGS
 from widgets.panes.pane import REST_MS, Pane
 from widgets.parts.progress import progress_dialog
 
@@ -110,7 +110,7 @@ class Adaptive(QObject):
     @property
     def samples(self) -> int:
         """OpenGL's samples a pixel if they are fewer than chosen, else 0."""
-        wanted = multisamples(self.quality.smoothing)
+        wanted = MULTISAMPLES.get(self.quality.smoothing, 0)
         shown = (p.canvas for p in self._panes.values() if wanted and p.isVisible() and p.drawing)
         given = min((canvas.samples for canvas in shown), default=wanted)
         return given if given < wanted else 0

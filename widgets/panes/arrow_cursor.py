@@ -1,4 +1,4 @@
-"""The mouse pointer over a thing that can go to and fro along one way."""
+"""The mouse pointer over a handle that can be dragged along one line."""
 
 import math
 from functools import lru_cache

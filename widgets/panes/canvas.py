@@ -63,21 +63,17 @@ _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
-SMOOTHINGS = ("none", "FXAA", "MSAA 2", "MSAA 4", "MSAA 8", *SCALES)
+MULTISAMPLES = {"MSAA 2": 2, "MSAA 4": 4, "MSAA 8": 8}
+"""Samples a pixel that OpenGL takes, where it takes more than one."""
+SMOOTHINGS = ("none", "FXAA", *MULTISAMPLES, *SCALES)
 """The smoothings of a pane. Qt averages four pixels of a larger picture at the most."""
-
-
-def multisamples(smoothing: str) -> int:
-    """Return the samples a pixel that one of `SMOOTHINGS` needs from OpenGL."""
-    kind, _, samples = smoothing.partition(" ")
-    return int(samples) if kind == "MSAA" else 0
 
 
 def smooth_window(window: Any, smoothing: str) -> None:
     """Set one of `SMOOTHINGS` in a window of VTK's, whatever the size of its picture."""
     for renderer in window.GetRenderers():
         renderer.SetUseFXAA(smoothing == "FXAA")
-    window.SetMultiSamples(multisamples(smoothing))
+    window.SetMultiSamples(MULTISAMPLES.get(smoothing, 0))
 
 
 def release_context() -> None:

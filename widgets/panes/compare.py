@@ -1,9 +1,9 @@
 """Pictures beside that of the image pane: held ones, or others that follow the document.
 
-A class can see the worlds of those states instead. Each of the others is a pane inside the pane
-that is compared in, which draws off the screen and keeps its pixels:
-cut at dividers that the user drags, or side by side, where the live picture becomes smaller. A held
-picture is not drawn again. Mouse, handles and probes work in the live picture only.
+A class can see the worlds of those states instead. Each of the other pictures is a pane inside the
+compared pane; it draws off the screen and keeps its pixels. The pictures are cut at dividers that
+the user drags, or stand side by side, where the live picture becomes smaller. A held picture is not
+drawn again. Mouse, handles and probes work in the live picture only.
 """
 
 from collections.abc import Callable, Sequence
@@ -102,7 +102,7 @@ class Divider(QWidget):
 
 
 class _Other(QWidget):
-    """One of the other pictures: a pane without mouse and keys, cut to its place."""
+    """A picture beside the live one: a pane without mouse and keys, cut to its place."""
 
     def __init__(self, pane: Pane, picture: ComparedPicture) -> None:
         super().__init__(pane.surface)
@@ -216,7 +216,7 @@ class _TwoLineLabel(PlainLabel):
 
 
 class Compare(QObject):
-    """The pictures in a pane, at first the image's; `smoothing` returns that of a pane at rest."""
+    """The pictures compared in a pane; `smoothing` returns the smoothing of a pane at rest."""
 
     changed = Signal()  # the pictures or the dividers have changed
     drawn = Signal()  # one of the other pictures is on the screen for the first time, by its name

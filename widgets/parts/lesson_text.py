@@ -41,7 +41,7 @@ from PySide6.QtGui import (
     QTextLayout,
     QWheelEvent,
 )
-from PySide6.QtWidgets import QFrame, QSizePolicy, QTextEdit
+from PySide6.QtWidgets import QFrame, QSizePolicy
 
 from app.lecture.typesetting import Outline, outline
 from app.lessons.blocks.block import Here, ReadBlock
@@ -49,7 +49,7 @@ from app.lessons.marking import digits_shown
 from app.lessons.text import DISPLAYED, FORMULA, html_of, readable, spoken_text
 from app.model.parameter import read_content
 from widgets.parts.messages import FEW, figure_text
-from widgets.parts.plain import TextDocument, with_native_keys
+from widgets.parts.plain import ReadText, with_native_keys
 from widgets.parts.roles import give_role
 from widgets.parts.typeset import em_px, fill_line
 
@@ -224,16 +224,14 @@ def _formulas() -> _Formulas:
     return _Formulas()
 
 
-class LessonText(QTextEdit):
-    """A read-only Markdown text, as high as its content; its formulas are copied as TeX."""
+class LessonText(ReadText):
+    """A Markdown text, as high as its content; its formulas are copied as TeX."""
 
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
         self.written, self._is_title = "", title
         self._heights: dict[int, int] = {}  # cached by width: layouts request heights often
-        self.setDocument(TextDocument(self))
         self.document().setProperty(SPACIOUS, True)
-        self.setReadOnly(True)
         give_role(self, QAccessible.Role.Document)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)

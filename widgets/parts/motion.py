@@ -1,4 +1,4 @@
-"""Whether the system asks programs to reduce motion."""
+"""Find out whether the user has asked the system to reduce motion."""
 
 import ctypes
 import subprocess

@@ -1,9 +1,9 @@
 """Widgets for plain text: they show it literally and load nothing from it.
 
 Qt interprets a text that looks like HTML and loads its pictures, but titles, units and names come
-from files of strangers. These are the only labels, tooltips, message boxes and documents of this
-program; `tests/house/test_plain_text.py` checks it. Our own HTML is a `Markup`, which escapes the
-texts that are filled in.
+from files of strangers. These are the only labels, tooltips, message boxes, documents and texts to
+read of this program; `tests/house/test_plain_text.py` checks it. Our own HTML is a `Markup`, which
+escapes the texts that are filled in.
 """
 
 import html
@@ -17,11 +17,12 @@ from PySide6.QtGui import (
     QAbstractTextDocumentLayout,
     QAction,
     QKeySequence,
+    QMouseEvent,
     QPainter,
     QPalette,
     QTextDocument,
 )
-from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QToolTip, QWidget
+from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QTextEdit, QToolTip, QWidget
 
 
 class Markup(str):
@@ -104,6 +105,24 @@ class TextDocument(QTextDocument):
         painter.translate(place)
         self.documentLayout().draw(painter, context)
         painter.restore()
+
+
+class ReadText(QTextEdit):
+    """A text to read, some of which can be selected and copied, but not dragged away.
+
+    Qt crashes if a text is deleted while a part of it is dragged, as when another step is shown.
+    """
+
+    def __init__(self) -> None:
+        super().__init__(readOnly=True)
+        self.setDocument(TextDocument(self))
+
+    def mousePressEvent(self, event: QMouseEvent) -> None:
+        """Begin to select anew, also where something is selected."""
+        is_left = event.button() == Qt.MouseButton.LeftButton
+        if is_left and not event.modifiers() & Qt.KeyboardModifier.ShiftModifier:
+            self.setTextCursor(self.cursorForPosition(event.position().toPoint()))
+        super().mousePressEvent(event)
 
 
 def message_box(

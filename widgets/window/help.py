@@ -7,12 +7,12 @@ from pathlib import Path
 
 from PySide6.QtCore import QCoreApplication, QSize, Qt
 from PySide6.QtGui import QKeySequence
-from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QTextEdit, QWidget
+from PySide6.QtWidgets import QDialog, QDialogButtonBox, QMessageBox, QWidget
 
 from app import __version__
 from app.model.parameter import read_sections
 from widgets.parts.layouts import in_column
-from widgets.parts.plain import Markup, TextDocument, message_box
+from widgets.parts.plain import Markup, ReadText, message_box
 
 PLAY_KEY, FULL_SCREEN_KEY = (
     ("Ctrl+Shift+Space", "Ctrl+Meta+F")  # Ctrl is ⌘ there, and the system uses ⌘Space and F11
@@ -59,8 +59,7 @@ def show_keys(window: QWidget) -> None:
         )
         for title, lines in key_groups().items()
     )
-    page = QTextEdit(readOnly=True)
-    page.setDocument(TextDocument(page))
+    page = ReadText()
     page.setHtml(f"<table cellpadding=3>{rows}</table>")
     dialog = QDialog(window)
     dialog.setWindowTitle(QCoreApplication.translate("Help", "Keys and mouse"))

@@ -1,4 +1,4 @@
-"""Tests with the dialog of their topics, and reviews of what came back, on the lesson's card."""
+"""Tests and the dialog of their topics, and reviews of what is due again, on the lesson's card."""
 
 import random
 import time

@@ -7,7 +7,7 @@ from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
 from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
-from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QTextEdit, QWidget
+from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QWidget
 
 from app.document.document import Document
 from app.drawings.figure import Figure
@@ -21,7 +21,7 @@ from widgets.panes.canvas import release_context
 from widgets.parts import palette
 from widgets.parts.layouts import TOP, in_column, in_row, push_button
 from widgets.parts.lesson_text import answer_of, set_text
-from widgets.parts.plain import PlainLabel, TextDocument, set_tip
+from widgets.parts.plain import PlainLabel, ReadText, set_tip
 from widgets.window.pictures import image_of
 from widgets.window.settings import LARGEST_NOTES_PX, LEAST_NOTES_PX, Settings
 from widgets.window.slots import panes_of_slide
@@ -120,8 +120,7 @@ class SpeakerWindow(QWidget):
         self._number, self._clock, self._elapsed, self._plan = (PlainLabel() for _ in range(4))
         wrapped = (PlainLabel(wordWrap=True) for _ in range(3))
         self._title, self._next_title, self._message = wrapped
-        self.notes = QTextEdit(readOnly=True)
-        self.notes.setDocument(TextDocument(self.notes))
+        self.notes = ReadText()
         self.notes.setAccessibleName(self.tr("Notes"))
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
         self.steps = QListWidget()
