@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.drawings.curve_names import beside
 from app.drawings.label_placement import (
     Ground,
     PlacedLabel,
@@ -274,3 +275,15 @@ def test_only_where_its_words_would_cover_something_a_letter_stands_alone(has_ro
     assert ground.hidden(np.array([box])) == 0.0
     kept = place([wanted], Ground(FRAME, EM), {"n": placed["n"].kept})
     assert kept["n"].kept == placed["n"].kept, "it keeps its form while something moves"
+
+
+def test_no_line_from_a_point_to_its_name_crosses_a_curve() -> None:
+    """All places above the curve are taken; there is room below it."""
+    along = np.linspace((0.0, 200.0), (300.0, 20.0), 40)
+    frame, point = np.array([0.0, 0.0, 300.0, 220.0]), np.array([[250.0, 90.0]])
+    taken = np.array([[200.0, 60.0, 300.0, 220.0]])
+    sizes, gaps = np.array([[60.0, 14.0]]), np.array([5.0])
+    nothing = np.empty((0, 2))
+    (name,) = beside(point, sizes, frame, nothing, gaps, taken)
+    assert name is not None, "without the curve there is a place"
+    assert beside(point, sizes, frame, along, gaps, taken) == [None]
