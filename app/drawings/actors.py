@@ -1,4 +1,4 @@
-"""Actors under one 4x4, for all drawings.
+"""VTK actors whose place is one 4x4 matrix, for all drawings.
 
 A slider step reaches the screen without any work per vertex::
 

@@ -81,9 +81,10 @@ OFTEN = (
 KEYS = (
     *("Up", "Left", "Home", "End", "Backspace", "Del", "Shift+Tab", "Shift+PgDown", "Shift+Return"),
     *("Shift+Right", "Shift+Up", "+", "-", ".", "/", "B", "C", "D", "E", "K", "N", "P", "W", "X"),
-    *("Ctrl++", "Ctrl+-", "Alt+I", "Alt+W", "Alt+S", "F2", "F10", *map(str, range(10))),
+    *("Ctrl++", "Ctrl+-", "Ctrl+A", "Ctrl+C", "Alt+I", "Alt+W", "Alt+S", "F2", "F10"),
+    *map(str, range(10)),
 )
-"""Keys that are no shortcuts of an action, from ``widgets/window/keys.md``."""
+"""Keys that are no shortcuts of an action: of ``widgets/window/keys.md``, and of every text."""
 UNPRESSED = {"Ctrl+Q", "Find"}
 """The first closes the window too often, and QTest does not know the second."""
 WORTH: tuple[tuple[Any, float], ...] = (
@@ -410,7 +411,8 @@ class Hands:
             action
             for action in self.window.findChildren(QtGui.QAction)
             if action.text() and action.isEnabled() and action.isVisible() and not action.menu()
-        ]
+            and not is_hidden(action.parent())
+        ]  # fmt: skip
         lesson = [action for action in menus.lesson_menu.actions() if action in actions]
         action = self.rng.choice(self.rng.choice((actions, actions, lesson)))
         if action is not menus.reduce_motion:
@@ -447,6 +449,12 @@ BY_HAND: dict[Callable[[Hands], object], float] = {
 WITH_THE_WINDOW: dict[Callable[[Hands], object], float] = {
     Hands.choose: 10.0, Hands.drop: 3.0, Hands.resize: 1.0, Hands.leave: 0.3,
 }  # fmt: skip
+
+
+def is_hidden(place: Any) -> bool:
+    """Whether an action belongs to a row that is not seen, as in a closed panel."""
+    is_row = isinstance(place, QtWidgets.QWidget) and not isinstance(place, QtWidgets.QMenu)
+    return is_row and not place.isVisible()
 
 
 def name_of(widget: Any) -> str:

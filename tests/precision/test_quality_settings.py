@@ -28,6 +28,7 @@ from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle
 from widgets.panes import adaptive, canvas
+from widgets.panes.adaptive import BETWEEN_MS
 from widgets.panes.pane import REST_MS
 from widgets.parts.number_field import NumberDialog
 from widgets.window.main_window import MainWindow
@@ -574,6 +575,27 @@ def test_while_a_small_mesh_is_made_coarser_unseen_nothing_comes_between(
     window.look.adaptive.findChild(QTimer).timeout.emit()  # nothing is asked for just now
     QApplication.processEvents()
     assert found == [True]
+
+
+def test_a_small_scene_is_made_coarser_in_pauses_and_not_in_a_drag(
+    window: MainWindow, tmp_path: Path
+) -> None:
+    """A hand waits for one version at most."""
+    path = tmp_path / "small.ply"
+    pv.Sphere(theta_resolution=66, phi_resolution=66).save(path)
+    assert window.files.open(path)
+    scene, pause = window.shown.scene, window.look.adaptive.findChild(QTimer)
+    shares = shares_for_dragging(scene)
+    assert pause.isActive() and pause.interval() == BETWEEN_MS and len(shares) == 3
+    made = []
+    window.store.begin_gesture()
+    step(window, 40.0)
+    for _ in range(5):
+        pause.timeout.emit()
+        made.append(sum(is_made(scene, share) for share in shares))
+        if made == [0]:
+            window.store.end_gesture()
+    assert made == [0, 1, 2, 3, 3]
 
 
 def test_a_pane_hidden_during_the_drag_is_restored_too(

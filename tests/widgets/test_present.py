@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QSize, Qt
 from PySide6.QtGui import (
     QCursor,
     QEnterEvent,
@@ -18,7 +18,15 @@ from PySide6.QtGui import (
     QPixmap,
 )
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QApplication, QLabel, QLineEdit, QToolButton, QToolTip, QWidget
+from PySide6.QtWidgets import (
+    QApplication,
+    QComboBox,
+    QLabel,
+    QLineEdit,
+    QToolButton,
+    QToolTip,
+    QWidget,
+)
 
 from app.document.settings import set_values
 from app.drawings.style import LIGHT
@@ -271,6 +279,55 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
         assert QFontInfo(window.controls.rows["near"].field.font()).pixelSize() >= least
         drawn = [label.em for label in labels_of(window.panes["world"].canvas.renderer).values()]
         assert drawn and min(drawn) >= least > before
+
+
+@pytest.mark.undrawn
+def test_the_dock_and_the_panels_are_styled_for_a_class_only_when_they_are_shown(
+    window: MainWindow,
+) -> None:
+    """To style a hidden widget takes as long as to style a visible one."""
+
+    class Counts(QObject):
+        styled = 0
+
+        def eventFilter(self, watched: QObject, event: QEvent) -> bool:
+            self.styled += event.type() == QEvent.Type.StyleChange
+            return False
+
+    def sizes() -> list[tuple[str, QSize]]:
+        return [(part.font().toString(), part.sizeHint()) for part in parts]
+
+    counts = Counts()
+    row, other = window.controls.rows["near"], window.controls.rows["fov_y_deg"]
+    window.panels.open(window.matrices)
+    settle()
+    window.panels.open(None)
+    parts = [row, *row.findChildren(QWidget), *window.matrices.findChildren(QComboBox)]
+    before = sizes()
+    for part in parts:
+        part.installEventFilter(counts)
+    for _ in range(2):
+        begin(window)
+        window.present.end()
+        settle()
+    assert not counts.styled and sizes() == before
+    begin(window)
+    window.control_strip.toggle()  # the strip borrows the row, and gives it back
+    settle()
+    lent = QFontInfo(other.font()).pixelSize()
+    window.control_strip.toggle()
+    press(window, Qt.Key.Key_F4)
+    window.panels.open(window.matrices)
+    settle()
+    least = 0.022 * window.screen().size().height()
+    ordinary = QFontInfo(window.status.font()).pixelSize()
+    assert min(QFontInfo(part.font()).pixelSize() for part in parts) >= least > ordinary
+    assert lent > ordinary
+    window.panels.open(None)
+    window.present.end()
+    window.panels.open(window.matrices)
+    settle()
+    assert sizes() == before
 
 
 @pytest.mark.undrawn

@@ -50,7 +50,7 @@ _STEPS = {
 
 
 class MatrixNotation(NamedTuple):
-    """The notation of all matrices."""
+    """How the panel writes every matrix: letters, rows or columns, numbers or formulas."""
 
     letters: Letters = "own"
     rows: bool = False  # whether vectors are rows, so that the axes are rows too

@@ -28,6 +28,7 @@ AT_FIRST = 200_000
 the first step of a drag for half a second."""
 _TURNING = 0.6  # of the target, while one pane alone follows the hand
 MANY_TRIANGLES = 10_000  # making coarser versions of a scene with more triangles shows progress
+BETWEEN_MS = 300  # between those of another scene, so that a hand waits for one at most
 AT_REST = "FXAA"
 """The automatic smoothing. With OpenGL in software it takes five times as long as the rest."""
 
@@ -59,7 +60,7 @@ class Adaptive(QObject):
         self._began: float | None = None
         self._drawn_at = 0.0
         self._emitted: tuple[bool, int] = (False, 0)
-        self._idle = QTimer(self, singleShot=True, interval=0)  # the scene appears first
+        self._idle = QTimer(self, singleShot=True)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
         self.budget = self._of_turning = FrameBudget([FrameQuality(False, 1.0)], 0.0)
         self._measured = self.budget  # the budget that the present frame counts for
@@ -76,7 +77,7 @@ class Adaptive(QObject):
             if not is_made(scene, quality.detail):
                 self._make(scene, (quality.detail,), can_be_cancelled=False)
             if scene is not self._scene:
-                self._idle.start()
+                self._idle.start(0 if scene.faces > MANY_TRIANGLES else BETWEEN_MS)
             self._scene, self.quality = scene, quality
             self._plan()
 
@@ -90,7 +91,7 @@ class Adaptive(QObject):
         """Set the longest frame while a control is dragged; 0 for any."""
         self._target_ms = target_ms
         self._plan()
-        self._idle.start()
+        self._idle.start(0)
 
     @property
     def drawn(self) -> Scene:
@@ -202,7 +203,12 @@ class Adaptive(QObject):
         if scene is None or self._target_ms <= 0.0:
             return
         missing = [share for share in shares_for_dragging(scene) if not is_made(scene, share)]
-        if missing:
+        if missing and scene.faces <= MANY_TRIANGLES:
+            if not self._dragging:
+                reduced(scene, missing[0])
+                self._plan()
+            self._idle.start(BETWEEN_MS)
+        elif missing:
             self._make(scene, missing)
             self._plan()
 

@@ -1,5 +1,6 @@
 """The window's colours and sizes: light or dark, and larger for a class."""
 
+from contextlib import nullcontext
 from pathlib import Path
 from string import Template
 
@@ -10,6 +11,7 @@ from PySide6.QtWidgets import QApplication
 from app.drawings.style import DARK, LIGHT, Style
 from app.model.parameter import read_content, read_sections
 from app.model.parameters import FAR, NEAR
+from widgets.parts.kept_style import KeptStyle
 from widgets.parts.panel import faded
 
 SHARE_OF_SCREEN = 0.0225
@@ -61,11 +63,13 @@ def drawing_style(*, dark: bool, screen_px: float, device_pixel_ratio: float) ->
     return style.enlarged(device_pixel_ratio * larger)
 
 
-def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
+def apply(
+    application: QApplication, *, dark: bool, screen_px: float, kept: KeptStyle | None = None
+) -> None:
     """Set colours, font and style sheet of the application.
 
     The text is scaled to `screen_px`, the height of the screen that a class looks at; 0 for the
-    desktop's own size.
+    desktop's own size. `kept`: hidden parts that are styled when they are shown.
     """
     worn = application.property("frustumLabDress")
     if worn == [dark, screen_px, application.font().toString(), application.styleSheet()]:
@@ -91,7 +95,9 @@ def apply(application: QApplication, *, dark: bool, screen_px: float) -> None:
     sheet = _sheet(em, **colours)
     # Changing one style sheet into another styles hidden widgets too, which takes several times as
     # long as these two; hidden ones get their style when they are shown.
-    application.setStyleSheet("")
-    application.setStyleSheet(sheet)
+    skips = kept.skipped(application.styleSheet(), sheet) if kept is not None else nullcontext()
+    with skips:
+        application.setStyleSheet("")
+        application.setStyleSheet(sheet)
     worn = [dark, screen_px, application.font().toString(), application.styleSheet()]
     application.setProperty("frustumLabDress", worn)

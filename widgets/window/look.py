@@ -17,6 +17,7 @@ from widgets.panes.adaptive import Adaptive
 from widgets.panes.canvas import SCALES
 from widgets.panes.pane import Pane
 from widgets.parts import icons, palette
+from widgets.parts.kept_style import KeptStyle
 from widgets.parts.messages import TranslatedWords
 from widgets.parts.panel import EVERYTHING, Changed, ShownData
 from widgets.window.arrangement import cameras
@@ -27,11 +28,12 @@ SORTED_AHEAD = 10_000
 """Number of faces above which a scene is sorted before the first click on it, not at the click."""
 
 
-def dress(settings: Settings, screen_px: float = 0.0) -> None:
+def dress(settings: Settings, screen_px: float = 0.0, kept: KeptStyle | None = None) -> None:
     """Set the application's colours and font; `screen_px` is the screen's height in Present."""
     application = QApplication.instance()
     assert isinstance(application, QApplication)
-    palette.apply(application, dark=palette.is_dark(settings.theme), screen_px=screen_px)
+    dark = palette.is_dark(settings.theme)
+    palette.apply(application, dark=dark, screen_px=screen_px, kept=kept)
 
 
 class Look(QObject):
@@ -57,6 +59,7 @@ class Look(QObject):
         self.words = TranslatedWords(DrawingWords())
         self._shown: ShownData | None = None
         self._glides = False
+        self.kept: KeptStyle | None = None
         self._screen_px = 0.0
         """Height of the screen while presenting, otherwise 0: the scale of text and lines."""
         self.adaptive = Adaptive(
@@ -225,7 +228,7 @@ class Look(QObject):
         self._dress()
 
     def _dress(self) -> None:
-        dress(self._settings, self._screen_px)
+        dress(self._settings, self._screen_px, self.kept)
         self.rebuild(anew=False)
 
     def _scheme_changed(self) -> None:

@@ -49,6 +49,7 @@ from widgets.panes.manipulation import Manipulation
 from widgets.panes.pane import Pane
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts import palette
+from widgets.parts.kept_style import KeptStyle
 from widgets.parts.layouts import focus_next, in_column, in_row
 from widgets.parts.messages import MessageBar, all_digits, sentence
 from widgets.parts.panel import EVERYTHING, Changed, Highlighter, Listener, Panel, ShownData
@@ -180,6 +181,7 @@ class MainWindow(QMainWindow):
             theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
+        self.look.kept = KeptStyle((self.controls, self.bottom, *self.panels.all))
         self.laser = Laser(self)
         self._make_components()
         self.highlighter = Highlighter(self)
@@ -484,6 +486,8 @@ class MainWindow(QMainWindow):
         if on:
             dock = self.menus.controls.isChecked()
             self._before_presenting = dock, self.slots.whole, self.split.sizes()
+            self.menus.controls.setChecked(False)
+            self.show_beside()  # what is hidden keeps its style
         self.look.set_waiting(True)  # only the panes of the slide take another size and style
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
@@ -506,7 +510,6 @@ class MainWindow(QMainWindow):
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
         self.slots.set_presenting(on)
         if on:
-            self.menus.controls.setChecked(False)
             self.setFocus()  # no pane of the slide has a ring
         else:
             self.menus.controls.setChecked(dock)
