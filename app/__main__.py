@@ -29,6 +29,16 @@ def need_of(arguments: Sequence[str]) -> system_packages.Need:
     return next((NEEDS.get(word, "window") for word in arguments if word[:1] != "-"), "window")
 
 
+def command_first(arguments: list[str]) -> list[str]:
+    """Put what follows ``--language hr`` before it: options stand behind their command."""
+    ahead = 2 if arguments[:1] == ["--language"] else 0
+    ahead = 1 if "".join(arguments[:1]).startswith("--language=") else ahead
+    word = "".join(arguments[ahead : ahead + 1])
+    if not ahead or word[:1] in ("", "-"):
+        return arguments
+    return [word, *arguments[:ahead], *arguments[ahead + 1 :]]
+
+
 def main() -> int:
     """Set up, run the command line, return its exit status."""
     try:  # from the first import on: Ctrl-C is no error
@@ -38,7 +48,7 @@ def main() -> int:
             from app import bootstrap
 
             bootstrap.again(sys.executable)
-        arguments = sys.argv[1:]
+        arguments = command_first(sys.argv[1:])
         if modules.FROZEN and arguments[:1] == ["-m"]:  # a process of `modules.command`
             import runpy
 

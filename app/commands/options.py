@@ -124,6 +124,8 @@ class Parser(argparse.ArgumentParser):
         command = self._command or said("The window")
         if "" in words:
             raise CliError("{0} was given an empty name.", command)
+        if not self._command and len(words) > 1:
+            check_file(words[0])  # perhaps a command behind an option
         names = self._names.split()
         if len(words) < len(names):
             names = [name for name in names if not name.startswith("[")]

@@ -4,7 +4,17 @@ from functools import partial
 
 import numpy as np
 
-from app.drawings.label_placement import Floats, Ground, Wish, around, overlap, place
+from app.drawings.label_placement import (
+    LEADER_FROM_EM,
+    Floats,
+    Ground,
+    Places,
+    Wish,
+    around,
+    crossed,
+    overlap,
+    place,
+)
 
 GAP_PX = 3.0  # between a curve and its name
 
@@ -18,19 +28,23 @@ def beside(
       place.
     - `frame`, `taken` (4,) and (k, 4): left, low, right, high: where names may be, and boxes of
       other names; so is the result.
-    - `along` (m, 2): places along curves, which no name hides.
+    - `along` (m, 2): places along curves, which no name hides and no line to a name crosses.
     - `gaps` (n,): from each point to its name.
     """
     em = float(sizes[:, 1].max())
     ground = Ground(frame.tolist(), em)
     for box in (*taken.tolist(), *np.hstack([along - 1.0, along + 1.0]).tolist()):
         ground.keep_box(*box)
+    pairs = np.stack([along[:-1], along[1:]])[:, (along[1:, 0] >= along[:-1, 0]).nonzero()[0]]
+    lines = np.hstack([pairs.min(axis=0), pairs.max(axis=0)])
     wishes = []
     for i, (point, size, gap) in enumerate(zip(points, sizes, gaps.tolist(), strict=True)):
         ground.keep([point.tolist()], 0.4 * gap)
         if size[0] > 0.0:
             wide, high = size.tolist()
-            places = partial(around, point, (wide, high), em, gap - 0.3 * em)
+            own = np.concatenate([point - gap, point + gap])
+            others = lines[~overlap(own[None], lines)[0]]
+            places = partial(_clear, point, (wide, high), em, gap - 0.3 * em, others)
             wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
     placed = place(wishes, ground)
     labels = (placed.get(i) for i in range(len(points)))
@@ -40,6 +54,18 @@ def beside(
         else np.concatenate([each.centre - size / 2.0, each.centre + size / 2.0])
         for each, size in zip(labels, sizes, strict=True)
     ]
+
+
+def _clear(
+    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats
+) -> Places:
+    """The places round a point, without those whose leaders would cross a line's box."""
+    places, half = around(point, size, em, rim), np.array(size) / 2.0
+    boxes = np.hstack([places.centres - half, places.centres + half])
+    far = places.away > LEADER_FROM_EM * em
+    free = ~(far & crossed(places.anchors, boxes, lines).any(axis=1))
+    centres, turns, anchors, away, *_ = places
+    return Places(centres[free], turns[free], anchors[free], away[free])
 
 
 def beside_curve(

@@ -99,10 +99,11 @@ def _options(key: Hashable, frames: Sequence[Wanted]) -> list[FilmPlace]:
         for wish, places in frame.wishes:
             if wish.key != key or not len(places.centres):
                 continue
-            for number in cheapest(candidates([(wish, places)], frame.ground).costs):
+            own = candidates([(wish, places)], frame.ground)
+            for number in cheapest(own.costs, own.brief):
                 label = placed_label(wish, places, number, em)
                 spot = label.kept
-                turn = round(spot.turn, 1), spot.spot, spot.leads
+                turn = round(spot.turn, 1), spot.spot, spot.leads, spot.brief
                 option = FilmPlace(spot, float(places.away[number]))
                 kept.setdefault((*turn, *_rounded(spot.offset, em)), option)
                 if len(wish.spots) == 1 and places.leads:
@@ -127,14 +128,17 @@ def _tried(frame: Wanted, options: dict[Hashable, list[FilmPlace]]) -> dict[Hash
         centres = anchors + [each.kept.offset for each in places]
         stands = np.array([each.still is not None for each in places])
         centres[stands] = np.reshape([each.still for each in places if each.still], (-1, 2))
-        own = _apart(centres, wish.size, outlines[number])
+        turns = np.array([each.kept.turn for each in places])
+        brief = np.array([each.kept.brief for each in places])
+        tried = Places(centres, turns, anchors, np.zeros(len(places)), brief=brief)
+        sizes = wish.sizes(tried)
+        own = _apart(centres, sizes, outlines[number])
         away = np.where(stands | (len(wish.spots) > 1), own, [each.away for each in places])
         leads = np.array([each.kept.leads for each in places])
         centres[~stands & ~leads & (away > LEADER_FROM_EM * em)] = np.nan  # too far
-        turns = np.array([each.kept.turn for each in places])
-        choices.append((wish, Places(centres, turns, anchors, away)))
+        choices.append((wish, tried._replace(away=away)))
         others = np.vstack([np.full((1, 2), np.nan), *outlines[:number], *outlines[number + 1 :]])
-        strays.append(np.where(_apart(centres, wish.size, others) < own, _FOREIGN, 0.0))
+        strays.append(np.where(_apart(centres, sizes, others) < own, _FOREIGN, 0.0))
     if not choices:
         return {}
     every = candidates(choices, frame.ground)
@@ -153,9 +157,9 @@ def _outline(wish: Wish) -> Floats:
     return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
 
 
-def _apart(centres: Floats, size: tuple[float, float], points: Floats) -> Floats:
+def _apart(centres: Floats, sizes: Floats, points: Floats) -> Floats:
     """Return how far the nearest of some points is from each box."""
-    beside = np.abs(points - centres[:, None]) - np.array(size) / 2.0
+    beside = np.abs(points - centres[:, None]) - sizes[:, None] / 2.0
     apart = np.linalg.norm(np.maximum(beside, 0.0), axis=2)
     return np.asarray(np.where(np.isnan(apart), np.inf, apart).min(axis=1, initial=np.inf))
 

@@ -314,8 +314,11 @@ class FrustumDrawing(Layer):
             marks = [(x, y) for x, y, depth in beside if depth > 0.0 and math.isfinite(x + y)]
             out = beside[0][0] - middle[0], beside[0][1] - middle[1]
             size, rim = board.label(letter).size_px, DOT_EM * state.em
-            places = partial(flanking, marks, out, size, state.em, rim)
-            board.want(letter, marks, places if marks else lambda: NOWHERE, SIDE)
+            places = partial(flanking, marks, out, em=state.em, rim=rim)
+            if marks:
+                board.want(letter, marks, partial(places, size), SIDE, places)
+            else:
+                board.want(letter, marks, lambda: NOWHERE, SIDE)
 
     def ink(self, ground: Ground) -> None:
         corners, own = self._state.corners_seen, self._state.own

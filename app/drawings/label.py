@@ -5,6 +5,7 @@ texture.
 """
 
 import math
+import re
 import weakref
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
@@ -31,6 +32,7 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
+_SHORT = re.compile(r"(?:[^=]* )?([^ =]+) = [^=]+")
 PARTS = 4  # of a pixel, to which a piece is placed
 
 
@@ -182,13 +184,13 @@ class SceneLabel:
         self.em = style.font_size
         self._how = {"plain": plain, "one_size": style.one_size}
         self._style, self._anchor = style, anchor
-        self._visible, self._shown = visible, True
+        self._visible, self._shown, self._is_short = visible, True, False
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self.text, self._tone = with_comma(text), style.tone(colour)
-        self.size_px = size_px(self.text, self.em, **self._how)
-        """Width and height of the letters without halo."""
+        self._text, self._tone = with_comma(text), style.tone(colour)
+        self.size_px = size_px(self._text, self.em, **self._how)
+        """Width and height of the letters without halo, of the whole text."""
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
         self._image, self.texture = vtkImageData(), vtkTexture()
@@ -209,6 +211,25 @@ class SceneLabel:
         self._show()
 
     @property
+    def text(self) -> str:
+        """What is shown: the whole text, or only its letter."""
+        return self.letter if self._is_short else self._text
+
+    @property
+    def letter(self) -> str:
+        """The letter of a text such as ``near n = 4``; of another one the whole text."""
+        valued = _SHORT.fullmatch(self._text)
+        return self._text if valued is None or self._how["plain"] else valued[1]
+
+    @property
+    def letter_px(self) -> tuple[int, int]:
+        return size_px(self.letter, self.em, **self._how)
+
+    @property
+    def _shown_px(self) -> tuple[int, int]:
+        return self.letter_px if self._is_short else self.size_px
+
+    @property
     def is_visible(self) -> bool:
         """The last value of `set_visible`."""
         return self._visible
@@ -216,10 +237,14 @@ class SceneLabel:
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
         text = with_comma(text)
-        if text != self.text:
-            self.text = text
+        if text != self._text:
+            self._text = text
             self.size_px = size_px(text, self.em, **self._how)
             self._show()
+
+    def shorten(self, short: bool) -> None:
+        """Show only the letter of a text such as ``near n = 4``."""
+        self._set("_is_short", short)
 
     def set_colour(self, colour: str) -> None:
         self._set("_tone", self._style.tone(colour))
@@ -270,7 +295,7 @@ class SceneLabel:
             self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
         (x, y, turn), (width, height) = self._place, self._size
         self.texture.SetInterpolate(bool(turn))
-        (wide, high), rim, (to_right, to_top) = self.size_px, rim_px(self.em), self._anchor
+        (wide, high), rim, (to_right, to_top) = self._shown_px, rim_px(self.em), self._anchor
         below = height - high - rim  # with the underline
         left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below
         cos, sin = math.cos(turn), math.sin(turn)
@@ -288,7 +313,7 @@ class SceneLabel:
         label = line_of(self.text, **self._how)
         left, low, _, _ = label.box
         (x, y, turn), (to_right, to_top) = self._place, self._anchor
-        (wide, high), (cos, sin) = self.size_px, (math.cos(turn), math.sin(turn))
+        (wide, high), (cos, sin) = self._shown_px, (math.cos(turn), math.sin(turn))
         along = -(to_right + 1) / 2.0 * wide - left * self.em
         up = -(to_top + 1) / 2.0 * high - low * self.em
         place = x + cos * along - sin * up, y + sin * along + cos * up
@@ -301,7 +326,7 @@ class SceneLabel:
     @property
     def box_px(self) -> tuple[float, float, float, float]:
         """Left, right, bottom and top of the letters, from the renderer's left and bottom."""
-        (x, y, turn), (wide, high), (to_right, to_top) = self._place, self.size_px, self._anchor
+        (x, y, turn), (wide, high), (to_right, to_top) = self._place, self._shown_px, self._anchor
         cos, sin = abs(math.cos(turn)), abs(math.sin(turn))
         wide, high = cos * wide + sin * high, sin * wide + cos * high  # type: ignore[assignment]
         left, low = x - (to_right + 1) / 2.0 * wide, y - (to_top + 1) / 2.0 * high

@@ -42,8 +42,10 @@ _STEEPEST = math.radians(30.0)
 _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
+_BRIEF = 5.0  # of a letter alone
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
+_TRIED_BRIEF = 6  # and of its letter alone
 _RIM_EM = 0.45  # of a mark, where its leader begins
 _ROUNDING_PX = 1e-6  # beyond the frame: a label that slides to its border is inside
 _FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
@@ -57,6 +59,7 @@ class Places(NamedTuple):
     anchors: Floats  # (n, 2): what a leader would join to the label
     away: Floats  # (n,), distance from the anchor in px
     leads: bool = True  # whether a leader may join a place that is far away
+    brief: NDArray[np.bool_] | None = None  # (n,), where the letter stands alone; None: nowhere
 
 
 NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
@@ -65,7 +68,8 @@ NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
 class Wish(NamedTuple):
     """A label that wants a place; of two that want the same one the lower rank has it.
 
-    `spots` are the points that it names. `places` makes its candidates, if they are needed.
+    `spots` are the points that it names. `places` makes its candidates, if they are needed; `short`
+    is the size of its letter, which may stand alone, and what makes the candidates of that.
     """
 
     key: Hashable
@@ -73,12 +77,23 @@ class Wish(NamedTuple):
     spots: Sequence[Spot]
     places: Callable[[], Places]
     rank: float = 0.0
+    short: tuple[tuple[float, float], Callable[[], Places]] | None = None
+
+    def sizes(self, places: Places) -> Floats:
+        """The size of the label in each of its candidates, (n, 2)."""
+        of = np.tile(self.size, (len(places.centres), 1)).astype(np.float64)
+        if places.brief is not None and self.short is not None:
+            of[places.brief] = self.short[0]
+        return of
 
     def choices(self, ground: Ground) -> tuple[Wish, Places]:
         """Make its candidates; those with leaders above, below or beside slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
+        if self.short is not None and len(places.centres):
+            whole, places = len(places.centres), joined(places, self.short[1]())
+            places = places._replace(brief=np.arange(len(places.centres)) >= whole)
         if places.leads and len(places.centres):
-            half, centres = np.array(self.size) / 2.0, places.centres
+            half, centres = self.sizes(places) / 2.0, places.centres
             inside = np.clip(
                 centres, frame[:2] + half, np.maximum(frame[2:] - half, frame[:2] + half)
             )
@@ -95,9 +110,10 @@ class KeptSpot(NamedTuple):
     offset: Spot
     turn: float
     leads: bool
+    brief: bool = False  # whether its letter stands alone
 
     def is_elsewhere(self, other: KeptSpot | None) -> bool:
-        if other is None or self.spot != other.spot:
+        if other is None or (self.spot, self.brief) != (other.spot, other.brief):
             return True
         return math.dist(self.offset, other.offset) + abs(self.turn - other.turn) > 1.0
 
@@ -385,12 +401,13 @@ def _kept_labels(
     left_most, lowest, right_most, highest = ground.limits
     for wish in sorted(wishes, key=lambda each: each.rank):
         was = kept.get(wish.key)
-        if was is None or was.spot >= len(wish.spots):
+        if was is None or was.spot >= len(wish.spots) or (was.brief and wish.short is None):
             continue
+        size = wish.short[0] if was.brief and wish.short is not None else wish.size
         (x, y), (to_right, up) = wish.spots[was.spot], was.offset
         cos, sin = abs(math.cos(was.turn)), abs(math.sin(was.turn))
-        half_x = (cos * wish.size[0] + sin * wish.size[1]) / 2.0
-        half_y = (sin * wish.size[0] + cos * wish.size[1]) / 2.0
+        half_x = (cos * size[0] + sin * size[1]) / 2.0
+        half_y = (sin * size[0] + cos * size[1]) / 2.0
         left, right = x + to_right - half_x, x + to_right + half_x
         low, high = y + up - half_y, y + up + half_y
         room = min(left - left_most, low - lowest, right_most - right, highest - high)
@@ -403,7 +420,7 @@ def _kept_labels(
             continue
         taken.append((left, low, right, high))
         if was.leads:
-            leader = _leader((x, y), centre, wish.size, ground.em)
+            leader = _leader((x, y), centre, size, ground.em)
         stayed[wish.key] = PlacedLabel(centre, was.turn, leader, was, is_free)
     return stayed
 
@@ -414,6 +431,7 @@ class Candidates(NamedTuple):
     counts: NDArray[np.int64]  # of each label
     costs: Floats  # of each candidate alone; infinite where it may not be
     boxes: Floats  # (n, 4)
+    brief: NDArray[np.bool_]
     anchors: Floats  # (n, 2)
     has_leader: NDArray[np.bool_]
 
@@ -421,8 +439,8 @@ class Candidates(NamedTuple):
         """Return some of them, of one label."""
         which = slice(start, end)
         return Candidates(
-            np.array([end - start]), self.costs[which], self.boxes[which], self.anchors[which],
-            self.has_leader[which],
+            np.array([end - start]), self.costs[which], self.boxes[which], self.brief[which],
+            self.anchors[which], self.has_leader[which],
         )  # fmt: skip
 
 
@@ -432,8 +450,9 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     counts = np.array([len(places.centres) for places in all_places])
     first = np.cumsum(counts) - counts
     of = np.repeat(np.arange(len(counts)), counts)
-    centres, turns, anchors, away, _ = joined(*all_places)
-    size = np.array([wish.size for wish, _ in choices])[of]
+    centres, turns, anchors, away, *_ = joined(*all_places)
+    size = np.concatenate([wish.sizes(places) for wish, places in choices])
+    brief = (size != np.array([wish.size for wish, _ in choices])[of]).any(axis=1)
     leads = np.array([places.leads for places in all_places])[of]
     across, up = np.abs(np.cos(turns))[:, None], np.abs(np.sin(turns))[:, None]
     half = (across * size + up * size[:, ::-1]) / 2.0
@@ -444,20 +463,22 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     free &= leads | ~far
     if ground.taken:
         free &= ~overlap(boxes, np.array(ground.taken)).any(axis=1)
-    number = np.arange(len(of)) - first[of]
-    costs = _ORDER * np.minimum(number, 24.0) + np.where(far, away / em, 0.0)
+    wholes = np.bincount(of[~brief], minlength=len(counts))
+    number = np.arange(len(of)) - first[of] - brief * wholes[of]
+    costs = _ORDER * np.clip(number, 0.0, 24.0) + np.where(far, away / em, 0.0) + _BRIEF * brief
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
     costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
-    return Candidates(counts, costs, boxes, anchors, leads & far)
+    return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
-def cheapest(costs: Floats) -> list[int]:
+def cheapest(costs: Floats, brief: NDArray[np.bool_]) -> list[int]:
     """Return which candidates of a label are tried: the first that are free, and the cheapest."""
     free = np.flatnonzero(np.isfinite(costs))
-    best = free[np.argsort(costs[free], kind="stable")[:_TRIED]]
-    return sorted({*free[:_TRIED].tolist(), *best.tolist()})
+    best = free[np.argsort(costs[free], kind="stable")]
+    letters = best[brief[best]][:_TRIED_BRIEF]
+    return sorted({*free[:_TRIED].tolist(), *best[:_TRIED].tolist(), *letters.tolist()})
 
 
 def _costs(
@@ -466,9 +487,10 @@ def _costs(
     """The candidates to be tried, label by label: their numbers, and for all of them what each
     costs alone, its box, and which boxes its leader would run over.
     """
-    counts, costs, boxes, anchors, leads = candidates(choices, ground)
+    counts, costs, boxes, brief, anchors, leads = candidates(choices, ground)
     first = np.cumsum(counts) - counts
-    tried = [cheapest(part) for part in np.split(costs, first[1:])]
+    parts = (np.split(each, first[1:]) for each in (costs, brief))
+    tried = [cheapest(*part) for part in zip(*parts, strict=True)]
     at = np.array([start + each for start, here in zip(first, tried, strict=True) for each in here])
     at = at.astype(np.int64)
     boxes, leads = boxes[at], leads[at]
@@ -586,10 +608,11 @@ def placed_label(wish: Wish, places: Places, number: int, em: float) -> PlacedLa
     apart = [math.hypot(spot_x - at_x, spot_y - at_y) for spot_x, spot_y in wish.spots]
     nearest = min(range(len(apart)), key=lambda i: apart[i] if apart[i] >= 0.0 else math.inf)
     from_x, from_y = wish.spots[nearest]
-    leader = _leader((at_x, at_y), (x, y), wish.size, em) if leads else None
-    return PlacedLabel(
-        (x, y), turn, leader, KeptSpot(nearest, (x - from_x, y - from_y), turn, leads)
-    )
+    wide, high = wish.sizes(places)[number].tolist()
+    leader = _leader((at_x, at_y), (x, y), (wide, high), em) if leads else None
+    brief = places.brief is not None and bool(places.brief[number])
+    kept = KeptSpot(nearest, (x - from_x, y - from_y), turn, leads, brief)
+    return PlacedLabel((x, y), turn, leader, kept)
 
 
 def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:

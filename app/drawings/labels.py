@@ -109,9 +109,16 @@ class Board:
         spots: Sequence[tuple[float, float]],
         places: Callable[[], Places],
         rank: float,
+        briefly: Callable[[tuple[float, float]], Places] | None = None,
     ) -> None:
-        """Ask for one of these places, which name these spots, for the label of a key."""
-        self._wishes.append(Wish(key, self.label(key).size_px, spots, places, rank))
+        """Ask for one of these places, which name these spots, for the label of a key.
+
+        `briefly` makes the places of its letter alone, whose size it is told.
+        """
+        label, short = self.label(key), None
+        if briefly is not None and label.letter_px != label.size_px:
+            short = label.letter_px, partial(briefly, label.letter_px)
+        self._wishes.append(Wish(key, label.size_px, spots, places, rank, short))
 
     def want_beside(
         self, key: Hashable, spot: Spot, rank: float, way: tuple[float, float] | None = None
@@ -119,8 +126,8 @@ class Board:
         """Ask for a place beside a point, towards `way` first; there is none behind the camera."""
         x, y, depth = spot
         if depth > 0.0 and math.isfinite(x + y):
-            size, rim = self.label(key).size_px, DOT_EM * self.em
-            self.want(key, [(x, y)], partial(around, (x, y), size, self.em, rim, way), rank)
+            places = partial(around, (x, y), em=self.em, rim=DOT_EM * self.em, way=way)
+            self.want(key, [(x, y)], partial(places, self.label(key).size_px), rank, places)
         else:
             self.want(key, [], lambda: NOWHERE, rank)
 
@@ -209,6 +216,7 @@ class Board:
             spot = placed.get(key)
             label.set_visible(spot is not None)
             if spot is not None:
+                label.shorten(spot.kept.brief)
                 label.set_position(*spot.centre, spot.turn)
             joined_px = None if spot is None else spot.leader
             if joined_px is not None or leader.used:
@@ -282,9 +290,8 @@ def want_plane(
     returns the places of the pane that show the plane.
     """
     spots = [(x, y) if depth > 0.0 else (math.nan, math.nan) for x, y, depth in corners]
-    size = board.label(key).size_px
 
-    def places() -> Places:
+    def places(size: tuple[float, float]) -> Places:
         ends = np.array(spots)
         edges = np.stack([ends, np.roll(ends, -1, axis=0)], axis=1)
         seen = clipped(edges[np.isfinite(edges).all(axis=(1, 2))], ground.limits)
@@ -295,7 +302,7 @@ def want_plane(
             possible.insert(0, along(seen, (x, y), size, board.em, before))
         return joined(*possible) if possible else NOWHERE
 
-    board.want(key, spots, places, PLANE)
+    board.want(key, spots, partial(places, board.label(key).size_px), PLANE, places)
 
 
 class ScreenLines:

@@ -21,6 +21,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
+from app.__main__ import command_first
 from app.bootstrap import ROOT
 from app.commands import cli, options
 from app.document.document import Document
@@ -73,6 +74,13 @@ BY_HAND = Document(
         (200, 100),
     ),
 )
+
+
+@pytest.mark.parametrize("asked", [["--language", "hr"], ["--language=hr"]])
+def test_a_language_may_stand_before_the_command(asked: list[str]) -> None:
+    assert command_first([*asked, "lesson", "list"]) == ["lesson", *asked, "list"]
+    for words in ([], ["--set", "lens.near=2"], ["--", "own.json"]):
+        assert command_first([*asked, *words]) == [*asked, *words]
 
 
 def test_what_is_refused_ends_a_process_with_its_sentence_and_status() -> None:
@@ -1057,6 +1065,7 @@ def test_a_wrong_command_line_is_refused_in_a_sentence(by_hand: Path, tmp_path: 
         ("matrices", "--set", "scene=post"): "did you mean “posts”",
         ("matrices", by_hand, "--set", "scene=post"): "did you mean “posts”",
         ("--set", "lens.far=9", "matrices"): "matrices is a command and must come first",
+        ("--set", "lens.far=9", "export", "f.png"): "export is a command and must come first",
         ("exprot", "--size=100x100", "a.png"): "the nearest command is export.",
         (by_hand, by_hand): "takes [FILE], and was given 2 names",
         ("project",): "project takes [FILE] POINTS, and was given 0 names",

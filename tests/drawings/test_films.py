@@ -59,6 +59,19 @@ def test_of_a_round_film_the_first_frame_follows_the_last() -> None:
     assert first["P"][0] == last["P"][0]
 
 
+def test_where_words_would_cover_something_in_many_frames_their_letter_stands_alone() -> None:
+    figures = [
+        Figure(state, load("letter-f"), ("world", "image"), width=992.0, text_pt=8.0)
+        for state in (
+            set_values(Document(), values)
+            for values in swept(parse_sweeps(["lens.fov_y_deg=20:60"]), Document(), 6)
+        )
+    ]
+    for each in steady(still(figures)):
+        spot, light = each.labels[0]["near"]
+        assert spot.brief and light == 1.0
+
+
 def labels_of(figure: Figure) -> dict[Any, tuple[float, float, float]]:
     """Where the labels of a figure stand, in ems, and how visible they are."""
     places: dict[Any, tuple[float, float, float]] = {}

@@ -215,3 +215,15 @@ def test_an_underlined_label_keeps_its_letters_in_place(off_screen: MakeScreen) 
     assert (pixels_of(screen, label, 30, 30)[:-4] == plain[:-4]).all()
     below = screen.pixels()[::-1][24:30, 30:60]
     assert (below == to_bytes(label_tone())).all(axis=2).any(axis=0).all()
+
+
+def test_only_the_letter_of_a_name_with_a_value_can_be_shown_alone(off_screen: MakeScreen) -> None:
+    label = SceneLabel("near n = 5", LIGHT)
+    whole = label.box_px
+    label.shorten(True)
+    assert label.text == label.written.text == "n" and label.box_px[1] < whole[1]
+    label.set_text("near x_min = -1.5")
+    assert label.text == "x_min"
+    for text in ("near -1", "eye", "a = 1, b = 2", "s ="):
+        label.set_text(text)
+        assert label.text == text

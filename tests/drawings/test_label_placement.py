@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from app.drawings.curve_names import beside
 from app.drawings.label_placement import (
     Ground,
     PlacedLabel,
@@ -256,3 +257,33 @@ def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_
     x, y = label.centre
     assert x - 4.0 * em == pytest.approx(left) and low < y - em / 2.0, "in the frame"
     assert y + em / 2.0 <= 3.1 * em and label.leader is not None, "in the strip"
+
+
+@pytest.mark.parametrize("has_room", [True, False])
+def test_only_where_its_words_would_cover_something_a_letter_stands_alone(has_room: bool) -> None:
+    spot, whole, letter = (100.0, 100.0), (80.0, 14.0), (10.0, 14.0)
+    ground = Ground(FRAME, EM)
+    if not has_room:
+        held = np.ones(ground.shape, dtype=np.bool_)
+        held[int(85 / 5) : int(125 / 5), int(75 / 5) : int(125 / 5)] = False
+        ground.ink(held)
+    short = letter, partial(around, spot, letter, EM)
+    wanted = Wish("n", whole, [spot], partial(around, spot, whole, EM), 0.0, short)
+    placed = place([wanted], ground)
+    assert placed["n"].kept.brief != has_room
+    box = box_of(placed["n"], whole if has_room else letter)
+    assert ground.hidden(np.array([box])) == 0.0
+    kept = place([wanted], Ground(FRAME, EM), {"n": placed["n"].kept})
+    assert kept["n"].kept == placed["n"].kept, "it keeps its form while something moves"
+
+
+def test_no_line_from_a_point_to_its_name_crosses_a_curve() -> None:
+    """All places above the curve are taken; there is room below it."""
+    along = np.linspace((0.0, 200.0), (300.0, 20.0), 40)
+    frame, point = np.array([0.0, 0.0, 300.0, 220.0]), np.array([[250.0, 90.0]])
+    taken = np.array([[200.0, 60.0, 300.0, 220.0]])
+    sizes, gaps = np.array([[60.0, 14.0]]), np.array([5.0])
+    nothing = np.empty((0, 2))
+    (name,) = beside(point, sizes, frame, nothing, gaps, taken)
+    assert name is not None, "without the curve there is a place"
+    assert beside(point, sizes, frame, along, gaps, taken) == [None]

@@ -10,7 +10,7 @@ from PySide6.QtCore import QRect
 from app.drawings.composition import measured
 from app.lessons.contents import CONTENT
 from app.lessons.course import scene_of
-from tests.support.window import arrive, give_room, present, settle
+from tests.support.window import arrive, give_room, present, settle, show_scene
 from widgets.window.main_window import MainWindow
 
 TALK = """---
@@ -90,6 +90,19 @@ def test_a_planted_close_up_is_said_and_nothing_else_is_cut(
     cut = {name: cut_at_rest(window) for name in steps(window)}
     assert cut.pop("close") >= {"near", "far", "eye"}
     assert not any(cut.values()), cut
+
+
+def test_a_scene_that_enlarges_the_pane_is_seen_from_the_shot_for_it(window: MainWindow) -> None:
+    """The pane is small and wide before, and large and upright after."""
+    give_room(window, SHAPES[0])
+    show_scene(show_scene(window, "cracks"), "unprojection")
+    drawing = window.panes["world"].drawing
+    assert drawing is not None
+    width, height = drawing.state.size_px
+    assert width < height
+    at_rest = drawing.own.pose
+    window.panes["world"].reset_view()
+    assert drawing.own.pose.is_near(at_rest)
 
 
 @pytest.mark.parametrize("room", SHAPES, ids=["wide", "upright"])
