@@ -46,7 +46,7 @@ def main() -> int:
     if options.inside:
         before = pace()
         part_figures = PARTS[options.inside](0.1 if options.quick else 1.0)
-        print(json.dumps([part_figures, round((before + pace()) / 2.0, 2)]))
+        print(json.dumps([part_figures, round(min(before, pace()), 2)]))
         return 0
     figures = json.loads(Path(options.kept).read_text("utf-8")) if options.kept else {}
     with at_home() if not options.kept else contextlib.nullcontext({}) as environment:
@@ -741,7 +741,7 @@ def talks(scale: float) -> dict[str, Any]:
             rest(2.5)  # what is made ahead is made then
             before = window.store.document.scene
             took = timed(partial(window.lessons.go, place))
-            rest(2.5)
+            rest(1.0)  # until the transition has ended
             bare.append(p50(in_turn({"bare": partial(repaint, window)}, 5, 0)["bare"]))
             same = window.store.document.scene == before
             own["same scene" if same else "other scene"].append(took - bare[-1])
