@@ -53,6 +53,16 @@ def test_what_is_written_is_true() -> None:
     assert untrue(page, start(1.134, 1.5)) == []
 
 
+def test_times_are_converted_to_the_pace_of_the_page() -> None:
+    """A machine that is half as quick contradicts nothing, and a program that is half as quick."""
+    page = f"{ROWS}| the pace of the machine, of which the times are | 20 ms |\n"
+    felt = {"F5 and back, each": [500.0]}
+    slow, quick = ({"felt": felt, "pace": {"felt": pace}} for pace in (40.0, 20.0))
+    assert not [fault for fault in untrue(page, slow) if "F5" in fault]
+    assert "F5 and back, each, median: 250 claimed, 500 measured" in untrue(page, quick)
+    assert "| 125 ms |" in written(page, {"felt": felt, "pace": {"felt": 80.0}})
+
+
 def test_the_page_has_every_claim() -> None:
     page = PAGE.read_text(encoding="utf-8")
     lacking = untrue(page, {claim.part: {} for claim in CLAIMS})
