@@ -126,9 +126,11 @@ class Figure:
     def _check_size(self) -> None:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
             raise Refusal.saying(REFUSALS["scale"], f"{self.scale:g}", LARGEST_PX)
-        per_px = PX_PER[self.full_size.unit]
-        divided = not self.column, self.column
-        for templates, side, is_divided in zip(_SIDES, self.full_size[:2], divided, strict=True):
+        size, divided = self.full_size, (not self.column, self.column)
+        if self.width is not None:
+            size = Size(size.px[0] / PX_PER["mm"], size.px[1] / PX_PER["mm"], "mm")
+        per_px = PX_PER[size.unit]
+        for templates, side, is_divided in zip(_SIDES, size[:2], divided, strict=True):
             smallest = SMALLEST_PANE_PX * (len(self.panes) if is_divided else 1)
             if self._has_own_size:
                 smallest = 1
@@ -137,10 +139,10 @@ class Figure:
                 continue
             limits: tuple[object, object, object] = smallest, LARGEST_PX, f"{self.scale:g}"
             template = templates[0 if self.scale == 1.0 else 1]
-            if self.full_size.unit != "px":
+            if size.unit != "px":
                 template = templates[2]
                 least, most = (bound / per_px / self.scale for bound in (smallest, LARGEST_PX))
-                limits = f"{least:.3g}", f"{most:.4g}", self.full_size.unit
+                limits = f"{least:.3g}", f"{most:.4g}", size.unit
             raise Refusal.saying(template, format_value(side), *limits)
 
     @cached_property
@@ -254,17 +256,15 @@ class Figure:
     def _as_wide(
         self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
     ) -> tuple[Figure, Pixels]:
-        """Draw it in a box in which what is seen is as wide as asked for; return both.
-
-        The box is the same for all formats, and so it is found with the pixels at scale 1.
-        """
+        """Draw it in a box in which what is seen is as wide as asked for; return both."""
         if self.width is None or self._has_own_size:
             return self, self._whole(watch, seen)
-        figure = replace(self, scale=1.0)
+        # All formats have the same box: it is found at scale 1, where that has enough pixels.
+        figure = replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
         tries: list[tuple[tuple[bool, float], Figure, Pixels]] = []
         while len(tries) <= _TRIES:
             drawn = figure._whole(watch, seen)
-            wide = float(np.ptp(self._seen(drawn)[0])) or self.width
+            wide = float(np.ptp(self._seen(drawn)[0])) / figure.scale or self.width
             missing = self.width - wide
             tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
             if abs(missing) <= _NEAR_PX:

@@ -242,7 +242,8 @@ def test_figures_leave_nothing_behind() -> None:
     screens = [take_screen(8, 8) for _ in range(9)]
     while screens:
         screens.pop().give_back()
-    assert count() <= max(before, 3), "as many are kept as a window has panes"
+    tried = 1  # by `check_off_screen`, which keeps it
+    assert count() <= max(before, tried + 3), "as many are kept as a window has panes"
 
 
 def test_a_window_that_figures_were_drawn_in_draws_as_a_new_one() -> None:

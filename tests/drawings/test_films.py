@@ -18,7 +18,7 @@ from app.drawings.film_labels import Wanted, placed_in_film
 from app.drawings.label import LabelActor
 from app.drawings.label_placement import Ground, Wish, around
 from app.drawings.style import LIGHT
-from app.drawings.vectors import box_of
+from app.drawings.vectors import TextShape, box_of
 from app.model.refusal import Refusal
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import load
@@ -67,9 +67,12 @@ def test_where_words_would_cover_something_in_many_frames_their_letter_stands_al
             for values in swept(parse_sweeps(["lens.fov_y_deg=20:60"]), Document(), 6)
         )
     ]
-    for each in steady(still(figures)):
+    film = steady(still(figures))
+    for each in film:
         spot, light = each.labels[0]["near"]
         assert spot.brief and light == 1.0
+    texts = [shape.written.text for shape in film[0].shapes()[1] if isinstance(shape, TextShape)]
+    assert "n" in texts and "near n = 5" not in texts and "far f = 12.5" in texts
 
 
 def labels_of(figure: Figure) -> dict[Any, tuple[float, float, float]]:

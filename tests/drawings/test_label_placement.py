@@ -259,22 +259,28 @@ def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_
     assert y + em / 2.0 <= 3.1 * em and label.leader is not None, "in the strip"
 
 
-@pytest.mark.parametrize("has_room", [True, False])
-def test_only_where_its_words_would_cover_something_a_letter_stands_alone(has_room: bool) -> None:
+@pytest.mark.parametrize("room_for", ["words on this side", "words on the other", "a letter"])
+def test_only_where_its_words_would_cover_something_a_letter_stands_alone(room_for: str) -> None:
     spot, whole, letter = (100.0, 100.0), (80.0, 14.0), (10.0, 14.0)
     ground = Ground(FRAME, EM)
-    if not has_room:
+    if room_for != "words on this side":
         held = np.ones(ground.shape, dtype=np.bool_)
         held[int(85 / 5) : int(125 / 5), int(75 / 5) : int(125 / 5)] = False
+        if room_for == "words on the other":
+            held[:, :20] = False
         ground.ink(held)
     short = letter, partial(around, spot, letter, EM)
     wanted = Wish("n", whole, [spot], partial(around, spot, whole, EM), 0.0, short)
     placed = place([wanted], ground)
-    assert placed["n"].kept.brief != has_room
-    box = box_of(placed["n"], whole if has_room else letter)
-    assert ground.hidden(np.array([box])) == 0.0
-    kept = place([wanted], Ground(FRAME, EM), {"n": placed["n"].kept})
-    assert kept["n"].kept == placed["n"].kept, "it keeps its form while something moves"
+    is_brief = room_for == "a letter"
+    assert placed["n"].kept.brief == is_brief
+    left, low, right, high = box_of(placed["n"], letter if is_brief else whole)
+    assert ground.hidden(np.array([[left, low, right, high]])) == 0.0
+    to_right, up = placed["n"].kept.offset
+    was = placed["n"].kept._replace(offset=(to_right + 1.0, up + 1.0))
+    narrow = Ground((left - 2.0, low - 2.0, right + 2.0, high + 2.0), EM)
+    kept = place([wanted], narrow, {"n": was})
+    assert kept["n"].kept == was, "it keeps its place and its form while something moves"
 
 
 def test_no_line_from_a_point_to_its_name_crosses_a_curve() -> None:

@@ -95,6 +95,14 @@ def test_a_figure_is_as_wide_as_asked_after_it_was_cropped(
         assert wide == round(width) and high == pytest.approx(height, abs=2.0)
 
 
+def test_a_width_that_is_small_on_paper_is_drawn_at_a_scale_that_has_room_for_it() -> None:
+    narrow = {"size": None, "text_pt": None, "width": 5.0 / 25.4 * DPI}
+    with pytest.raises(Refusal, match=r"^width = 5 mm: must be from 5.42 to 1387 mm"):
+        figure(*CHAPTER[0], **narrow)
+    pixels = figure(*CHAPTER[0], **narrow, scale=4.0).pixels()
+    assert pixels.shape[1] == 236
+
+
 EQUATIONS = (
     ("own", "frustum"), ("003", "view"), ("001", "M_z M_pp M_persp"), ("002", "P numbers"),
     ("own", "object, view"),
