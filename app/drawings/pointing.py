@@ -29,7 +29,8 @@ FACES = {  # the corners of each plane's face, in the order of `highlight.CORNER
 _WIDER, _LARGER = 2.4, 1.7
 _CORNER = 4.5  # widths of a line
 _TINT = 0.22
-_DASHES, _DASH = 16, 0.6  # of an edge of the far plane; share of a dash and its gap
+# Of the far plane's edges. Vector formats round the ends of dashes, which fills short gaps.
+_DASHES, _DASH = 10, 0.45  # dashes, and the share of one in it and its gap
 
 
 class Emphasis:

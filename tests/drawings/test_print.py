@@ -13,6 +13,7 @@ from app.document.document import Document
 from app.document.lengths import DPI, Size
 from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
+from app.drawings.style import PALETTES, rgb
 from app.drawings.vectors import LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
@@ -27,6 +28,7 @@ CHAPTER = (
     ("focus", "world/image", ()), ("letter-f", "world", ("view.fixed=side",)),
 )  # fmt: skip
 """The eight figures of a chapter."""
+FAR_ON_PAPER, TOUCHING_PX = rgb(PALETTES["print"].far), 0.05
 COMPARED = "view.compare=a: settings.interpolation=affine|c: settings.interpolation=correct"
 
 
@@ -168,3 +170,14 @@ def test_the_frame_of_an_image_lies_over_its_pixels() -> None:
     last = max(place for place, kind in enumerate(kinds) if kind is PixelShape)
     frames = [place for place, each in enumerate(shapes) if isinstance(each, LineShape)]
     assert kinds.count(PixelShape) == 2 and max(frames) > last
+
+
+def test_the_dashes_of_far_are_apart_in_a_column() -> None:
+    """The ends of vector lines are round: a gap that is not wider than its line is filled."""
+    narrow = figure("letter-f", "world,image", ("lens.fov_y_deg=20",), size=Size(84.0, 34.0, "mm"))
+    lines = [shape for shape in narrow.shapes()[1] if isinstance(shape, LineShape)]
+    far = [line for line in lines if line.colour == pytest.approx(FAR_ON_PAPER)]
+    begins, ends = np.array([line.points for line in far]).swapaxes(0, 1)
+    apart = np.linalg.norm(begins - ends[:, None], axis=2)
+    gaps = apart[apart > TOUCHING_PX]  # not the parts of a dash
+    assert len(far) > 12 and gaps.min() > 1.25 * far[0].width
