@@ -127,7 +127,7 @@ class Figure:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
             raise Refusal.saying(REFUSALS["scale"], f"{self.scale:g}", LARGEST_PX)
         size, divided = self.full_size, (not self.column, self.column)
-        if self.width is not None:
+        if self.width is not None and not float(self.width).is_integer():  # it was a length
             size = Size(size.px[0] / PX_PER["mm"], size.px[1] / PX_PER["mm"], "mm")
         per_px = PX_PER[size.unit]
         for templates, side, is_divided in zip(_SIDES, size[:2], divided, strict=True):
