@@ -203,16 +203,21 @@ def test_a_tile_is_added_moved_switched_off_and_removed(window: MainWindow) -> N
     assert chain_of(window) == FiveTiles().chain
 
 
-@pytest.mark.parametrize("other", ["scale 2,1,1", ""])
-def test_what_is_typed_for_a_tile_that_goes_away_changes_no_other(
-    window: MainWindow, other: str
-) -> None:
+def type_for_a_tile(window: MainWindow) -> None:
+    """Begin to type another number for a tile, without Enter."""
     editor = build(window, "translate 3,0,0")
     activate(window)
     field = editor.cards[0].findChildren(QLineEdit)[0]
     field.setFocus()
     field.selectAll()
     QTest.keyClicks(field, "7")
+
+
+@pytest.mark.parametrize("other", ["scale 2,1,1", ""])
+def test_what_is_typed_for_a_tile_that_goes_away_changes_no_other(
+    window: MainWindow, other: str
+) -> None:
+    type_for_a_tile(window)
     window.store.set_document(set_values(window.store.document, [f"object.chain={other}"]))
     settle()
     assert chain_of(window) == Chain.read(other)
@@ -243,12 +248,7 @@ def test_a_tile_that_moves_stays_in_view(window: MainWindow) -> None:
 def test_what_is_typed_for_a_tile_does_not_move_the_fixed_objects_of_another_scene(
     window: MainWindow,
 ) -> None:
-    editor = build(window, "translate 3,0,0")
-    activate(window)
-    field = editor.cards[0].findChildren(QLineEdit)[0]
-    field.setFocus()
-    field.selectAll()
-    QTest.keyClicks(field, "7")
+    type_for_a_tile(window)
     window.store.set_document(Document("clipping", load("clipping").start))
     settle()
     assert chain_of(window) == Chain() and window.store.document.scene == "clipping"
