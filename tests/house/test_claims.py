@@ -63,6 +63,17 @@ def test_times_are_converted_to_the_pace_of_the_page() -> None:
     assert "| 125 ms |" in written(page, {"felt": felt, "pace": {"felt": 80.0}})
 
 
+def test_what_is_at_most_so_may_be_less() -> None:
+    page = "| slider step during a measurement, p50 and p95 at most | 1.20, 1.30 |\n"
+    few = {"measuring": {"dragged": [0.8, 0.7], "typed": [1.1, 1.2]}}
+    many = {"measuring": {"dragged": [0.8, 0.7], "typed": [1.5, 1.2]}}
+    assert untrue(page, few) == []
+    assert untrue(page, many) == [
+        "slider step during a measurement: 1.2 claimed, 0.8 to 1.5 measured"
+    ]
+    assert "| 1.10, 1.20 |" in written(page, few)
+
+
 def test_the_page_has_every_claim() -> None:
     page = PAGE.read_text(encoding="utf-8")
     lacking = untrue(page, {claim.part: {} for claim in CLAIMS})
