@@ -18,6 +18,7 @@ from app.drawings.label_placement import (
     along,
     around,
     beyond,
+    cheapest,
     clipped,
     flanking,
     on,
@@ -293,3 +294,9 @@ def test_no_line_from_a_point_to_its_name_crosses_a_curve() -> None:
     (name,) = beside(point, sizes, frame, nothing, gaps, taken)
     assert name is not None, "without the curve there is a place"
     assert beside(point, sizes, frame, along, gaps, taken) == [None]
+
+
+def test_letters_alone_are_tried_beside_any_number_of_whole_texts() -> None:
+    """Each whole text may run into another label later, so the first dozen are not enough."""
+    brief = np.arange(40) >= 30
+    assert {30, 31, 32} <= {*cheapest(np.arange(40.0), brief)}
