@@ -348,7 +348,7 @@ def card(scale: float) -> dict[str, Any]:
                 *ms(*map(p50, times.values()), *map(p95, times.values())),
             ]
     starts: dict[str, list[float]] = {"empty": [], "raster": [], "opengl": []}
-    for turn in range(1 + max(2, round(6 * scale))):
+    for turn in range(1 + max(2, round(4 * scale))):
         for name, taken in starts.items():
             is_empty = name == "empty"
             command = start_command(name) if is_empty else start_command("ours", name)
