@@ -74,6 +74,7 @@ until: view.large = ndc
 
 ```test
 near: lens.near=11 -> look-n
+near: lens.near=0.4 -> done
 ```
 
 ---
@@ -99,6 +100,10 @@ Which is it?
 - [x] this
 - [ ] that
   says: That is another.
+```
+
+```test
+half: 0.5 -> right
 ```
 
 ---
