@@ -16,9 +16,7 @@ from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, Perspective
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, illustrated, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, illustrated
 
 SIZES = (584, 680), (1000, 830), (1480, 910), (200, 120)
 

@@ -19,9 +19,7 @@ from app.lecture.stages import VIEW, WORLD
 from app.model.projection import Camera, Perspective
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, Pixels, illustrated, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, Pixels, illustrated
 
 SIZE = 580, 600
 EVERYTHING_OUT = [name for name, each in PHENOMENA.items() if "frustum" in each.leaves_out]
