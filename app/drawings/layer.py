@@ -344,6 +344,8 @@ class FacesLayer(Layer):
 
     def show(self) -> None:
         illustration = self._state.illustration
+        if not self._state.scene.requires:
+            return  # nothing about its faces ever changes
         if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(illustration.rendering, self._state.projection)
