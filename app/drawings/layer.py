@@ -307,7 +307,7 @@ class Layers:
         if self._asked is not None:
             self._asked.append(afresh or at_rest)
             return False
-        if not (state.places_labels and state.canvas.is_laid_out):
+        if not (state.canvas.is_laid_out and state.places_labels):
             return False
         ground = self.ground()
         for layer in self._layers:
