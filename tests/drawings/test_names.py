@@ -21,9 +21,7 @@ from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
 from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, drawn, lit_at, off_screen, texts_of, to_bytes
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, drawn, lit_at, texts_of, to_bytes
 
 PANE_PX = 580, 660
 ACROSS_PX = 1480, 700
