@@ -307,7 +307,7 @@ class Layers:
         if self._asked is not None:
             self._asked.append(afresh or at_rest)
             return False
-        if not (state.places_labels and state.canvas.is_laid_out):
+        if not (state.canvas.is_laid_out and state.places_labels):
             return False
         ground = self.ground()
         for layer in self._layers:
@@ -344,6 +344,8 @@ class FacesLayer(Layer):
 
     def show(self) -> None:
         illustration = self._state.illustration
+        if not self._state.scene.requires:
+            return  # nothing about its faces ever changes
         if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(illustration.rendering, self._state.projection)
