@@ -368,12 +368,14 @@ def place(
     kept: Mapping[Hashable, KeptSpot] | None = None,
     *,
     patient: bool = False,
+    untangled: bool = False,
 ) -> dict[Hashable, PlacedLabel]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
     from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
-    anyway, and say whether their places are free.
+    anyway, and say whether their places are free. If `untangled`, no leaders cross each other, for
+    which more labels may be left out.
     """
     stays: dict[Hashable, PlacedLabel] = {}
     if kept:
@@ -383,7 +385,7 @@ def place(
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
         return stays
-    tried, costs, boxes, crossings = _costs(choices, ground)
+    tried, costs, boxes, crossings = _costs(choices, ground, untangled)
     ranks = [wish.rank for wish, _ in choices]
     chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, ground.em, crossings)
     for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
@@ -482,10 +484,10 @@ def cheapest(costs: Floats, brief: NDArray[np.bool_]) -> list[int]:
 
 
 def _costs(
-    choices: Sequence[tuple[Wish, Places]], ground: Ground
+    choices: Sequence[tuple[Wish, Places]], ground: Ground, untangled: bool
 ) -> tuple[list[list[int]], Floats, Floats, NDArray[np.bool_]]:
     """The candidates to be tried, label by label: their numbers, and for all of them what each
-    costs alone, its box, and which boxes its leader would run over.
+    costs alone, its box, and which boxes or leaders its own leader would run over.
     """
     counts, costs, boxes, brief, anchors, leads = candidates(choices, ground)
     first = np.cumsum(counts) - counts
@@ -496,7 +498,21 @@ def _costs(
     boxes, leads = boxes[at], leads[at]
     crossings = np.zeros((len(at), len(at)), dtype=np.bool_)
     crossings[leads] = crossed(anchors[at][leads], boxes[leads], boxes)
+    if untangled:
+        crossings[np.ix_(leads, leads)] |= _crossing(anchors[at][leads], boxes[leads])
     return tried, costs[at], boxes, crossings
+
+
+def _crossing(starts: Floats, boxes: Floats) -> NDArray[np.bool_]:
+    """Which leaders, from their anchors to the boxes of their labels, cross each other."""
+    (x, y), ends = starts.T, np.clip(starts, boxes[:, :2], boxes[:, 2:])
+    to_right, up = (ends - starts).T[:, :, None]
+    sides = (
+        to_right * (each[:, 1] - y[:, None]) - up * (each[:, 0] - x[:, None])
+        for each in (starts, ends)
+    )
+    is_between = math.prod(sides) < 0.0
+    return np.asarray(is_between & is_between.T)
 
 
 def _stray_costs(
@@ -549,7 +565,7 @@ def _solve(
 ) -> list[int | None]:
     """The number of each label's candidate, or None.
 
-    `crossings` says for every candidate whose boxes its leader would run over.
+    `crossings` says for every candidate whose boxes or leaders its own leader would run over.
     """
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em) | crossings | crossings.T
