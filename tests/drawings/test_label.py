@@ -14,9 +14,7 @@ from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
 from app.lecture.typesetting import line_of, mathtext, outline, piece_of, pieces_of
 from app.model.formula import ARROW
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, OffScreen, illustrated, off_screen, to_bytes
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, OffScreen, illustrated, to_bytes
 
 EM = 15.0
 INK, PAPER = "#000000", "#ffffff"

@@ -30,6 +30,7 @@ from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
 from app.model.projection import Camera
 from app.scenes.scene import BUILT_IN, Scene
 from tests.fuzz.catalogue import a_view, edited
+from tests.support.lessons import lesson_of
 from tests.support.window import (
     MakeWindow,
     activate,
@@ -62,14 +63,6 @@ from widgets.window.talk_band import (
     TalkBand,
 )
 from widgets.window.talk_keys import TYPED_MS
-
-
-def lesson_of(*states: str) -> str:
-    """A talk of steps that show these states; an empty one shows what the step before does."""
-    blocks = (f"```state\n{state}\n```\n" if state else "" for state in states)
-    steps = (f"# Step {at} {{#s{at}}}\n{block}" for at, block in enumerate(blocks, 1))
-    return "---\ntitle: T\nletters: own\n---\n" + "---\n".join(steps) + "```note\nminutes: 1\n```\n"
-
 
 WALKED = lesson_of(
     "scene=letter-f\nlens.fov_y_deg=60\nview.large=world",
