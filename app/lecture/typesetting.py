@@ -97,7 +97,7 @@ def mathtext(tex: str) -> str:
     """
     ordinary = *GREEK.values(), None
     tex = _BEFORE_FUNCTION.sub(
-        lambda found: found[0] + (r"\," if found[1] in ordinary else ""), tex
+        lambda match: match[0] + (r"\," if match[1] in ordinary else ""), tex
     )
     tex = _LEANING.sub(r"f\\,", tex)
     return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
