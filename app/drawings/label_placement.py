@@ -471,7 +471,8 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
-    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
+    outlines = [outline(wish) for wish, _ in choices]
+    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], outlines, em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
@@ -515,15 +516,30 @@ def _crossing(starts: Floats, boxes: Floats) -> NDArray[np.bool_]:
     return np.asarray(is_between & is_between.T)
 
 
+def outline(wish: Wish) -> Floats:
+    """Return points of what a label names: its only spot, or along the edges between its spots."""
+    ends = np.reshape(np.array(wish.spots, dtype=np.float64), (-1, 2))
+    parts = np.linspace(0.0, 1.0, 9)[:, None, None] if len(ends) > 1 else np.zeros((1, 1, 1))
+    return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
+
+
+def apart(boxes: Floats, points: Floats) -> Floats:
+    """Return how far the nearest of some points is from each box."""
+    nearest = np.clip(points, boxes[:, None, :2], boxes[:, None, 2:])
+    away = np.linalg.norm(nearest - points, axis=2)
+    return np.asarray(np.where(np.isnan(away), np.inf, away).min(axis=1, initial=np.inf))
+
+
 def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
-    em: float,
+    outlines: Sequence[Floats], em: float,
 ) -> Floats:  # fmt: skip
-    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
+    """The cost of a label nearer to what another label names, or with a leader across its mark."""
     foreign = of[:, None] != np.arange(len(marks))
+    each = np.stack([apart(boxes, points) for points in outlines], axis=1)
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
-    away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
-    nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
+    own = np.minimum(own, each[np.arange(len(of)), of])
+    nearer = foreign & (each < own[:, None])
     costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
