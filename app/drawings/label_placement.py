@@ -43,6 +43,7 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
+_BESIDE_EDGE = 3.0  # nearer to an edge of what another label names
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
@@ -536,11 +537,12 @@ def _stray_costs(
 ) -> Floats:  # fmt: skip
     """The cost of a label nearer to what another label names, or with a leader across its mark."""
     foreign = of[:, None] != np.arange(len(marks))
-    each = np.stack([apart(boxes, points) for points in outlines], axis=1)
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
-    own = np.minimum(own, each[np.arange(len(of)), of])
-    nearer = foreign & (each < own[:, None])
-    costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
+    away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
+    nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
+    each = np.stack([apart(boxes, points) for points in outlines], axis=1)
+    beside = foreign & (each < np.minimum(own, each[np.arange(len(of)), of])[:, None])
+    costs = np.where(nearer.any(axis=1), _FOREIGN, np.where(beside.any(axis=1), _BESIDE_EDGE, 0.0))
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
     costs[far] += _CROSSES * over.any(axis=1)
