@@ -164,7 +164,8 @@ class EquationSlide(QWidget):
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
         room = self.width() - 2.0 * EDGE * self._screen_px
-        usual, stretch = least_px, 0.0
+        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
+        usual, stretch = min(least_px, (self.height() - caption) / 4.0), 0.0
         if not self._is_product:
             usual = min(USUAL_CELL * self._screen_px, 0.86 * self.height() / 4.0)
             free = room / em - self._least_width
@@ -175,7 +176,6 @@ class EquationSlide(QWidget):
         ]
         whole = em * (self._least_width + stretch)
         x = (self.width() - whole) / 2.0
-        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
         top = (self.height() - sum(heights) - caption) / 2.0
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)
