@@ -95,6 +95,11 @@ class Board:
         key = next(keys, "")
         return str(key[1]) if isinstance(key, tuple) else str(key)
 
+    def writes_value(self, key: Hashable) -> bool:
+        """Whether a label of this key is visible, and says a value."""
+        label = self._labels[key][0] if key in self._labels else None
+        return label is not None and label.is_visible and "=" in label.text
+
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
         if key not in self._labels:
