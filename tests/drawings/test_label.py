@@ -8,6 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.drawings import DrawingWords
 from app.drawings.label import HALO_EM, SceneLabel, drawn, rim_px, size_px
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
 from app.lecture.typesetting import line_of, pieces_of
@@ -225,3 +226,17 @@ def test_only_the_letter_of_a_name_with_a_value_can_be_shown_alone(off_screen: M
     for text in ("near -1", "eye", "a = 1, b = 2", "s ="):
         label.set_text(text)
         assert label.text == text
+
+
+@pytest.mark.parametrize("letters", ["own", "004"])
+def test_the_equation_of_a_plane_is_not_shortened_to_a_letter(letters: str) -> None:
+    """A plane "z = 0" that is called "z" reads as an axis."""
+    scene = load("planar-shadow")
+    illustration = scene.illustration(scene.start, {})
+    assert illustration is not None
+    (ground,) = (text.text for text in illustration.world.texts if text.name == "ground")
+    for text in (ground, DrawingWords(letters)["{eye_plane}"]):
+        label = SceneLabel(text, LIGHT)
+        assert "= 0" in text and label.letter_px == label.size_px
+    valued = SceneLabel("near n = 4", LIGHT)
+    assert valued.letter_px < valued.size_px
