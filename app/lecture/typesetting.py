@@ -35,6 +35,7 @@ _ONE_READER = threading.RLock()
 """matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _LOWERED = re.compile("[₀-₉]+")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_BEFORE_FUNCTION = re.compile(r"(?<=[\w)}])(?<!\\cdot) *\\(?=(?:tan|cot|sin|cos|log)(?![a-z]))")
 FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 GREEK = dict(zip("αβγδεθλμπρσφω", (
     "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
@@ -86,8 +87,10 @@ class LineLayout(NamedTuple):
 def mathtext(tex: str) -> str:
     """Return a formula as matplotlib reads it.
 
-    A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
+    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. Between a
+    letter and a function after it mathtext leaves no room.
     """
+    tex = _BEFORE_FUNCTION.sub(r"\\,\\", tex)
     return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
 
 
