@@ -87,8 +87,8 @@ class LineLayout(NamedTuple):
 def mathtext(tex: str) -> str:
     """Return a formula as matplotlib reads it.
 
-    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. Between a
-    letter and a function after it mathtext leaves no room.
+    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. A function
+    needs room before it.
     """
     tex = _BEFORE_FUNCTION.sub(r"\\,\\", tex)
     return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"

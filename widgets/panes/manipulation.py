@@ -210,9 +210,9 @@ class Manipulation(Gestures, QObject):
 
     def _is_written(self, handle: Handle, pane: Pane) -> bool:
         """Whether names in a pane say all values that a handle of a plane moves."""
-        board, moved = pane.drawing and pane.drawing.board, self._does(handle)[0]
-        keys = [_LETTERS.get(name, name) for name in moved if handle.face]
-        return board is not None and bool(keys) and all(map(board.writes_value, keys))
+        keys = [_LETTERS.get(name, name) for name in self._does(handle)[0] if handle.face]
+        drawing = pane.drawing if keys else None
+        return drawing is not None and all(map(drawing.board.writes_value, keys))
 
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":

@@ -186,10 +186,8 @@ class EquationSlide(QWidget):
                 x += GAP_EM * em
                 x = self._draw(painter, "=", em, x, middle, ink) + GAP_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
-            if stretch:  # alike where there is room
-                alike = sum(widths) / 4.0
-                if alike >= em * max(each.widths):
-                    widths = [alike] * 4
+            if stretch and sum(widths) >= 4.0 * em * max(each.widths):  # alike where there is room
+                widths = [sum(widths) / 4.0] * 4
             left = x
             x = self._paint_matrix(painter, each, em, QPointF(x, top), widths, heights)
             if self._is_product and each.term.name:
