@@ -39,7 +39,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
-_MOST_FACES = 3_000  # of larger meshes, vertices are sampled
+_MOST_FACES = 10_000  # of larger meshes, vertices are sampled
 _MOST_POINTS = 10_000
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
