@@ -236,7 +236,10 @@ def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:
     assert (np.abs(places.centres - 200.0) > (40.0, 7.0)).any(axis=1).all()
 
 
-def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is() -> None:
+def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("app.drawings.layer._MOST_FACES", 3_000)
     silhouette = Silhouette(load("far-plane-popping"), EM)
     count = len(silhouette.triangles)
     assert count > 3000 and silhouette.triangles.shape == (count, 1, 3)
