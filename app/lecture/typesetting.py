@@ -36,15 +36,12 @@ _ONE_READER = threading.RLock()
 _LOWERED = re.compile("[₀-₉]+")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
 _LEANS_EM = 0.1  # a letter leans over a space if its ink is so far beside its width
+_BEFORE_FUNCTION = re.compile(r"(?<=[\w)}])(?<!\\cdot) *\\(?=(?:tan|cot|sin|cos|log)(?![a-z]))")
 FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 GREEK = dict(zip("αβγδεθλμπρσφω", (
     "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
     "phi", "omega",
 ), strict=True))  # fmt: skip
-_BEFORE_FUNCTION = re.compile(
-    r"(?:\\([A-Za-z]+)|[\w)}'])\s*"
-    r"(?=\\(?:(?:arc)?(?:tan|sin|cos)|cot|log|ln|exp|det|max|min)(?![a-z]))"
-)
 _LEANING = re.compile(r"(?<![\\A-Za-z])f\s*(?=\\vec|\\,\s*\\)")  # over a thin space, or an arrow
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
@@ -92,14 +89,10 @@ class LineLayout(NamedTuple):
 def mathtext(tex: str) -> str:
     """Return a formula as matplotlib reads it.
 
-    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. A thin space
-    stands also before the name of a function, and f does not lean over it.
+    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. A function
+    needs room before it, over which f does not lean.
     """
-    ordinary = *GREEK.values(), None
-    tex = _BEFORE_FUNCTION.sub(
-        lambda match: match[0] + (r"\," if match[1] in ordinary else ""), tex
-    )
-    tex = _LEANING.sub(r"f\\,", tex)
+    tex = _LEANING.sub(r"f\\,", _BEFORE_FUNCTION.sub(r"\\,\\", tex))
     return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
 
 

@@ -240,8 +240,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
 def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
     """The outline of the nearest tree behind the far plane, in the world and in the image."""
     middles = projection.trace(places() + np.array([0.0, HEIGHT / 2.0, 0.0]))
-    is_behind = middles.outside[:, PLANES.index("far")]
-    waits = is_behind & (middles.outside.sum(axis=1) == 1)
+    waits = middles.outside[:, PLANES.index("far")] & (middles.outside.sum(axis=1) == 1)
     if not waits.any():
         return Marks(), Marks()
     w = np.where(waits, -middles.view[:, 2], math.inf)
