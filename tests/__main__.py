@@ -32,6 +32,7 @@ from app import bootstrap, held_lock, system_packages
 from app.python_packages import requirements
 
 MOST_SCREENS = 4
+SCREEN = (1920, 1080)
 _PERSONAL = ("DISPLAY", "WAYLAND_DISPLAY", "QT_", "LANG", "LC_", "TEST_DISPLAYS")
 """How the variables begin that say how a person sees the program, or what runs around this."""
 
@@ -44,7 +45,7 @@ _FONTS = """<fontconfig><dir>{}</dir><cachedir>{}</cachedir><selectfont>
 
 
 @contextlib.contextmanager
-def screens(count: int) -> Iterator[dict[str, str]]:
+def screens(count: int, size: tuple[int, int] = SCREEN) -> Iterator[dict[str, str]]:
     """Yield the environment for Qt on X servers of our own, with fonts of our own, in English.
 
     ``TEST_DISPLAYS`` names the servers, for `tests.conftest`. Other systems have the one screen.
@@ -56,7 +57,7 @@ def screens(count: int) -> Iterator[dict[str, str]]:
         return
     environment["QT_QPA_PLATFORM"] = "xcb"
     with contextlib.ExitStack() as stack:
-        displays = [stack.enter_context(own_screen()) for _ in range(count)]
+        displays = [stack.enter_context(own_screen(size)) for _ in range(count)]
         home = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         matplotlib = importlib.util.find_spec("matplotlib")
         assert matplotlib is not None and matplotlib.origin is not None
@@ -69,21 +70,24 @@ def screens(count: int) -> Iterator[dict[str, str]]:
 
 
 @contextlib.contextmanager
-def at_home(extras: Sequence[str] = ("test",)) -> Iterator[dict[str, str]]:
+def at_home(
+    extras: Sequence[str] = ("test",), screen: tuple[int, int] = SCREEN
+) -> Iterator[dict[str, str]]:
     """Set up, and yield the environment for a screen and a home of a tool's own."""
     bootstrap.start("tests", extras=extras)
-    with screens(1) as environment, tempfile.TemporaryDirectory() as home:
+    with screens(1, screen) as environment, tempfile.TemporaryDirectory() as home:
         yield environment | dict.fromkeys(("HOME", "XDG_DATA_HOME", "XDG_CONFIG_HOME"), home)
 
 
 @contextlib.contextmanager
-def own_screen() -> Iterator[str]:
-    """Yield the name of an X server of our own."""
+def own_screen(size: tuple[int, int] = SCREEN) -> Iterator[str]:
+    """Yield the name of an X server of our own, with a screen of this size in pixels."""
     if shutil.which("Xvfb") is None:
         bootstrap.fail(system_packages.advice(system_packages.missing_system("tests")))
     reading, writing = os.pipe()
     # No -auth: without it the server lets in nobody but the user who started it.
-    command = f"Xvfb -displayfd {writing} -screen 0 1920x1080x24 +extension GLX -nolisten tcp"
+    screen = f"{size[0]}x{size[1]}x24"
+    command = f"Xvfb -displayfd {writing} -screen 0 {screen} +extension GLX -nolisten tcp"
     with tempfile.TemporaryFile() as said:
         server = subprocess.Popen(
             [*command.split(), "-noreset"],

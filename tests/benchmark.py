@@ -27,7 +27,7 @@ from typing import Any, NamedTuple
 
 from app import bootstrap, python_packages
 from tests import claims
-from tests.__main__ import at_home
+from tests.__main__ import SCREEN, at_home
 
 VERTICES = (100, 10_000, 1_000_000)
 
@@ -49,8 +49,10 @@ def main() -> int:
         print(json.dumps([part_figures, round(min(before, pace()), 2)]))
         return 0
     figures = json.loads(Path(options.kept).read_text("utf-8")) if options.kept else {}
-    with at_home() if not options.kept else contextlib.nullcontext({}) as environment:
-        for part in () if options.kept else [options.only] if options.only else PARTS:
+    screen = CARD_SCREEN if options.only == "card" else SCREEN
+    parts = [options.only] if options.only else [part for part in PARTS if part != "card"]
+    with at_home(screen=screen) if not options.kept else contextlib.nullcontext({}) as environment:
+        for part in () if options.kept else parts:
             command = [sys.executable, "-m", "tests.benchmark", "--inside", part]
             command += ["--quick"] if options.quick else []
             run = subprocess.run(
@@ -313,6 +315,52 @@ def canvases(scale: float) -> dict[str, Any]:
             ]  # fmt: skip
         for window in windows.values():
             close_window(window)
+    return figures
+
+
+CARD_SCREEN = (3840, 2160)
+
+
+def card(scale: float) -> dict[str, Any]:
+    """Both canvases at two sizes, for a machine with a graphics card; by ``--only card`` alone.
+
+    The renderer is named: where it is llvmpipe, there is no card.
+    """
+    app = application()
+    from widgets.program.opengl import probe
+
+    figures: dict[str, Any] = {f"renderer: {probe().renderer}": 1}
+    for scene in ("letter-f", sphere(1_000_000)):
+        for size in (WINDOWS[1], CARD_SCREEN):
+            times: dict[str, list[float]] = {}
+            for canvas in ("raster", "opengl") * 2:
+                window = open_window(scene, size, canvas)
+                window.look.adaptive.set_target(0.0)
+                settle(app)
+                step = stepping(window.controls.rows["fov_y_deg"])
+                with dragging(window):
+                    turns = max(5, round((50 if scene == "letter-f" else 10) * scale))
+                    times.setdefault(canvas, []).extend(in_turn({"step": step}, turns)["step"])
+                close_window(window)
+            what = f"{Path(scene).stem}, {size[0]} x {size[1]}: a step, pixels / OpenGL widgets"
+            figures[f"{what}; p50s, p95s (ms)"] = [
+                ratio(times["raster"], times["opengl"])[0],
+                *ms(*map(p50, times.values()), *map(p95, times.values())),
+            ]
+    starts: dict[str, list[float]] = {"empty": [], "raster": [], "opengl": []}
+    for turn in range(1 + max(2, round(4 * scale))):
+        for name, taken in starts.items():
+            is_empty = name == "empty"
+            command = start_command(name) if is_empty else start_command("ours", name)
+            seconds, _dock = until_seen(command, compiled())
+            if turn:
+                taken.append(seconds)
+    empty = p50(starts.pop("empty"))
+    for name, taken in starts.items():
+        figures[f"exec to picture / empty window, {name}; ms"] = [
+            round(p50(taken) / empty, 2), *ms(p50(taken)),
+        ]  # fmt: skip
+        figures[f"memory at rest, {name} (PSS, MB)"] = memory_at_rest(name)
     return figures
 
 
@@ -607,7 +655,7 @@ def compiled() -> dict[str, str]:
     return {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
 
 
-def start_command(name: str) -> list[str]:
+def start_command(name: str, canvas: str | None = None) -> list[str]:
     """The command of one of `FIRST_FRAME`; without the start card it opens a document."""
     command = [sys.executable, *FIRST_FRAME[name]]
     if name in ("ours", "ours with OpenGL"):
@@ -620,7 +668,7 @@ def start_command(name: str) -> list[str]:
         document = Document("letter-f", load("letter-f").start)
         write(set_values(document, ["lens.near=3.9"]), path)
         command.append(str(path))
-    return command
+    return command + (["--canvas", canvas] if canvas else [])
 
 
 WINDOW = (1366, 768)
@@ -895,9 +943,10 @@ def felt_beside_a_hog(scale: float) -> dict[str, Any]:
     }
 
 
-def memory_at_rest() -> float:
+def memory_at_rest(canvas: str | None = None) -> float:
     """The program's share of memory, PSS, when it has not changed by 1 MB for 5 s."""
-    with subprocess.Popen(start_command("ours"), cwd=bootstrap.ROOT, env=compiled()) as program:
+    command = start_command("ours", canvas)
+    with subprocess.Popen(command, cwd=bootstrap.ROOT, env=compiled()) as program:
         seen: list[float] = []
         while len(seen) < 12 or max(seen[-6:]) - min(seen[-6:]) > 1.0:
             time.sleep(1.0)
@@ -912,6 +961,7 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
     "felt": felt,
     "step": step_over_repaint,
     "canvases": canvases,
+    "card": card,
     "peers": peers,
     "scenes": scene_steps,
     "panels": panel_steps,

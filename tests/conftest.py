@@ -223,6 +223,15 @@ def make_window(
 
 
 @pytest.fixture
+def off_screen() -> Iterator[Callable[[int, int], Any]]:
+    """Make windows on no screen, closed after the test."""
+    from tests.support.drawings import off_screen_windows
+
+    with off_screen_windows() as make:
+        yield make
+
+
+@pytest.fixture
 def talk(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
     """A file with the module's `TALK`."""
     path = tmp_path / "talk.md"

@@ -204,11 +204,11 @@ class CameraDrawing(Layer):
         size = self.axes_size
         depths = 1.01 * near, 1.02 * near, 1.03 * near, max(near, self._eye_depth - 2.8 * size)
         *places, (k, at) = map(pane.moved_forward, (eye, target, target, eye), depths)
+        pane_from_axes = _scaled(standing.local_from_view, k * size)
+        pane_from_axes[:3, 3] = at
         spaces = self._eye_space, self._target_space, self._rim_space
         for space, place in zip(spaces, places, strict=True):
             space.place(*place)
-        pane_from_axes = _scaled(standing.local_from_view, k * size)
-        pane_from_axes[:3, 3] = at
         self._axes_space.set(pane_from_axes)
         if state.step is not None and self.steps is not None:
             self.steps.place(pane_from_axes, standing.camera)

@@ -25,28 +25,34 @@ def beside(
     """Place the names of points; None where a name has no free place.
 
     - `points`, `sizes` (n, 2): in pixels; the first ones choose first. A name without width gets no
-      place.
+      place. A name is nearer to its point than to any other that does not cover it.
     - `frame`, `taken` (4,) and (k, 4): left, low, right, high: where names may be, and boxes of
       other names; so is the result.
-    - `along` (m, 2): places along curves, which no name hides and no line to a name crosses.
+    - `along` (m, 2): places along curves, which no name hides. No line to a name crosses a curve,
+      another point or a name.
     - `gaps` (n,): from each point to its name.
     """
     em = float(sizes[:, 1].max())
     ground = Ground(frame.tolist(), em)
-    for box in (*taken.tolist(), *np.hstack([along - 1.0, along + 1.0]).tolist()):
-        ground.keep_box(*box)
     pairs = np.stack([along[:-1], along[1:]])[:, (along[1:, 0] >= along[:-1, 0]).nonzero()[0]]
-    lines = np.hstack([pairs.min(axis=0), pairs.max(axis=0)])
+    between = pairs[0] + np.linspace(0.0, 1.0, 6)[:, None, None] * (pairs[1] - pairs[0])
+    inked = np.vstack([along, between.reshape(-1, 2)])
+    for box in (*taken.tolist(), *np.hstack([inked - 1.0, inked + 1.0]).tolist()):
+        ground.keep_box(*box)
+    lines = np.vstack([np.hstack([pairs.min(axis=0), pairs.max(axis=0)]), taken])
+    marks, rim = points[np.isfinite(points).all(axis=1)], 0.6 * float(gaps.min())
     wishes = []
     for i, (point, size, gap) in enumerate(zip(points, sizes, gaps.tolist(), strict=True)):
         ground.keep([point.tolist()], 0.4 * gap)
         if size[0] > 0.0:
             wide, high = size.tolist()
             own = np.concatenate([point - gap, point + gap])
-            others = lines[~overlap(own[None], lines)[0]]
-            places = partial(_clear, point, (wide, high), em, gap - 0.3 * em, others)
+            foreign = marks[np.linalg.norm(marks - point, axis=1) > rim]
+            rims = np.hstack([foreign - rim, foreign + rim])
+            others = np.vstack([lines[~overlap(own[None], lines)[0]], rims])
+            places = partial(_clear, point, (wide, high), em, gap - 0.3 * em, others, foreign)
             wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
-    placed = place(wishes, ground)
+    placed = place(wishes, ground, untangled=True)
     labels = (placed.get(i) for i in range(len(points)))
     return [
         None
@@ -57,15 +63,23 @@ def beside(
 
 
 def _clear(
-    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats
+    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats, foreign: Floats
 ) -> Places:
-    """The places round a point, without those whose leaders would cross a line's box."""
+    """The places round a point that are nearest to it, and whose leaders cross no line's box."""
     places, half = around(point, size, em, rim), np.array(size) / 2.0
     boxes = np.hstack([places.centres - half, places.centres + half])
     far = places.away > LEADER_FROM_EM * em
     free = ~(far & crossed(places.anchors, boxes, lines).any(axis=1))
+    own = np.minimum(_apart(boxes, point[None]), LEADER_FROM_EM * em)  # a leader says whose it is
+    free &= (own + 0.2 * em < _apart(boxes, foreign)).all(axis=1)
     centres, turns, anchors, away, *_ = places
     return Places(centres[free], turns[free], anchors[free], away[free])
+
+
+def _apart(boxes: Floats, points: Floats) -> Floats:
+    """How far points, (m, 2), are from boxes, (n, 4): (n, m)."""
+    nearest = np.clip(points, boxes[:, None, :2], boxes[:, None, 2:])
+    return np.asarray(np.linalg.norm(nearest - points, axis=2))
 
 
 def beside_curve(
@@ -75,15 +89,18 @@ def beside_curve(
     size: tuple[float, float],
     taken: Floats,
     lines: Floats,
+    foreign: Floats,
     kept: Floats | None = None,
 ) -> Floats:
-    """Place a curve's name beside the curve, free of other names and of curves, if possible.
+    """Place a curve's name beside the curve, free of other names and of curves, if possible, and
+    nearer to its curve than to a foreign one.
 
     Without a free place the name goes into a list at the top left.
 
     - `frame` (4,): left, top, right, bottom: where names may be; so are all boxes.
     - `along` (n, 2): places along the curve, which is `half` pixels wide on either side.
     - `taken`, `lines` (m, 4) and (k, 4): boxes of other names, and of pieces of all curves.
+    - `foreign` (j, 2): places along the other curves.
     - `kept` (4,): the name's last place, which is kept while it is free and beside its curve.
     """
     width, height = size
@@ -98,6 +115,8 @@ def beside_curve(
     corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part
     boxes = np.hstack([corners, corners + size])
     costs = overlap(boxes, lines).sum(axis=1).astype(np.float64)
+    if len(foreign) and len(boxes):
+        costs += 3.0 * np.clip(1.0 - _apart(boxes, foreign).min(axis=1) / height, 0.0, 1.0)
     inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf
     if len(costs) and costs.min() < np.inf:

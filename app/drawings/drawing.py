@@ -117,7 +117,9 @@ class Drawing:
         from_left: bool = False,
     ) -> None:
         """Show the projection at a position of the stage strip; the object may be on its way."""
-        standing, beside = standing_at(projection, stage, from_left=from_left)
+        standing, beside = projection, tuple[Chain, ...]()
+        if stage < 0.0 and projection.placement.on:
+            standing, beside = standing_at(projection, stage, from_left=from_left)
         way = (projection.placement, standing.placement) if beside else None
         is_carried = way != self._way
         self._way = way

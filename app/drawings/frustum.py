@@ -263,11 +263,11 @@ class FrustumDrawing(Layer):
         state, planes = self._state, self._state.projection.lens.planes
         if state.volume.exists and planes is not None:
             self._want_sides()
-        corners = state.corners_seen
+        corners, named = state.corners_seen, state.named_points(*ENDS)
         if corners is None:
             return
         digits, body = 0 if planes is None else digits_apart(*planes), state.seen(corners)
-        faces, named = (slice(4), slice(4, 8)), state.named_points(*ENDS)
+        faces = slice(4), slice(4, 8)
         for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
             if name not in named:
                 continue

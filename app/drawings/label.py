@@ -188,9 +188,8 @@ class SceneLabel:
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
-        self._text, self._tone = with_comma(text), style.tone(colour)
-        self.size_px = size_px(self._text, self.em, **self._how)
-        """Width and height of the letters without halo, of the whole text."""
+        self._tone = style.tone(colour)
+        self._write(with_comma(text))
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
         self._image, self.texture = vtkImageData(), vtkTexture()
@@ -213,17 +212,7 @@ class SceneLabel:
     @property
     def text(self) -> str:
         """What is shown: the whole text, or only its letter."""
-        return self.letter if self._is_short else self._text
-
-    @property
-    def letter(self) -> str:
-        """The letter of a text such as ``near n = 4``; of another one the whole text."""
-        valued = _SHORT.fullmatch(self._text)
-        return self._text if valued is None or self._how["plain"] else valued[1]
-
-    @property
-    def letter_px(self) -> tuple[int, int]:
-        return size_px(self.letter, self.em, **self._how)
+        return self._letter if self._is_short else self._text
 
     @property
     def _shown_px(self) -> tuple[int, int]:
@@ -238,9 +227,16 @@ class SceneLabel:
         """Write another text; the same one costs nothing."""
         text = with_comma(text)
         if text != self._text:
-            self._text = text
-            self.size_px = size_px(text, self.em, **self._how)
+            self._write(text)
             self._show()
+
+    def _write(self, text: str) -> None:
+        valued = None if self._how["plain"] else _SHORT.fullmatch(text)
+        self._text = text
+        self._letter = text if valued is None else valued[1]  # of a text such as ``near n = 4``
+        self.size_px = size_px(text, self.em, **self._how)
+        """Width and height of the letters without halo, of the whole text."""
+        self.letter_px = size_px(self._letter, self.em, **self._how)
 
     def shorten(self, short: bool) -> None:
         """Show only the letter of a text such as ``near n = 4``."""

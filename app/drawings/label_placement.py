@@ -43,6 +43,7 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
+_BESIDE_EDGE = 3.0  # nearer to an edge of what another label names
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
@@ -368,12 +369,14 @@ def place(
     kept: Mapping[Hashable, KeptSpot] | None = None,
     *,
     patient: bool = False,
+    untangled: bool = False,
 ) -> dict[Hashable, PlacedLabel]:
     """Place labels; one without a free place is left out, the lowest rank first.
 
     With `kept`, labels keep their offsets while these places are free: words that jump distract
     from what moves. Only the others are placed anew. If `patient`, labels keep their offsets
-    anyway, and say whether their places are free.
+    anyway, and say whether their places are free. If `untangled`, no leaders cross each other, for
+    which more labels may be left out.
     """
     stays: dict[Hashable, PlacedLabel] = {}
     if kept:
@@ -383,7 +386,7 @@ def place(
     choices = [(wish, places) for wish, places in choices if len(places.centres)]
     if not choices:
         return stays
-    tried, costs, boxes, crossings = _costs(choices, ground)
+    tried, costs, boxes, crossings = _costs(choices, ground, untangled)
     ranks = [wish.rank for wish, _ in choices]
     chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, ground.em, crossings)
     for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
@@ -469,7 +472,8 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
-    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
+    outlines = [outline(wish) for wish, _ in choices]
+    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], outlines, em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
@@ -482,10 +486,10 @@ def cheapest(costs: Floats, brief: NDArray[np.bool_]) -> list[int]:
 
 
 def _costs(
-    choices: Sequence[tuple[Wish, Places]], ground: Ground
+    choices: Sequence[tuple[Wish, Places]], ground: Ground, untangled: bool
 ) -> tuple[list[list[int]], Floats, Floats, NDArray[np.bool_]]:
     """The candidates to be tried, label by label: their numbers, and for all of them what each
-    costs alone, its box, and which boxes its leader would run over.
+    costs alone, its box, and which boxes or leaders its own leader would run over.
     """
     counts, costs, boxes, brief, anchors, leads = candidates(choices, ground)
     first = np.cumsum(counts) - counts
@@ -496,19 +500,49 @@ def _costs(
     boxes, leads = boxes[at], leads[at]
     crossings = np.zeros((len(at), len(at)), dtype=np.bool_)
     crossings[leads] = crossed(anchors[at][leads], boxes[leads], boxes)
+    if untangled:
+        crossings[np.ix_(leads, leads)] |= _crossing(anchors[at][leads], boxes[leads])
     return tried, costs[at], boxes, crossings
+
+
+def _crossing(starts: Floats, boxes: Floats) -> NDArray[np.bool_]:
+    """Which leaders, from their anchors to the boxes of their labels, cross each other."""
+    (x, y), ends = starts.T, np.clip(starts, boxes[:, :2], boxes[:, 2:])
+    to_right, up = (ends - starts).T[:, :, None]
+    sides = (
+        to_right * (each[:, 1] - y[:, None]) - up * (each[:, 0] - x[:, None])
+        for each in (starts, ends)
+    )
+    is_between = math.prod(sides) < 0.0
+    return np.asarray(is_between & is_between.T)
+
+
+def outline(wish: Wish) -> Floats:
+    """Return points of what a label names: its only spot, or along the edges between its spots."""
+    ends = np.reshape(np.array(wish.spots, dtype=np.float64), (-1, 2))
+    parts = np.linspace(0.0, 1.0, 9)[:, None, None] if len(ends) > 1 else np.zeros((1, 1, 1))
+    return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
+
+
+def apart(boxes: Floats, points: Floats) -> Floats:
+    """Return how far the nearest of some points is from each box."""
+    nearest = np.clip(points, boxes[:, None, :2], boxes[:, None, 2:])
+    away = np.linalg.norm(nearest - points, axis=2)
+    return np.asarray(np.where(np.isnan(away), np.inf, away).min(axis=1, initial=np.inf))
 
 
 def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
-    em: float,
+    outlines: Sequence[Floats], em: float,
 ) -> Floats:  # fmt: skip
-    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
+    """The cost of a label nearer to what another label names, or with a leader across its mark."""
     foreign = of[:, None] != np.arange(len(marks))
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
-    costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
+    each = np.stack([apart(boxes, points) for points in outlines], axis=1)
+    beside = foreign & (each < np.minimum(own, each[np.arange(len(of)), of])[:, None])
+    costs = np.where(nearer.any(axis=1), _FOREIGN, np.where(beside.any(axis=1), _BESIDE_EDGE, 0.0))
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
     costs[far] += _CROSSES * over.any(axis=1)
@@ -549,7 +583,7 @@ def _solve(
 ) -> list[int | None]:
     """The number of each label's candidate, or None.
 
-    `crossings` says for every candidate whose boxes its leader would run over.
+    `crossings` says for every candidate whose boxes or leaders its own leader would run over.
     """
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em) | crossings | crossings.T

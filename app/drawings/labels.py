@@ -71,6 +71,7 @@ class Board:
         self._waits: dict[Hashable, float] = {}  # seconds since a label's place was free
         self._fades: dict[Hashable, tuple[float, KeptSpot | None]] = {}
         """The labels on the way to other places, and for how many seconds."""
+        self.is_restless = False  # whether `pass_time` has anything to do
         self.left_out: list[str] = []  # the texts of the labels that were wanted, and have no place
         self.points: list[tuple[str, tuple[float, float]]] = []
         """The texts of the labels of points, and the points."""
@@ -94,6 +95,11 @@ class Board:
         keys = (key for key, (label, _) in self._labels.items() if label.covers(x_px, y_px))
         key = next(keys, "")
         return str(key[1]) if isinstance(key, tuple) else str(key)
+
+    def writes_value(self, key: Hashable) -> bool:
+        """Whether a label of this key is visible, and says a value."""
+        label = self._labels[key][0] if key in self._labels else None
+        return label is not None and label.is_visible and "=" in label.text
 
     def label(self, key: Hashable, text: str = "", colour: str = "") -> SceneLabel:
         """Return the label of a key, which is created when it is first asked for."""
@@ -186,12 +192,13 @@ class Board:
         self._show(placed)
         for key, light in lights.items():
             self._fade(key, light)
-        self._forget_asked()
+        self._note_rest()
         self.rests = (afresh or at_rest) and not self.is_restless
         return self._kept != before
 
-    def _forget_asked(self) -> None:
-        """Drop the references that would keep the drawing alive."""
+    def _note_rest(self) -> None:
+        """At rest, drop the references that would keep the drawing alive."""
+        self.is_restless = bool(self._waits or self._fades)
         if not self.is_restless:
             self._asked = None
 
@@ -227,11 +234,6 @@ class Board:
 
     # -- in time
 
-    @property
-    def is_restless(self) -> bool:
-        """Whether `pass_time` has anything to do."""
-        return bool(self._waits or self._fades)
-
     def pass_time(self, seconds: float, *, is_soft: bool = False) -> bool:
         """Move or fade labels that have waited long enough; return whether that is seen."""
         self._waits = {key: waited + seconds for key, waited in self._waits.items()}
@@ -259,7 +261,7 @@ class Board:
             placed = self._place(self._kept)
             self._kept = {key: each.kept for key, each in placed.items()}
             self._show(placed)
-        self._forget_asked()
+        self._note_rest()
         return is_seen
 
     def _fade(self, key: Hashable, light: float) -> None:

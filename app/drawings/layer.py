@@ -39,7 +39,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
-_MOST_FACES = 3_000  # of larger meshes, vertices are sampled
+_MOST_FACES = 10_000  # of larger meshes, vertices are sampled
 _MOST_POINTS = 10_000
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
@@ -307,7 +307,7 @@ class Layers:
         if self._asked is not None:
             self._asked.append(afresh or at_rest)
             return False
-        if not (state.places_labels and state.canvas.is_laid_out):
+        if not (state.canvas.is_laid_out and state.places_labels):
             return False
         ground = self.ground()
         for layer in self._layers:
@@ -344,6 +344,8 @@ class FacesLayer(Layer):
 
     def show(self) -> None:
         illustration = self._state.illustration
+        if not self._state.scene.requires:
+            return  # nothing about its faces ever changes
         if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(illustration.rendering, self._state.projection)

@@ -16,7 +16,6 @@ from app.drawings import actors
 from app.drawings.frustum import matrices_between, normalised
 from app.drawings.label_placement import Ground
 from app.drawings.layer import FacesLayer
-from app.drawings.pane_view import PaneView
 from app.drawings.world_state import WorldState
 from app.model.projection import Array, Projection
 
@@ -28,7 +27,6 @@ _MARGIN = 0.02  # of the scene's depth, kept free at both ends of the slab
 _LINES_IN_FRONT = 0.01  # of the slab: a face must not eat its own edges
 _LEAST_PX = 1.5
 _AT_EYE = 1e-12  # of the scene's extent
-_EDGE_ON = 1e-3  # sine of the angle between the near plane and a line of sight
 
 
 class NearPicture(FacesLayer):
@@ -59,7 +57,7 @@ class NearPicture(FacesLayer):
         left_bottom, right_top = corners[0], corners[2]
         px = pane.unit(math.dist(pane.eye, left_bottom))
         across = math.dist(left_bottom, right_top)
-        seen = across > _LEAST_PX * px and not _is_edge_on(corners[:4], pane)
+        seen = across > _LEAST_PX * px and not pane.sees_edge_on(corners[:4])
         if reach is None:
             seen = seen and projection.frustum_sign > 0
         else:
@@ -73,7 +71,7 @@ class NearPicture(FacesLayer):
         if not seen:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
-        toward = SLAB * thick * toward_viewer(pane, corners[:4].mean(axis=0))
+        toward = SLAB * thick * pane.way_from(corners[:4].mean(axis=0))
         self.actors.show_slope(pane.slope_of_depth(corners[:4], *state.own.depths), pane.size_px)
         if reach is None:
             film = flatten_free(projection, state.origin, toward)
@@ -116,21 +114,6 @@ class Film(NamedTuple):
     planes: Array  # (6, 4): left, right, bottom, top, near, far; a x + b y + c z + d >= 0
 
 
-def toward_viewer(pane: PaneView, place: Array) -> Array:
-    """Return the way from a place to the pane's camera, homogeneous, for a step of length 1."""
-    if pane.flat:
-        return np.array([*-pane.axes[2], 0.0])
-    return np.array([*pane.eye, 1.0]) / math.dist(pane.eye, place)
-
-
-def _is_edge_on(face: Array, pane: PaneView) -> bool:
-    """Whether a face, (4, 3), is seen as a line."""
-    normal = np.cross(face[1] - face[0], face[3] - face[0])
-    sight = pane.axes[2] if pane.flat else face.mean(axis=0) - pane.eye
-    lengths = float(np.linalg.norm(normal) * np.linalg.norm(sight))
-    return not abs(float(normal @ sight)) > _EDGE_ON * lengths
-
-
 def flatten(
     projection: Projection,
     view: tuple[Array, Array],
@@ -144,7 +127,7 @@ def flatten(
     largest distance of anything in the scene from the eye plane, in front (+) or behind (-); the
     picture's thickness is spent on them. `reach` is the length of a parallel lens' drawn volume.
     `toward` is how far the nearest things are moved to the viewer, homogeneous, (4,); see
-    `toward_viewer`. From behind, a picture is its mirror image, not the things' back sides.
+    `PaneView.way_from`. From behind, a picture is its mirror image, not the things' back sides.
 
     In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
     ``flatten: z' = w``; x, y and w stay, so that each point keeps its ray. Then

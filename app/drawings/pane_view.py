@@ -19,6 +19,7 @@ _ACROSS = 9
 _SAMPLES = np.array([(x, y) for y in range(-4, 5) for x in range(-4, 5)]) * (2.0 / _ACROSS)
 _ONES = np.ones(len(_SAMPLES))
 _LINES_LIFT = 2e-3  # of the distance: a face must not eat its own edges
+_EDGE_ON = 1e-3  # sine of the angle between a face and a line of sight
 _YZX, _ZXY = [1, 2, 0], [2, 0, 1]
 
 Spot: TypeAlias = tuple[float, float, float]
@@ -143,6 +144,19 @@ class PaneView(NamedTuple):
             per_ndc *= 2.0 / (1.0 / nearest - 1.0 / farthest) / away
         x, y = (-per_ndc).tolist()
         return x, y
+
+    def sees_edge_on(self, face: Array) -> bool:
+        """Whether a face, (4, 3), is seen as a line."""
+        normal = np.cross(face[1] - face[0], face[3] - face[0])
+        sight = self.axes[2] if self.flat else face.mean(axis=0) - self.eye
+        lengths = float(np.linalg.norm(normal) * np.linalg.norm(sight))
+        return not abs(float(normal @ sight)) > _EDGE_ON * lengths
+
+    def way_from(self, place: Array) -> Array:
+        """Return the way from a place to the camera, homogeneous, for a step of length 1."""
+        if self.flat:
+            return np.array([*-self.axes[2], 0.0])
+        return np.array([*self.eye, 1.0]) / math.dist(self.eye, place)
 
     def lifted(self, times: float) -> Array:
         """Nearer to the camera by a part of the distance, for lines on faces, (4, 4)."""

@@ -268,7 +268,7 @@ class WorldState(PaneState):
 
     def named_points(self, *points: str) -> set[str]:
         """Those of these things that have a name in the picture."""
-        return {name for name in points if name in self.names} - self.unseen
+        return {name for name in set(points) - self.unseen if name in self.names}
 
 
 def view_matrices(camera: Camera, origin: Array) -> tuple[Array, Array]:

@@ -447,12 +447,10 @@ def standing_at(
 ) -> tuple[Projection, tuple[Chain, ...]]:
     """Return the projection whose object has made only its first moves, and the stops beside it.
 
-    Positions below 0 are the moves before the world's stop, which has made them all.
+    The position is below 0: there are the moves before the world's stop, which has made them all.
     """
     chain, count = projection.placement, len(projection.placement.on)
     moves = max(count + position, 0.0)
-    if position >= 0.0 or not count:
-        return projection, ()
     stops = sorted({math.ceil(moves) - 1, math.floor(moves) + 1} & {*range(count + 1)})
     beside = tuple(chain.after(stop, from_left=from_left) for stop in stops)
     return replace(projection, placement=chain.after(moves, from_left=from_left)), beside

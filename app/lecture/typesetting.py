@@ -35,11 +35,14 @@ _ONE_READER = threading.RLock()
 """matplotlib has one parser of formulas, and a lesson is checked beside the window's thread."""
 _LOWERED = re.compile("[₀-₉]+")
 _LEVEL = str.maketrans("₀₁₂₃₄₅₆₇₈₉", "0123456789")
+_LEANS_EM = 0.1  # a letter leans over a space if its ink is so far beside its width
+_BEFORE_FUNCTION = re.compile(r"(?<=[\w)}])(?<!\\cdot) *\\(?=(?:tan|cot|sin|cos|log)(?![a-z]))")
 FUNCTIONS = frozenset(("tan", "sin", "cos", "log"))
 GREEK = dict(zip("αβγδεθλμπρσφω", (
     "alpha", "beta", "gamma", "delta", "epsilon", "theta", "lambda", "mu", "pi", "rho", "sigma",
     "phi", "omega",
 ), strict=True))  # fmt: skip
+_LEANING = re.compile(r"(?<![\\A-Za-z])f\s*(?=\\vec|\\,\s*\\)")  # over a thin space, or an arrow
 _TOKEN = re.compile(
     r"\$(?P<tex>[^$]+)\$"
     r"|(?!.\u00a0[^\W\d_]{2})"  # in a language a word of one letter is tied to the next
@@ -86,8 +89,10 @@ class LineLayout(NamedTuple):
 def mathtext(tex: str) -> str:
     """Return a formula as matplotlib reads it.
 
-    A prime is a sign of its own: it is high enough. A minus after a comma is one, too.
+    A prime is a sign of its own: it is high enough. A minus after a comma is one, too. A function
+    needs room before it, over which f does not lean.
     """
+    tex = _LEANING.sub(r"f\\,", _BEFORE_FUNCTION.sub(r"\\,\\", tex))
     return "$" + re.sub(r"([,;][\s\\]*|\\approx\s+)-", r"\1{-}", tex.replace("'", "\u2032")) + "$"
 
 
@@ -223,14 +228,19 @@ def line_of(
     pieces = [_drawable(*piece) for piece in pieces]
     has_words = any(len(piece) > 1 and not is_tex for piece, is_tex in pieces)
     larger = 1.0 if plain or one_size else formula or (AMONG_WORDS if has_words else ALONE)
-    placed, boxes, x = [], [], 0.0
-    for piece, is_tex in pieces:
+    placed, boxes, x, over = [], [], 0.0, 0.0
+    for i, (piece, is_tex) in enumerate(pieces):
         size = larger if formula or is_tex or len(piece) == 1 else 1.0
         drawn = piece_of(piece, is_tex)
+        left, low, right, high = drawn.box if len(drawn.vertices) else (0.0,) * 4
+        if piece == " ":
+            x += over
+        elif left < -_LEANS_EM and i and pieces[i - 1][0] == " ":
+            x -= left * size
+        over = (right - drawn.width) * size if right > drawn.width + _LEANS_EM else 0.0
         placed.append((piece, is_tex, size, x))
         if len(drawn.vertices):
-            left, low, right, high = (size * side for side in drawn.box)
-            boxes.append((x + left, low, x + right, high))
+            boxes.append((x + size * left, size * low, x + size * right, size * high))
         x += drawn.width * size
     lefts, lows, rights, highs = zip(*boxes or [(0.0, 0.0, 0.0, 0.0)], strict=True)
     return LineLayout(tuple(placed), (min(lefts), min(lows), max(rights), max(highs)), x)

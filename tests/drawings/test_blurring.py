@@ -15,9 +15,7 @@ from app.model.projection import Camera, Projection
 from app.scenes.phenomena.focus import PHENOMENON
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import load
-from tests.support.drawings import MakeScreen, Pixels, figure_of, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, Pixels, figure_of
 
 SCENE, START = load("focus"), PHENOMENON.start
 SIDE = replace(START, image_size=(640, 360))

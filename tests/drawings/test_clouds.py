@@ -23,9 +23,7 @@ from app.precision.quality import Quality
 from app.scenes.fewer_triangles import reduced
 from app.scenes.scene import Scene, load
 from app.scenes.shapes import DRAWN_RGB
-from tests.support.drawings import MakeScreen, figure_of, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, figure_of
 
 BLUE = tuple(level / 255.0 for level in DRAWN_RGB)
 CAMERA = Projection(Camera((0.5, 0.25, 4.0), (0.0, 0.0, 0.0)), Perspective(50.0, 1.0, 6.0))

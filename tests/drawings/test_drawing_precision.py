@@ -32,10 +32,8 @@ from app.scenes.shapes import EDGE_RGB
 from tests.oracles.exact import dot as exact_dot
 from tests.oracles.exact import frame, minus, mp, vector
 from tests.support.bounds import drawing_bound_px
-from tests.support.drawings import MakeScreen, OffScreen, drawn, off_screen, scene_of, to_bytes
+from tests.support.drawings import MakeScreen, OffScreen, drawn, scene_of, to_bytes
 from tests.support.lenses import at_distance
-
-__all__ = ["off_screen"]
 
 Mask = NDArray[np.bool_]
 SIZE = (640, 360)

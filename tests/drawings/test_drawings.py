@@ -45,15 +45,11 @@ from tests.support.drawings import (
     MakeScreen,
     OffScreen,
     drawn,
-    off_screen,
     scene_of,
     shown,
     texts_of,
     to_bytes,
 )
-
-__all__ = ["off_screen"]
-
 
 KINDS = [WorldDrawing, StageDrawing, ImageDrawing]
 

@@ -75,6 +75,22 @@ def test_where_words_would_cover_something_in_many_frames_their_letter_stands_al
     assert "n" in texts and "near n = 5" not in texts and "far f = 12.5" in texts
 
 
+def test_a_letter_alone_has_its_own_size_also_beside_words_of_whole_pixels() -> None:
+    spot, letter = (100.0, 100.0), (7.5, 9.5)
+    wish = Wish("n", (40, 10), [spot], lambda: around(spot, (40, 10), EM), 0.0,
+                (letter, lambda: around(spot, letter, EM)))  # fmt: skip
+    wish, places = wish.choices(Ground((0.0, 0.0, 400.0, 200.0), EM))
+    assert places.brief is not None
+    sizes = wish.sizes(places)
+    assert {tuple(size) for size in sizes.tolist()} == {(40.0, 10.0), letter}
+    ground = Ground((80.0, 80.0, 115.0, 120.0), EM)  # words have no room
+    (stand, _) = placed_in_film([Wanted([(wish, places)], ground)] * 2, is_round=False, fades=True)
+    kept, _ = stand["n"]
+    assert kept.brief and kept.offset[0] == pytest.approx(
+        places.centres[places.brief][0][0] - 100.0
+    )
+
+
 def labels_of(figure: Figure) -> dict[Any, tuple[float, float, float]]:
     """Where the labels of a figure stand, in ems, and how visible they are."""
     places: dict[Any, tuple[float, float, float]] = {}

@@ -22,12 +22,9 @@ from tests.support.drawings import (
     OffScreen,
     boxes_of,
     illustrated,
-    off_screen,
     overlapping,
     to_bytes,
 )
-
-__all__ = ["off_screen"]
 
 Mask = NDArray[np.bool_]
 LARGE, SMALL = (580, 640), (300, 200)

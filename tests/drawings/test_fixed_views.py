@@ -33,14 +33,11 @@ from tests.support.drawings import (
     colours_of,
     drawn,
     illustrated,
-    off_screen,
     overlapping,
     texts_of,
     to_bytes,
 )
 from tests.support.letter_f import AFAR
-
-__all__ = ["off_screen"]
 
 SIZE_PX = 580, 640
 START = AFAR

@@ -2,20 +2,20 @@
 
 import math
 from dataclasses import fields
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from app.drawings import DrawingWords
 from app.drawings.label import HALO_EM, SceneLabel, drawn, rim_px, size_px
 from app.drawings.style import DARK, LIGHT, Style, contrast, rgb, tone
-from app.lecture.typesetting import line_of, pieces_of
+from app.lecture.typesetting import line_of, mathtext, outline, piece_of, pieces_of
 from app.model.formula import ARROW
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, OffScreen, illustrated, off_screen, to_bytes
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, OffScreen, illustrated, to_bytes
 
 EM = 15.0
 INK, PAPER = "#000000", "#ffffff"
@@ -227,3 +227,52 @@ def test_only_the_letter_of_a_name_with_a_value_can_be_shown_alone(off_screen: M
     for text in ("near -1", "eye", "a = 1, b = 2", "s ="):
         label.set_text(text)
         assert label.text == text
+
+
+def gaps(text: str, one_size: bool) -> list[float]:
+    """The widths of the white between the words and letters of a label, in em."""
+    ends = []
+    for piece, is_tex, size, x in line_of(text, one_size=one_size).pieces:
+        if piece != " ":
+            left, _, right, _ = piece_of(piece, is_tex).box
+            ends.append((x + size * left, x + size * right))
+    return [after[0] - before[1] for before, after in pairwise(ends)]
+
+
+@pytest.mark.parametrize("one_size", [False, True])
+@pytest.mark.parametrize("text", ["far f", "far f = 1", "of j", "f tan", "f sin", "half f_x"])
+def test_letters_that_lean_stand_as_far_from_words_as_upright_ones(
+    text: str, one_size: bool
+) -> None:
+    assert min(gaps(text, one_size)) > 0.2
+    assert gaps("near n", one_size) == pytest.approx(gaps("far f", one_size), abs=0.06)
+
+
+@pytest.mark.parametrize("name", ["tan", "sin", "cos", "log"])
+@pytest.mark.parametrize("before", ["f", "2f", "d", "V", r"\phi", "(f)", "f_x"])
+def test_a_thin_space_stands_before_a_function(before: str, name: str) -> None:
+    """As TeX has it; of what stands before, the function's own ink is where it would be alone."""
+    alone, own = outline(rf"\{name}\alpha"), outline(before)
+    both = outline(rf"{before}\{name}\alpha").vertices[len(own.vertices) :]
+    white = both[:, 0].min() - own.box[2]
+    assert 0.05 < white - alone.box[0] < 0.3, white
+    assert outline(rf"{before} \{name} \alpha").box == outline(rf"{before}\{name}\alpha").box
+
+
+def test_a_thin_space_stands_only_where_tex_has_one() -> None:
+    for tex in (r"-\tan x", r"a \cdot \tan x", r"(\tan x)", r"\frac{\tan x}{2}", r"a=\cos x"):
+        assert mathtext(tex) == f"${tex}$"
+
+
+@pytest.mark.parametrize("letters", ["own", "004"])
+def test_the_equation_of_a_plane_is_not_shortened_to_a_letter(letters: str) -> None:
+    """A plane "z = 0" that is called "z" reads as an axis."""
+    scene = load("planar-shadow")
+    illustration = scene.illustration(scene.start, {})
+    assert illustration is not None
+    (ground,) = (text.text for text in illustration.world.texts if text.name == "ground")
+    for text in (ground, DrawingWords(letters)["{eye_plane}"]):
+        label = SceneLabel(text, LIGHT)
+        assert "= 0" in text and label.letter_px == label.size_px
+    valued = SceneLabel("near n = 4", LIGHT)
+    assert valued.letter_px < valued.size_px

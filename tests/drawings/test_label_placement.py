@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from app.drawings.curve_names import beside
+from app.drawings.curve_names import beside, beside_curve
 from app.drawings.label_placement import (
     Ground,
     PlacedLabel,
@@ -149,6 +149,31 @@ def test_labels_go_where_the_ink_is_not() -> None:
     assert edge <= 246.0 and left > 100.0
 
 
+def test_a_label_stands_nearer_to_its_own_plane_than_to_another_ones_edge() -> None:
+    """The place above would be near the other plane's corner, which is not where that is named."""
+    near = [(200.0, 100.0), (230.0, 110.0), (230.0, 60.0), (200.0, 50.0)]
+    far = [(20.0, 160.0), (150.0, 180.0), (150.0, 20.0), (20.0, 10.0)]
+    above, below, size = (190.0, 125.0), (230.0, 30.0), (60.0, 14.0)
+    wishes = [
+        Wish("far", size, far, partial(choices, (60.0, 165.0), (60.0, 180.0)), 0.0),
+        Wish("near", size, near, partial(choices, (215.0, 100.0), above, below), 1.0),
+    ]
+    assert place(wishes[1:], Ground(FRAME, EM))["near"].centre == above
+    assert place(wishes, Ground(FRAME, EM))["near"].centre == below
+
+
+def test_leaders_that_must_not_cross_do_not_however_much_more_the_other_place_costs() -> None:
+    low, high, size = (100.0, 100.0), (100.0, 140.0), (40.0, 14.0)
+    beyond_high, beyond_low, above = (180.0, 160.0), (180.0, 80.0), (100.0, 280.0)
+    places = choices(high, beyond_low, above)._replace(away=np.array([60.0, 900.0]))
+    wishes = [
+        Wish("low", size, [low], partial(choices, low, beyond_high, away=60.0), 0.0),
+        Wish("high", size, [high], lambda: places, 1.0),
+    ]
+    assert place(wishes, Ground(FRAME, EM), untangled=True)["high"].centre == above
+    assert place(wishes, Ground(FRAME, EM))["high"].centre == beyond_low
+
+
 def test_a_label_far_from_its_mark_has_a_leader_that_ends_at_its_box() -> None:
     spot, size = (240.0, 160.0), (60.0, 14.0)
     ground = Ground(FRAME, EM)
@@ -224,7 +249,10 @@ def test_a_plane_that_is_seen_as_a_point_is_named_round_it() -> None:
     assert (np.abs(places.centres - 200.0) > (40.0, 7.0)).any(axis=1).all()
 
 
-def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is() -> None:
+def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("app.drawings.layer._MOST_FACES", 3_000)
     silhouette = Silhouette(load("far-plane-popping"), EM)
     count = len(silhouette.triangles)
     assert count > 3000 and silhouette.triangles.shape == (count, 1, 3)
@@ -300,3 +328,53 @@ def test_letters_alone_are_tried_beside_any_number_of_whole_texts() -> None:
     """Each whole text may run into another label later, so the first dozen are not enough."""
     brief = np.arange(40) >= 30
     assert {30, 31, 32} <= {*cheapest(np.arange(40.0), brief)}
+
+
+def test_a_point_is_named_where_no_other_point_is_nearer() -> None:
+    """A column of dots, as of one cost and many errors; some of them have no name."""
+    points = np.column_stack([np.full(8, 150.0), np.linspace(40.0, 180.0, 8)])
+    sizes = np.tile((120.0, 14.0), (8, 1)) * (
+        (np.arange(8) % 3 > 0)[:, None] + np.array([0, 1]) > 0
+    )
+    frame, gaps = np.array([0.0, 0.0, 400.0, 220.0]), np.full(8, 6.0)
+    nothing = np.empty((0, 2))
+    names = beside(points, sizes, frame, nothing, gaps, np.empty((0, 4)))
+    assert sum(name is not None for name in names) >= 4
+    for point, name in zip(points, names, strict=True):
+        if name is None:
+            continue
+        apart = np.linalg.norm(np.clip(points, name[:2], name[2:]) - points, axis=1)
+        own = math.dist(point, np.clip(point, name[:2], name[2:]))
+        others = (points != point).any(axis=1)
+        assert own < apart[others].min() or own > EM < apart[others].min(), "or it has a line"
+        ends = point + np.linspace(0.0, 1.0, 50)[:, None] * (
+            np.clip(point, name[:2], name[2:]) - point
+        )
+        away = np.linalg.norm(ends[:, None] - points[others], axis=2)
+        assert away.min() > 3.0, "its line runs over no other dot"
+
+
+def test_the_name_of_a_curve_stands_where_no_other_curve_is_near() -> None:
+    """Two curves part in the left half of the diagram only."""
+    x = np.linspace(0.0, 300.0, 40)
+    one = np.column_stack([x, np.full(40, 100.0)])
+    other = np.column_stack([x, 106.0 + np.clip(150.0 - x, 0.0, None)])
+    lines = np.concatenate([np.hstack([each - 1.0, each + 1.0]) for each in (one, other)])
+    frame, nothing = np.array([0.0, 0.0, 300.0, 300.0]), np.empty((0, 4))
+    for curve, foreign in ((one, other), (other, one)):
+        name = beside_curve(frame, curve, 1.0, (40.0, 14.0), nothing, lines, foreign)
+        own, apart = (
+            np.linalg.norm(np.clip(each, name[:2], name[2:]) - each, axis=1).min()
+            for each in (curve, foreign)
+        )
+        assert own + 5.0 < apart
+
+
+def test_no_curve_runs_through_a_name_between_the_places_that_are_known_of_it() -> None:
+    along = np.linspace((0.0, 300.0), (400.0, 0.0), 14)
+    frame, point = np.array([0.0, 0.0, 400.0, 300.0]), along[6:7]
+    taken = np.array([[0.0, 0.0, 183.0, 300.0], [0.0, 164.0, 400.0, 300.0]])  # the curve's left
+    sizes, gaps = np.array([[40.0, 14.0]]), np.array([5.0])
+    (name,) = beside(point, sizes, frame, along, gaps, taken)
+    line = np.linspace(along[0], along[-1], 2000)
+    assert name is None or not ((name[:2] < line) & (line < name[2:])).all(axis=1).any()

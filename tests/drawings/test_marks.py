@@ -20,9 +20,7 @@ from app.model.projection import DEPTH_RANGES, Camera, Perspective, Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Copy, Dot, Face, Marks, Polyline, Text
 from app.scenes.scene import Scene, load
-from tests.support.drawings import Pixels, drawn, off_screen, scene_of, to_bytes
-
-__all__ = ["off_screen"]
+from tests.support.drawings import Pixels, drawn, scene_of, to_bytes
 
 RED, GREEN, BLUE = "#ff0000", "#00ff00", "#0000ff"
 SIZE = (600, 500)

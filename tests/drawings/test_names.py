@@ -21,9 +21,7 @@ from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
 from app.picking.picking import Probe
 from app.scenes.scene import BUILT_IN, load
-from tests.support.drawings import MakeScreen, drawn, lit_at, off_screen, texts_of, to_bytes
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, drawn, labels_of, lit_at, texts_of, to_bytes
 
 PANE_PX = 580, 660
 ACROSS_PX = 1480, 700
@@ -274,6 +272,28 @@ def test_the_projectors_of_probes_are_ink(off_screen: MakeScreen, fixed: str) ->
     before = drawing.layers.ground().hidden(box)
     drawing.show_probes([Probe(1, (6.0, 6.0, 4.0))])
     assert drawing.layers.ground().hidden(box) > before + 0.1
+
+
+@pytest.mark.parametrize(("size_px", "em"), [((584, 680), 15.5), ((1480, 840), 36.0)])
+def test_the_name_of_the_next_tree_stands_clear_of_the_other_trees(
+    off_screen: MakeScreen, size_px: tuple[int, int], em: float
+) -> None:
+    """The avenue's faces are ink, although they are many: else the name hid the small trees."""
+    scene, screen = load("far-plane-popping"), off_screen(*size_px)
+    style = LIGHT.enlarged(em / LIGHT.font_size)
+    drawing = ImageDrawing(screen, scene, WORDS, style)
+    drawing.show_names(frozenset({"next-tree"}))
+    drawing.show_projection(scene.start, scene.illustration(scene.start, {}))
+    screen.render_window.Render()
+    (box,) = drawing.board.boxes[:1]
+    (label,) = labels_of(drawing.board.renderer).values()
+    assert label.text == "the next tree"
+    label.set_visible(False)
+    left, low, right, high = (round(side) for side in box)
+    to_right, up = drawing.board.renderer.GetOrigin()
+    base = size_px[1] - up
+    beneath = screen.pixels()[base - high : base - low, to_right + left : to_right + right]
+    assert beneath.size and (np.ptp(beneath.astype(int), axis=2) > 60).mean() < 0.005
 
 
 @pytest.mark.parametrize(("letters", "near", "far"), [("002", "+1", "−1"), ("003", "−1", "+1")])

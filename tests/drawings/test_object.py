@@ -16,9 +16,7 @@ from app.drawings.style import LIGHT
 from app.model.chain import FiveTiles
 from app.model.projection import Camera, Chain, Perspective, Projection
 from app.scenes.scene import load
-from tests.support.drawings import MakeScreen, figure_of, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, figure_of
 
 F = load("letter-f")
 TURN_DEG, SHIFT = 30.0, (1.0, 0.5, -2.0)

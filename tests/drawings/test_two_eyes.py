@@ -12,9 +12,7 @@ from app.drawings.style import LIGHT
 from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import load
-from tests.support.drawings import MakeScreen, Pixels, figure_of, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import MakeScreen, Pixels, figure_of
 
 SCENE = load("two-eyes")
 SIZE = 640, 360

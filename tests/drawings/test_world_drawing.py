@@ -43,7 +43,6 @@ from tests.support.drawings import (
     colours_of,
     drawn,
     heard,
-    off_screen,
     overlapping,
     rendered,
     shown,
@@ -52,8 +51,6 @@ from tests.support.drawings import (
 )
 from tests.support.frustum import corners_world
 from tests.support.letter_f import AFAR, letter_f
-
-__all__ = ["off_screen"]
 
 Pixels = NDArray[np.uint8]
 CUBE = np.array([(x, y, z) for z in (1, 0) for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))])

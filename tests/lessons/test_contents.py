@@ -29,6 +29,7 @@ from app.lessons.lesson import is_lesson, read
 from app.lessons.practice import exercises_of
 from tests.fuzz.variants import faults_of
 from tests.support.commands import run_here
+from tests.support.lessons import LESSON
 
 mp.dps = 40
 Key = tuple[str, str, str]
@@ -226,10 +227,10 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
 @pytest.mark.parametrize(
     ("before", "after", "said"),
     [
-        ("value: ", "value: 1 + ", "gets “"),
+        ("value: 1", "value: 1 + 1", "gets “"),
         ("- [x]", "- [ ]", "just one of them right"),
         (":= ", ":= 1 + ", "says another number than"),
-        ("{look-n}\n  says: ", "{nobody}\n  title: ", "names an unknown wrong idea"),
+        ("wrong look-n", "wrong nobody", "names an unknown wrong idea"),
         ("until: ", "until: 1 > 0 \nuntil: 2 < 1\nuntil: ", "gets “open” instead of “done”"),
         ("lens.near=", "lens.naer=", "lens.naer is not known"),
         ("$", "$\\nosuch ", "has a formula that cannot be typeset: Unknown symbol"),
@@ -244,10 +245,8 @@ def test_a_sample_can_have_the_panes_turned_by_hand(tmp_path: Path, sample: str,
 def test_a_planted_mistake_is_found_with_file_and_line(
     tmp_path: Path, before: str, after: str, said: str
 ) -> None:
-    """Each in the shortest lesson that has the place for it."""
-    texts = sorted((path.read_text(encoding="utf-8") for path in contained()), key=len)
-    text = next(text for text in texts if before in text and "```test" in text)
-    complaints = checked(tmp_path / "wrong.md", text.replace(before, after, 1))
+    assert before in LESSON
+    complaints = checked(tmp_path / "wrong.md", LESSON.replace(before, after, 1))
     assert any(said in each for each in complaints), complaints
     assert all(each.startswith("line ") for each in complaints)
 

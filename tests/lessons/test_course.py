@@ -19,41 +19,25 @@ from app.lessons.record import Attempt, Record, due, standings
 from app.lessons.strokes import read_strokes
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from tests.support.lessons import lesson_of
 from tests.support.unreachable import unreachable
 
 TOP = "---\ntitle: T\nletters: 001\n---\n"
-STEPS = """# One {#one}
-```state
-scene=letter-f
-lens.fov_y_deg=60
-view.large=ndc
-```
----
-# Two {#two}
-```state
-lens.near=2
-view.stage=pyramid
-view.probes=1,2,3
-```
----
-# Three {#three}
-Nothing new.
-
----
-# Four {#four}
-```state
-scene=posts
-```
----
-# Five {#five}
-```state
-scene=letter-f
-```
-"""
+STEPS = lesson_of(
+    "scene=letter-f\nlens.fov_y_deg=60\nview.large=ndc",
+    "lens.near=2\nview.stage=pyramid\nview.probes=1,2,3",
+    "",
+    "scene=posts",
+    "scene=letter-f",
+).replace("letters: own", "letters: 001")
 
 
 def course(text: str, path: Path = Path("lesson.md")) -> Course:
     return Course(parse_lesson(TOP + text, path))
+
+
+def of_steps() -> Course:
+    return Course(parse_lesson(STEPS, Path("lesson.md")))
 
 
 def asked(text: str) -> tuple[Any, Any]:
@@ -70,7 +54,7 @@ def said(text: str, place: int = 0, path: Path = Path("lesson.md")) -> str:
 
 
 def test_a_step_goes_on_from_the_one_before_and_a_scene_begins_anew() -> None:
-    of = course(STEPS)
+    of = of_steps()
     last = of.shown(2)  # before the others were ever asked for
     start = load("letter-f").start
     assert (
@@ -91,9 +75,9 @@ def test_a_step_goes_on_from_the_one_before_and_a_scene_begins_anew() -> None:
 
 def test_the_same_step_is_the_same_in_whatever_order_steps_are_asked_for() -> None:
     orders = random.Random(1)
-    whole = [course(STEPS).shown(place) for place in range(5)]
+    whole = [of_steps().shown(place) for place in range(5)]
     for _ in range(20):
-        of, order = course(STEPS), [*range(5)] * 2
+        of, order = of_steps(), [*range(5)] * 2
         orders.shuffle(order)
         for place in order:
             assert of.shown(place) == whole[place]

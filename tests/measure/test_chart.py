@@ -316,7 +316,7 @@ def test_names_never_hide_each_other_nor_dots_and_stay_inside(
 def test_names_and_their_lines_cross_no_curve_no_dot_and_no_earlier_name(
     given_points: list[tuple[float, float, float]], left: float, right: float
 ) -> None:
-    """If the dots are 30 px apart. In a crowd a line may cross a dot: the name is kept."""
+    """If the dots are 30 px apart; in a crowd a name is left out rather than misread."""
     alone: list[tuple[float, float, float]] = []
     for point in given_points:
         if all(math.dist(point[:2], other[:2]) >= 30.0 for other in alone):

@@ -13,9 +13,7 @@ from app.scenes.phenomena.drift import PHENOMENON
 from app.scenes.scene import load
 from tests.oracles.illustrations import reading, showing, subject_of, value, why
 from tests.precision.test_drift import by_hand
-from tests.support.drawings import figure_of, off_screen
-
-__all__ = ["off_screen"]
+from tests.support.drawings import figure_of
 
 START = PHENOMENON.start
 SUBJECT = subject_of(PHENOMENON)

@@ -7,7 +7,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-import pytest
 import pyvista as pv
 from numpy.typing import NDArray
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -150,9 +149,9 @@ def heard() -> Iterator[vtkStringOutputWindow]:
     vtkOutputWindow.SetInstance(before)
 
 
-@pytest.fixture
-def off_screen() -> Iterator[Callable[[int, int], OffScreen]]:
-    """Make windows on no screen, closed after the test; VTK must have had nothing to say."""
+@contextmanager
+def off_screen_windows() -> Iterator[Callable[[int, int], OffScreen]]:
+    """Make windows on no screen, closed at the end; VTK must have had nothing to say."""
     made: list[OffScreen] = []
 
     def make(width: int, height: int) -> OffScreen:

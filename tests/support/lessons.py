@@ -26,6 +26,13 @@ def faults(*block: str, state: str = "") -> str:
     return "\n".join(map(str, report.wrong))
 
 
+def lesson_of(*states: str) -> str:
+    """Return a talk of steps s1, s2, … in these states; an empty one changes nothing."""
+    blocks = (f"```state\n{state}\n```\n" if state else "" for state in states)
+    steps = (f"# Step {at} {{#s{at}}}\n{block}" for at, block in enumerate(blocks, 1))
+    return "---\ntitle: T\nletters: own\n---\n" + "---\n".join(steps) + "```note\nminutes: 1\n```\n"
+
+
 LESSON = """---
 title: How wide?
 ---
@@ -67,6 +74,7 @@ until: view.large = ndc
 
 ```test
 near: lens.near=11 -> look-n
+near: lens.near=0.4 -> done
 ```
 
 ---
@@ -92,6 +100,10 @@ Which is it?
 - [x] this
 - [ ] that
   says: That is another.
+```
+
+```test
+half: 0.5 -> right
 ```
 
 ---

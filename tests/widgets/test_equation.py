@@ -74,6 +74,20 @@ def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
     assert equation.em_in(equation.width(), equation.height()) >= 0.6 * LEAST_EM * window.height()
 
 
+@pytest.mark.undrawn
+def test_a_product_in_a_low_place_is_whole(window: MainWindow) -> None:
+    """On a screen of 4 to 3 with two lines of text above, the first row was cut."""
+    window.store.set_view(slide=("equation",), equation="M_z M_pp M_persp", letters="001")
+    settle()
+    equation = window.slide.equation
+    equation.setFixedHeight(round(0.34 * window.height()))
+    settle()
+    equation.grab()
+    cells = equation.cells
+    low, high = min(cell.top() for cell in cells), max(cell.bottom() for cell in cells)
+    assert -0.01 <= low < high <= equation.height()
+
+
 def test_the_cells_that_a_control_changes_light_up(window: MainWindow) -> None:
     window.store.set_view(slide=("equation",), equation="frustum")
     settle()

@@ -67,7 +67,6 @@ from widgets.window.lesson_blocks.view import BlockView
 from widgets.window.lesson_card import WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
-from widgets.window.settings import Settings
 from widgets.window.step_page import StepPage
 
 KEY = Qt.Key
@@ -172,6 +171,7 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     assert window.lessons.place == 1
     press(KEY.Key_Left, ALT)
     assert window.lessons.place == 0 and "You said" in texts(card)
+    assert card.findChildren(QRadioButton)[0].isChecked(), "as it was answered"
 
 
 @pytest.mark.undrawn
@@ -285,34 +285,6 @@ def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
     card.leave()
     card.open(lesson)
     assert window.lessons.place == 2 and not card.page.blocks[0].played.is_open
-
-
-def test_progress_is_kept_for_another_window(
-    make_window: MakeWindow, lesson: Path, own_home: Path
-) -> None:
-    settings = Settings(own_home / "own.ini")
-    window = make_window(settings=settings, shown=False)
-    window.lesson_card.open(lesson)
-    block = window.lesson_card.page.blocks[0]
-    block.findChildren(QRadioButton)[0].click()
-    buttons_of(block)["Commit"].click()
-    window.lesson_card.go_on()
-    window.lesson_card.leave()
-    other = make_window(settings=Settings(own_home / "own.ini"), shown=False)
-    other.lesson_card.open(lesson)
-    assert other.lessons.place == 1
-    other.lessons.previous()
-    assert other.lesson_card.findChildren(QRadioButton)[0].isChecked()
-    assert not other.lesson_card.page.blocks[0].played.is_open
-
-
-@pytest.mark.parametrize(
-    "text", ["[1]", '{"a": 1}', '{"a": {"step": 2}}', '{"a": {"done": -1}}', "{"]
-)
-def test_damaged_progress_is_none(text: str) -> None:
-    settings = Settings(None)
-    settings.write("progress", text)
-    assert settings.progress == {}
 
 
 def buttons_of(widget: QWidget) -> dict[str, QPushButton]:

@@ -255,6 +255,16 @@ def test_formulas_break_at_wide_spaces_and_tables_may_lack_headings() -> None:
     assert html.count("<th") >= 2 and html.count("<tr>") == 2
 
 
+def test_a_function_stands_clear_of_the_letter_before_it() -> None:
+    def width(tex: str) -> float:
+        return outline(tex).width
+
+    for before in ("f", r"\alpha", "(x)", r"\frac{1}{2}"):
+        assert width(rf"{before} \tan x") > width(before) + width(r"\tan x") + 0.1
+    assert width(r"-\tan x") == pytest.approx(width("-") + width(r"\tan x"), abs=0.05)
+    assert width(r"a \cdot \tan x") == pytest.approx(width(r"a \cdot{\tan x}"), abs=0.05)
+
+
 def test_a_minus_after_a_comma_is_a_sign() -> None:
     minus = outline("(-2)").width - outline("(2)").width
     for comma in (", ", r",\ "):

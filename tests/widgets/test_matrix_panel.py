@@ -1056,7 +1056,7 @@ def test_what_is_copied_can_be_pasted(
 ) -> None:
     choose(panel.vectors, vectors)
     texts = []
-    for letters in LETTERS:
+    for letters in [*LETTERS][vectors == "rows" :: 2]:  # each form in all letters
         choose(panel.letters, letters)
         shown_at_last(panel, qtbot, OFF_AXIS)
         for name in ("view_from_world", "clip_from_view"):

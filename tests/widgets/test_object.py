@@ -71,25 +71,26 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
     assert row_of(window, "scale_x").value() == 1.0
 
 
-@pytest.mark.parametrize("name", BUILT_IN)
-def test_every_scene_has_its_pipeline_in_the_dock(window: MainWindow, name: str) -> None:
+def test_every_scene_has_its_pipeline_in_the_dock(window: MainWindow) -> None:
     window.controls.sections["object"].set_open(True)
-    show_scene(window, name)
     editor = window.controls.chain
-    assert len(editor.beyond) >= 5 and all(button.isVisible() for button in editor.beyond)
-    has_tiles = load(name).phenomenon is None
-    if has_tiles:
-        build(window, "translate 1,0,0")
-    for at, turned in ((1, False), (2, True))[: 1 + has_tiles]:
-        stops = []
-        for button in editor.beyond[::-1]:
-            button.click()
-            settle()
-            stops.append(window.strip.position)
-        assert sorted(stops[:2]) == [0.5, 1.0] and stops[at - 1] == 0.5
-        assert stops[2:] == sorted(stops[2:]) and stops[-1] == 5.0
-        assert window.panes["ndc"].drawing.state.morph.from_left is turned
-        window.strip.direction.click()
+    for name in BUILT_IN:
+        show_scene(window, name)
+        assert len(editor.beyond) >= 5 and all(button.isVisible() for button in editor.beyond)
+        has_tiles = load(name).phenomenon is None
+        if has_tiles:
+            build(window, "translate 1,0,0")
+        for at, turned in ((1, False), (2, True))[: 1 + has_tiles]:
+            stops = []
+            for button in editor.beyond[::-1]:
+                button.click()
+                settle()
+                stops.append(window.strip.position)
+            assert sorted(stops[:2]) == [0.5, 1.0] and stops[at - 1] == 0.5, name
+            assert stops[2:] == sorted(stops[2:]) and stops[-1] == 5.0, name
+            assert window.panes["ndc"].drawing.state.morph.from_left is turned, name
+            if has_tiles:
+                window.strip.direction.click()
 
 
 def test_the_dock_has_the_whole_pipeline_and_each_factor_is_a_place_to_stand(

@@ -21,28 +21,13 @@ from app.lessons.strokes import (
     write_strokes,
 )
 from app.model.refusal import Refusal
-from tests.support.lessons import PREDICTED
+from tests.support.lessons import PREDICTED, lesson_of
 from tests.support.window import activate, arrive, move_mouse, pixels, present, rgb_of, settle
 from widgets.program.handout import handout
 from widgets.program.handout_content import StepFigure, contents
 from widgets.window.main_window import MainWindow
 
-TALK = """---
-title: A talk
----
-# One {#one}
-```state
-scene=letter-f
-```
----
-# Two {#two}
-```state
-lens.near=2
-```
-```note
-minutes: 1
-```
-"""
+TALK = lesson_of("scene=letter-f", "lens.near=2")
 LEFT, RIGHT = Qt.MouseButton.LeftButton, Qt.MouseButton.RightButton
 
 
@@ -135,7 +120,7 @@ def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     pen = window.slide.pen
     pen.switch(True)
     draw(window, (300, 300), (400, 320))
-    wanted = {"one": tuple(pen.here)}
+    wanted = {"s1": tuple(pen.here)}
     assert read_strokes(talk) == {}
     QTest.keyClick(pen, Qt.Key.Key_K)
     assert read_strokes(talk) == wanted
@@ -144,7 +129,7 @@ def test_what_is_kept_is_there_again(window: MainWindow, talk: Path) -> None:
     settle()
     assert pen.here == []
     assert window.lessons.open(talk)
-    assert tuple(pen.here) == wanted["one"]
+    assert tuple(pen.here) == wanted["s1"]
 
 
 @pytest.mark.undrawn
@@ -157,14 +142,14 @@ def test_the_handout_prints_the_slide_with_its_strokes(window: MainWindow, talk:
     draw(window, (300, 300), (400, 320))
     drawn = slide(window)
     QTest.keyClick(pen, Qt.Key.Key_K)
-    path = picture_beside(talk, "one")
+    path = picture_beside(talk, "s1")
     kept = rgb_of(QImage(str(path)))
     assert kept.shape == drawn.shape
     bar = pen.findChild(QFrame, "card").geometry()
     beside = np.ones(kept.shape[:2], dtype=bool)
     beside[bar.top() : bar.bottom() + 1, bar.left() : bar.right() + 1] = False  # not in the handout
     assert (kept[beside] == drawn[beside]).all() and (kept != drawn).any()
-    assert not picture_beside(talk, "two").exists()
+    assert not picture_beside(talk, "s2").exists()
     assert abs(len(handout(course)) - len(plain)) > 1000
     QTest.keyClick(pen, Qt.Key.Key_Delete)
     QTest.keyClick(pen, Qt.Key.Key_K)
@@ -273,10 +258,10 @@ def test_nobody_confuses_the_colours_of_the_pen(style: Style, vision: str) -> No
 
 def test_strokes_of_older_files_are_drawn_as_they_were(window: MainWindow, talk: Path) -> None:
     path_beside(talk).write_text(
-        '{"strokes": {"one": [["accent", [0.1, 0.5], [0.9, 0.5]]]}}', encoding="utf-8"
+        '{"strokes": {"s1": [["accent", [0.1, 0.5], [0.9, 0.5]]]}}', encoding="utf-8"
     )
-    (stroke,) = read_strokes(talk)["one"]
-    window.slide.pen.begin_talk({"one": [stroke]})
+    (stroke,) = read_strokes(talk)["s1"]
+    window.slide.pen.begin_talk({"s1": [stroke]})
     settle()
     seen = slide(window)
     here = seen[seen.shape[0] // 2, seen.shape[1] // 3]

@@ -250,6 +250,10 @@ def test_settings_have_defaults_and_make_no_file_for_them(ini: Path) -> None:
         f'recent="{"[" * 9_000}"',
         'recent="[\\"\\"]"',
         'progress="{\\"L3\\": {\\"done\\": -1}}"',
+        'progress="[1]"',
+        'progress="{"',
+        'progress="{\\"L3\\": 1}"',
+        'progress="{\\"L3\\": {\\"step\\": 2}}"',
     ],
 )
 def test_a_bad_value_is_the_default_and_the_others_stay(

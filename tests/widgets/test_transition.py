@@ -12,59 +12,21 @@ from pytestqt.qtbot import QtBot
 from app.drawings.pane_view import Pose
 from app.lessons.contents import CONTENT
 from app.model.projection import Perspective
+from tests.support.lessons import lesson_of
 from tests.support.window import MakeWindow, activate, arrive, pixels, present, seen, settle, tick
 from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
 
-TALK = """---
-title: A talk
-letters: own
----
-# One {#one}
-```state
-scene=letter-f
-view.fixed=side
-```
----
-# Two {#two}
-```state
-view.fixed=top
-```
----
-# Three {#three}
-```state
-view.fixed=
-camera.eye=2,6,12
-```
----
-# Four {#four}
-```state
-scene=similar-triangles
-view.controls=settings.distance
-```
----
-# Five {#five}
-```state
-scene=letter-f
-view.slide=image
-```
----
-# Six {#six}
-```state
-view.slide=ndc
-lens.near=2
-```
----
-# Seven {#seven}
-```state
-view.compare=near: lens.near=2|nearer: lens.near=1
-view.stage=box
-```
-```note
-minutes: 1
-```
-"""
+TALK = lesson_of(
+    "scene=letter-f\nview.fixed=side",
+    "view.fixed=top",
+    "view.fixed=\ncamera.eye=2,6,12",
+    "scene=similar-triangles\nview.controls=settings.distance",
+    "scene=letter-f\nview.slide=image",
+    "view.slide=ndc\nlens.near=2",
+    "view.compare=near: lens.near=2|nearer: lens.near=1\nview.stage=box",
+)
 
 
 @pytest.fixture

@@ -106,17 +106,6 @@ from widgets.window.status_line import StatusLine
 # -- one model, three panes
 
 
-def test_one_change_is_seen_in_every_pane_by_one_repaint_of_each(window: MainWindow) -> None:
-    with counted_repaints(window) as counts:
-        for step in range(1, 4):
-            before = {name: pixels(window, name) for name in window.panes}
-            window.store.set_projection(seen(window, camera=Camera((-7.0, 3.0, 2.0 * step))))
-            settle()
-            for name, picture in before.items():
-                assert (pixels(window, name) != picture).mean() > 0.005, name
-            assert counts == dict.fromkeys(window.panes, step)
-
-
 def test_nothing_under_a_canvas_is_painted(window: MainWindow) -> None:
     """Qt would, and hand all of it to OpenGL, whenever a slider is painted beside the canvases."""
     slider = window.controls.rows["fov_y_deg"].slider
@@ -938,26 +927,6 @@ def test_the_keys_that_help_names_are_those_of_the_window(make_window: MakeWindo
 
 
 # -- autosave
-
-
-def test_unsaved_work_is_offered_after_a_crash_and_never_opened_by_itself(
-    make_window: MakeWindow, qtbot: Any
-) -> None:
-    crashed = make_window(shown=False)
-    crashed.store.set_projection(seen(crashed, lens=Perspective(61.0, 2.0, 20.0)))
-    crashed.recovery.autosave.save_now()
-    lost = crashed.store.document
-    window = make_window(shown=False)
-    settle()
-    assert window.messages.text == "", "the work of a window that lives is not offered"
-    crashed.recovery.autosave.release()  # as the system does when a process dies
-    window.recovery.offer()
-    assert window.messages.text
-    assert window.store.document != lost
-    window.messages.choices[0].click()
-    assert window.store.document == lost
-    assert window.store.modified
-    assert window.recovery.autosave.orphans() == []
 
 
 DIES = """

@@ -494,10 +494,15 @@ class Controls(Dock, RowHolder):
             self.chain.show_pipeline(self._projection)
         if "placement" in parts and (is_open[self.sections["object"]] or self._lent_tiles):
             self.chain.show_chain(self._projection.placement)
-        for key, binding in self._bindings.items():
-            seen = is_open[binding.rows] or key in self._lifted or key in self._lent
-            if seen and binding.part in parts and not binding.row.isHidden():
-                binding.row.setValue(binding.parameter.value(self._projection))
+        values = [
+            (each.row, each.parameter.value(self._projection))
+            for key, each in self._bindings.items()
+            if (is_open[each.rows] or key in self._lifted or key in self._lent)
+            and each.part in parts
+            and not each.row.isHidden()
+        ]
+        for row, value in values:
+            row.setValue(value)
 
 
 def _as_shown(error: Refusal, value: Any) -> Refusal:

@@ -20,6 +20,7 @@ from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
 
 from app.drawings.drawing import Taken
 from app.languages import listed
+from app.lecture.highlight import WINDOW
 from app.model.limits import OTHER_SIDE, vector
 from app.model.parameter import Settings
 from app.model.projection import Array, Projection, Vector
@@ -59,6 +60,7 @@ from widgets.parts.plain import set_tip
 
 HOLD_WITHIN_PX = 12.0  # greatest distance from a probe's mark at which a drag takes hold of it
 _APART_PX = 16
+_LETTERS = {side: letter for letter, side in WINDOW.items()}
 _HALVINGS = 6  # how often the way of a refused drag is halved, to stop it at the bound
 
 
@@ -206,6 +208,12 @@ class Manipulation(Gestures, QObject):
         self.line.put_beside(around, _APART_PX, above=True)
         self.line.show()
 
+    def _is_written(self, handle: Handle, pane: Pane) -> bool:
+        """Whether names in a pane say all values that a handle of a plane moves."""
+        keys = [_LETTERS.get(name, name) for name in self._does(handle)[0] if handle.face]
+        drawing = pane.drawing if keys else None
+        return drawing is not None and all(map(drawing.board.writes_value, keys))
+
     def _does(self, handle: Handle) -> tuple[tuple[str, ...], str]:
         if handle.name == "grip":
             grip = self._grips.get(handle.setting)
@@ -265,9 +273,10 @@ class Manipulation(Gestures, QObject):
         error = self._refusal_of(drag, away, shift)
         if error is None or self._drag is None:
             drag.reached = away
+            pointed = self._pointed if self._drag is not None else None
             # The keyboard's cursor has a label of its own.
-            if self._drag is not None and self._pointed is not None and drag.pane.hand.is_down:
-                self._show_line(drag.pane, self.now(self._pointed))
+            if pointed and drag.pane.hand.is_down and not self._is_written(pointed, drag.pane):
+                self._show_line(drag.pane, self.now(pointed))
             return
         step = away - drag.reached
         for _ in range(_HALVINGS):

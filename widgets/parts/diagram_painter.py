@@ -265,13 +265,14 @@ class DiagramPainter:
         )
         taken = np.empty((0, 4))
         # Dots first, because a line offers many places.
-        named = sorted(zip(curves, along, halves, strict=True), key=lambda each: not each[0].dots)
-        for curve, places, half in named:
+        order = sorted(range(len(curves)), key=lambda i: not curves[i].dots)
+        for curve, places, half, i in ((curves[i], along[i], halves[i], i) for i in order):
             if not curve.label:
                 continue
+            foreign = np.concatenate([np.empty((0, 2)), *along[:i], *along[i + 1 :]])
             text = words(of_phenomena(curve.label), font)
             size, kept = (text.width + 2.0 * GAP_PX, height), self.names.get(curve.label)
-            place = beside_curve(self._bounds, places, half, size, taken, covered, kept)
+            place = beside_curve(self._bounds, places, half, size, taken, covered, foreign, kept)
             self.names[curve.label] = place
             taken = np.vstack([taken, place])
             left, top, right, bottom = place.tolist()

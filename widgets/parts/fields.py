@@ -226,7 +226,12 @@ class Row(TintedWidget, QWidget, Gestures):
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
         if isinstance(event, QFocusEvent):  # focus by a click is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
+        if event.type() in (QEvent.Type.FocusIn, QEvent.Type.ToolTip):
+            self._describe_part(watched)
         return super().eventFilter(watched, event)
+
+    def _describe_part(self, part: QWidget) -> None:
+        """Bring what a part says about the value up to date, now that somebody reads it."""
 
 
 def report_highlight(row: Row, highlighted: SignalInstance, key: str, about: Highlight) -> None:

@@ -309,13 +309,12 @@ class NumberRow(_TypedRow):
         said = sentence(error)
         return f"{said.removesuffix('.')}; {limits}." if limits else said
 
-    def eventFilter(self, watched: Any, event: QEvent) -> bool:
-        if watched is self.field and event.type() == QEvent.Type.ToolTip:
+    def _describe_part(self, part: QWidget) -> None:
+        if part is self.field:
             exact = f"{self.name} = {number_text(self._value)} {self.field.unit}".rstrip()
-            set_tip(self.field, Markup.of("<qt><b>{}</b><br>{}</qt>", exact, self._tip))
-        elif watched is self.slider and event.type() == QEvent.Type.FocusIn:
+            set_tip(part, Markup.of("<qt><b>{}</b><br>{}</qt>", exact, self._tip))
+        else:
             self._describe_value()
-        return super().eventFilter(watched, event)
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         actions = QSlider.SliderAction

@@ -164,7 +164,8 @@ class EquationSlide(QWidget):
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
         room = self.width() - 2.0 * EDGE * self._screen_px
-        usual, stretch = least_px, 0.0
+        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
+        usual, stretch = min(least_px, (self.height() - caption) / 4.0), 0.0
         if not self._is_product:
             usual = min(USUAL_CELL * self._screen_px, 0.86 * self.height() / 4.0)
             free = room / em - self._least_width
@@ -175,7 +176,6 @@ class EquationSlide(QWidget):
         ]
         whole = em * (self._least_width + stretch)
         x = (self.width() - whole) / 2.0
-        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
         top = (self.height() - sum(heights) - caption) / 2.0
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)
@@ -186,10 +186,8 @@ class EquationSlide(QWidget):
                 x += GAP_EM * em
                 x = self._draw(painter, "=", em, x, middle, ink) + GAP_EM * em
             widths = [em * (width + stretch / 4.0) for width in each.widths]
-            if stretch:  # alike where there is room
-                alike = sum(widths) / 4.0
-                if alike >= em * max(each.widths):
-                    widths = [alike] * 4
+            if stretch and sum(widths) >= 4.0 * em * max(each.widths):  # alike where there is room
+                widths = [sum(widths) / 4.0] * 4
             left = x
             x = self._paint_matrix(painter, each, em, QPointF(x, top), widths, heights)
             if self._is_product and each.term.name:

@@ -216,7 +216,7 @@ def _world_marks(settings: Settings, subject: Subject, light: Array, marked: lis
         (left - rim, back - rim), (right + rim, back - rim),
         (right + rim, front + rim), (left - rim, front + rim),
     )])  # fmt: skip
-    y = Text("ground", corners[3], text=f"y = {figure(height, 4)}")
+    y = Text("ground", corners[3], text=f"y\N{NO-BREAK SPACE}= {figure(height, 4)}")
     world: list[Mark] = [plate(corners, "muted", 1.0, 0.2, (), "ground"), y]
     for top, end, w in zip(tops, ends.places, ends.w, strict=True):
         if w > 0.0:

@@ -43,6 +43,7 @@ _SHAPES = (
     (0, 3, ((1.5, 1.2), (0.02, HEIGHT))),
 )
 _RADIUS = 1.5
+_NAMED_AT = 1.25  # of its height: the name stands above the nearer trees, which are higher
 _RIGHT = 400.0  # of the diagram, where far is farther
 
 
@@ -239,8 +240,7 @@ def _show(projection: Projection, settings: Settings, _subject: Subject) -> Illu
 def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
     """The outline of the nearest tree behind the far plane, in the world and in the image."""
     middles = projection.trace(places() + np.array([0.0, HEIGHT / 2.0, 0.0]))
-    is_behind = middles.outside[:, PLANES.index("far")]
-    waits = is_behind & (middles.outside.sum(axis=1) == 1)
+    waits = middles.outside[:, PLANES.index("far")] & (middles.outside.sum(axis=1) == 1)
     if not waits.any():
         return Marks(), Marks()
     w = np.where(waits, -middles.view[:, 2], math.inf)
@@ -253,7 +253,7 @@ def _next_tree(projection: Projection) -> tuple[Marks, Marks]:
     lines = [Polyline(piece, "accent", 1.5) for piece in pieces if piece is not None]
     text = Text("next-tree", outline_world[2], "accent", text=WORDS["next-tree"])
     world = Marks.of(Polyline(outline_world, "accent", 2.0), text)
-    top = trace.image[2]
+    top = projection.trace(tree + _NAMED_AT * HEIGHT * up).image
     in_frame = ((top >= 0.0) & (top <= projection.image_size)).all()
     return world, Marks.of(*lines, *([replace(text, point=top)] if in_frame else []))
 
