@@ -10,6 +10,7 @@ How a change reaches the screen, and why it is drawn once::
 import sys
 import time
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QPointF, Qt, QTimer, Signal
@@ -151,6 +152,9 @@ class Pane(QFrame):
         self._clock = Clock(self, self._pass_time)
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
+        self._former: Drawing | None = None  # is released in a pause: that takes time
+        self._releasing = QTimer(self, singleShot=True, interval=500)
+        self._releasing.timeout.connect(partial(setattr, self, "_former", None))
         self._has_changed = True
         self.canvas.drawn.connect(self._plan_refining)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
@@ -334,6 +338,8 @@ class Pane(QFrame):
         else:
             if self.drawing is not None:
                 self.drawing.remove()
+                self._former = self.drawing
+                self._releasing.start()
             self.drawing = self._drawn_with = None
             with self.canvas.or_empty():
                 self.drawing = self.make_drawing(self.canvas, *args)
@@ -466,7 +472,7 @@ class Pane(QFrame):
 
     def close_canvas(self) -> None:
         """Release VTK's objects; call it before the window closes, and its GL context with it."""
-        self.drawing = None
+        self.drawing = self._former = None
         self.ahead.keep()
         self.canvas.close()
 

@@ -90,6 +90,8 @@ class Look(QObject):
             if "view" in changed:
                 self.look_from(shown.document.view.panes)
         if changed & {"scene", "view"}:
+            if "quality" not in changed:
+                self.adaptive.hasten()
             self.set_waiting(False)
         if "image_size" in changed:
             width, height = shown.projection.image_size
@@ -107,8 +109,8 @@ class Look(QObject):
     def begin_glide(self, poses: Mapping[str, Any]) -> None:
         """Let the panes' cameras begin a way from these poses to where they stand now."""
         self._glides = True
+        self.adaptive.hasten(rests=False)
         for name, pane in self._panes.items():
-            self.refine(name, False)
             pane.begin_glide(poses.get(name))
 
     def glide(self, part: float) -> None:
@@ -131,6 +133,7 @@ class Look(QObject):
         """
         self.forget_ahead()  # they may have been drawn with other words
         if self._shown is not None:
+            self.adaptive.hasten()
             self._build(cameras(self._panes), anew=anew)
 
     def forget_ahead(self) -> None:
@@ -201,12 +204,9 @@ class Look(QObject):
         self._panes[name].request("smoothing", self.adaptive.smoothing(smooth))
 
     def rest(self) -> None:
-        """Draw at full quality, and refit views that objects have left, once the input stops."""
-        if self._glides:
-            return
-        self.adaptive.step(dragging=False)
-        for pane in self._panes.values():
-            pane.refit()
+        """Draw at full quality once neither the input nor the picture moves."""
+        if not self._glides:
+            self.adaptive.rest()
 
     # -- theme and text
 
