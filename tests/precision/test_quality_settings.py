@@ -57,9 +57,6 @@ def ball(mesh: str) -> Scene:
 
 
 def pictures(window: MainWindow) -> dict[str, np.ndarray]:
-    """What the panes show at rest."""
-    settle()
-    window.look.rest()
     settle()
     return {name: pixels(window, name) for name in PANES}
 

@@ -90,8 +90,7 @@ class Look(QObject):
             if "view" in changed:
                 self.look_from(shown.document.view.panes)
         if changed & {"scene", "view"}:
-            if "quality" not in changed:
-                self.adaptive.hasten()
+            self.adaptive.hasten()
             self.set_waiting(False)
         if "image_size" in changed:
             width, height = shown.projection.image_size
