@@ -1,10 +1,8 @@
 """Chosen quality in the document and in the panes, and quality that gives way while one drags."""
 
 import math
-import weakref
 from collections.abc import Callable
 from dataclasses import replace
-from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -641,35 +639,6 @@ def test_a_view_that_is_turned_is_drawn_in_time_and_restored_after_it(
     QTest.mouseRelease(surface, Qt.MouseButton.LeftButton, pos=place)
     qtbot.waitUntil(lambda: triangles(window) == whole, timeout=20_000)
     assert window.panes["world"].requested["smoothing"] != "none"
-
-
-@pytest.mark.parametrize("software", [True, False])
-def test_the_first_picture_of_another_document_is_antialiased_after_it_was_seen(
-    make_window: MakeWindow, qtbot: QtBot, software: bool
-) -> None:
-    """With OpenGL in software only: that takes as long as the rest of the picture."""
-    window = make_window(software_rendering=software)
-    settle()
-    panes, image, drawn = window.panes.values(), window.panes["image"], list[str]()
-    image.canvas.drawn.connect(lambda: drawn.append(image.canvas.smoothing))
-    for act in (partial(window.guide.choose, "cube"), window.look.rebuild):
-        drawn.clear()
-        former = weakref.ref(image.drawing)
-        act()
-        assert former() is not None, "it is released when the next one is there"
-        qtbot.waitUntil(lambda: bool(drawn))
-        qtbot.waitUntil(lambda: {pane.canvas.smoothing for pane in panes} == {adaptive.AT_REST})
-        assert drawn[0] == ("none" if software else adaptive.AT_REST)
-        step(window, window.shown.projection.lens.fov_y_deg + 1.0)
-        assert drawn[-1] == adaptive.AT_REST, "a step by itself is drawn once"
-        qtbot.waitUntil(lambda before=former: before() is None)
-    window.guide.choose("letter-f")
-    window.store.begin_gesture()
-    step(window, 41.0)
-    QTest.qWait(2 * REST_MS)
-    smoothed = "none" if software else adaptive.AT_REST
-    assert {pane.canvas.smoothing for pane in panes} == {smoothed}, "a hand is there before"
-    window.store.end_gesture()
 
 
 def test_antialiasing_is_dropped_first(make_window: MakeWindow) -> None:

@@ -6,7 +6,6 @@
     FrameBudget <-- time from the change to the swap of the buffers <---------------+
     the drag ends ---------> step(False)    --> every pane at full quality
     a pane's own camera moves -> _turn(pane), and step(False) once the hand rests
-    another document or style -> hasten(), and step(False) soon after its first picture
 """
 
 import time
@@ -67,7 +66,6 @@ class Adaptive(QObject):
         self._measured = self.budget  # the budget that the present frame counts for
         self._turned = QTimer(self, singleShot=True, interval=REST_MS)
         self._turned.timeout.connect(self._end_turn)
-        self.is_hasty = False  # whether the next picture is antialiased only after it was seen
         for pane in panes.values():
             pane.hand.moved.connect(partial(self._turn, pane))
             pane.canvas.drawn.connect(self._drawn)
@@ -127,19 +125,7 @@ class Adaptive(QObject):
     def step(self, dragging: bool) -> None:
         """Set the quality before a change is drawn, or at the end of a drag."""
         self._turned.stop()
-        self.is_hasty = False
         self._draw(dragging, self.budget, self._panes.values())
-
-    def hasten(self, *, rests: bool = True) -> None:
-        """Let OpenGL in software draw the next picture without antialiasing.
-
-        It follows soon, if the picture `rests`; and the first picture of all has it at once.
-        """
-        self._turned.stop()
-        drawn = [pane for pane in self._panes.values() if pane.drawing is not None]
-        for pane in drawn:
-            pane.request("smoothing", self.smoothing(not self.software_rendering))
-        self.is_hasty = rests and bool(drawn)
 
     def _turn(self, pane: Pane) -> None:
         """Draw a pane as in a drag while the user moves its own camera."""
@@ -150,25 +136,25 @@ class Adaptive(QObject):
         if any(pane.hand.is_down for pane in self._panes.values()):
             self._turned.start()
         else:
-            self.rest()
-
-    def rest(self) -> None:
-        """Draw at full quality, and refit views that objects have left, once the input stops."""
-        if not self.is_hasty:
             self.step(False)
-        for pane in self._panes.values():
-            pane.refit()
+            for pane in self._panes.values():
+                pane.refit()
 
     def _draw(self, dragging: bool, budget: FrameBudget, panes: Iterable[Pane]) -> None:
         self._end_frame(self._drawn_at)  # if the drag is faster than the screen
         self._dragging, self._measured = dragging, budget
-        self._began = time.perf_counter() if dragging else None
-        level = budget.level if dragging else FrameQuality(True, self.quality.detail)
+        if dragging:
+            self._began = time.perf_counter()
+            level = budget.level
+            share, smoothing = level.share, self.smoothing(level.smooth)
+        else:
+            self._began = None
+            share, smoothing = self.quality.detail, self.smoothing(True)
         fewer: Scene | None = None
-        if self._scene is not None and level.share != self.quality.detail:
-            fewer = reduced(self._scene, level.share)
+        if self._scene is not None and share != self.quality.detail:
+            fewer = reduced(self._scene, share)
         for pane in panes:
-            pane.request("smoothing", self.smoothing(level.smooth))
+            pane.request("smoothing", smoothing)
             pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
             self._emit_changed()
@@ -181,9 +167,6 @@ class Adaptive(QObject):
     def _drawn(self) -> None:
         """A pane's picture was drawn; the last one before the next step ends the frame."""
         self._drawn_at = time.perf_counter()
-        if self.is_hasty:
-            self.is_hasty = False
-            self._turned.start()
 
     def _end_frame(self, at: float) -> None:
         """Record the time of the last step that was drawn."""

@@ -90,7 +90,6 @@ class Look(QObject):
             if "view" in changed:
                 self.look_from(shown.document.view.panes)
         if changed & {"scene", "view"}:
-            self.adaptive.hasten()
             self.set_waiting(False)
         if "image_size" in changed:
             width, height = shown.projection.image_size
@@ -108,8 +107,8 @@ class Look(QObject):
     def begin_glide(self, poses: Mapping[str, Any]) -> None:
         """Let the panes' cameras begin a way from these poses to where they stand now."""
         self._glides = True
-        self.adaptive.hasten(rests=False)
         for name, pane in self._panes.items():
+            self.refine(name, False)
             pane.begin_glide(poses.get(name))
 
     def glide(self, part: float) -> None:
@@ -132,7 +131,6 @@ class Look(QObject):
         """
         self.forget_ahead()  # they may have been drawn with other words
         if self._shown is not None:
-            self.adaptive.hasten()
             self._build(cameras(self._panes), anew=anew)
 
     def forget_ahead(self) -> None:
@@ -203,9 +201,12 @@ class Look(QObject):
         self._panes[name].request("smoothing", self.adaptive.smoothing(smooth))
 
     def rest(self) -> None:
-        """Draw at full quality once neither the input nor the picture moves."""
-        if not self._glides:
-            self.adaptive.rest()
+        """Draw at full quality, and refit views that objects have left, once the input stops."""
+        if self._glides:
+            return
+        self.adaptive.step(dragging=False)
+        for pane in self._panes.values():
+            pane.refit()
 
     # -- theme and text
 
