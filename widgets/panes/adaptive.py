@@ -143,18 +143,13 @@ class Adaptive(QObject):
     def _draw(self, dragging: bool, budget: FrameBudget, panes: Iterable[Pane]) -> None:
         self._end_frame(self._drawn_at)  # if the drag is faster than the screen
         self._dragging, self._measured = dragging, budget
-        if dragging:
-            self._began = time.perf_counter()
-            level = budget.level
-            share, smoothing = level.share, self.smoothing(level.smooth)
-        else:
-            self._began = None
-            share, smoothing = self.quality.detail, self.smoothing(True)
+        self._began = time.perf_counter() if dragging else None
+        level = budget.level if dragging else FrameQuality(True, self.quality.detail)
         fewer: Scene | None = None
-        if self._scene is not None and share != self.quality.detail:
-            fewer = reduced(self._scene, share)
+        if self._scene is not None and level.share != self.quality.detail:
+            fewer = reduced(self._scene, level.share)
         for pane in panes:
-            pane.request("smoothing", smoothing)
+            pane.request("smoothing", self.smoothing(level.smooth))
             pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
             self._emit_changed()
