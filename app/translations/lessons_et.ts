@@ -8461,8 +8461,8 @@
         <translation>Kohal {0} ulatub pilt x-sihis {1} ja y-sihis {2}, {3}; lähitasandil {4}, {5}.</translation>
     </message>
     <message>
-        <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation>β on nüüd 60° ja pilt 16:9. Kui suur on α?</translation>
+        <source>Take β = 60° and a picture of 16:9. How large is α?</source>
+        <translation>Olgu β = 60° ja pilt 16:9. Kui suur on α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>

@@ -8461,8 +8461,8 @@
         <translation>Na {0} slika po x doseže {1}, a po y {2}, {3}; na bliskoj ravnini {4}, {5}.</translation>
     </message>
     <message>
-        <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation>β je sada 60°, a slika 16:9. Koliko je α?</translation>
+        <source>Take β = 60° and a picture of 16:9. How large is α?</source>
+        <translation>Neka je β = 60°, a slika 16:9. Koliko je α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>

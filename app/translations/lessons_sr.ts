@@ -8461,8 +8461,8 @@
         <translation>На {0} слика досеже {1} по x и {2} по y, {3}; на предњој равни {4}, {5}.</translation>
     </message>
     <message>
-        <source>β is 60° now, and the picture 16:9. How large is α?</source>
-        <translation>β је сада 60°, а слика 16:9. Колико је α?</translation>
+        <source>Take β = 60° and a picture of 16:9. How large is α?</source>
+        <translation>Нека је β = 60°, а слика 16:9. Колико је α?</translation>
     </message>
     <message>
         <source>tan(α/2) = 16/9 · tan 30° = 1.026</source>
