@@ -421,10 +421,8 @@ def _turned(chain: Chain, points: Mapping[str, Array], sight: Sight, pixel: Spot
 def _places(projection: Projection, drawn: tuple[float, float]) -> Array:
     """World points (18, 3) of all handles on the faces."""
     distances = np.where(_IS_FAR, drawn[1], drawn[0])
-    left, right, bottom, top = projection.window
-    middle = np.array([(left + right) / 2.0, (bottom + top) / 2.0])
-    half = np.array([(right - left) / 2.0, (top - bottom) / 2.0])
-    on_near = middle + _AT * half
+    low, high = np.reshape(projection.window, (2, 2)).T
+    on_near = (low + high + _AT * (high - low)) / 2.0
     points = np.column_stack([_outwards(projection, on_near, distances[:, None]), -distances])
     return np.asarray(points @ projection.camera.frame + projection.camera.eye)
 
@@ -493,8 +491,8 @@ def _opened(projection: Projection, before: float, drag: _HandleDrag) -> float:
 def _resized(projection: Projection, drag: _HandleDrag, symmetric: bool) -> Change:
     """Window with one corner or side at a pixel, the opposite one fixed or mirrored.
 
-    If the window keeps the image's proportions, the grabbed point runs on its diagonal, and the
-    fields become those of the visible window.
+    If the window keeps the image's proportions, a corner runs on the diagonal, a side's grabbed
+    point across the side, and the fields become those of the visible window.
     """
     handle, grabbed, sight, pixel = drag
     camera, keep = projection.camera, getattr(projection.lens, "keep", "stretch")
@@ -506,14 +504,15 @@ def _resized(projection: Projection, drag: _HandleDrag, symmetric: bool) -> Chan
     opposite = np.array([window[0], window[2]]) + np.array([window[1], window[3]]) - corner
     fixed = (corner + opposite) / 2.0 if symmetric else opposite
     if keep != "stretch":
-        on_near = np.where(moves, corner, fixed)
+        x, y = camera.frame[:2] @ (grabbed - camera.eye)
+        held = projection.lens.inwards(x, y, distance)
 
         def in_world(on_near: Array) -> Array:
             view = np.append(_outwards(projection, on_near, np.array(distance)), -distance)
             return np.asarray(camera.frame.T @ view + camera.eye)
 
-        start = in_world(fixed)
-        part, per_px = sight.slide(start, in_world(on_near) - start, pixel)
+        start, end = in_world(np.where(moves, fixed, held)), in_world(np.where(moves, corner, held))
+        part, per_px = sight.slide(start, end - start, pixel)
         axis = 0 if keep == "x" else 1  # the other axis follows
         length = float(corner[axis] - fixed[axis])
         value = float(fixed[axis]) + length * part

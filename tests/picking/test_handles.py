@@ -17,8 +17,10 @@ from app.model.projection import (
     Projection,
 )
 from app.model.refusal import Refusal
+from app.picking import handles
 from app.picking.handles import (
     EYE,
+    NEAR_SIDES,
     TARGET,
     Handle,
     changed,
@@ -125,7 +127,7 @@ def test_a_handle_that_is_not_moved_moves_nothing(lens: Lens) -> None:
     """A drag back to its start keeps every digit."""
     projection = Projection(Camera((1 / 3, 5.0, 9.0), (0.1, 2.2, -1 / 7)), lens, (1280, 720))
     drawn, sight = planes(projection), looks(projection.camera)
-    for handle in (EYE, TARGET, *PLANES, *CORNERS, *FAR_CORNERS):
+    for handle in (EYE, TARGET, *PLANES, *CORNERS, *FAR_CORNERS, *NEAR_SIDES):
         if handle.name == "far" and lens.far == math.inf:
             continue
         x, y = at(projection, handle, drawn, sight).tolist()
@@ -171,6 +173,28 @@ def test_the_opposite_corner_stays_or_is_mirrored() -> None:
         assert (left, bottom) == pytest.approx((kept.window[0], kept.window[2]), abs=1e-12)
         assert (right - left) / (top - bottom) == pytest.approx(1280 / 720)
         assert right > kept.window[1]
+
+
+@pytest.mark.parametrize("keep", ["x", "y", "stretch"])
+@pytest.mark.parametrize("side", NEAR_SIDES)
+def test_a_side_of_the_window_follows_the_pointer_from_where_it_was_grabbed(
+    keep: str, side: Handle
+) -> None:
+    lens = Frustum(-2.2, 1.0, -0.9, 0.9, 3.2, 19.0, keep=keep)  # type: ignore[arg-type]
+    projection = Projection(Camera((1.5, 2.4, 8.0), (1.5, 2.4, 0.0)), lens, (1280, 720))
+    camera, sight = projection.camera, looks(projection.camera)
+    axis = int(side.at[0] == 0.0)
+    number = 2 * axis + int(side.at[axis] > 0.0)
+    for along in (-0.8, 0.0, 0.6):
+        spot = (along, side.at[1]) if axis else (side.at[0], along)
+        low, high = np.array(projection.window).reshape(2, 2).T
+        x, y = (low + high + (high - low) * spot) / 2.0
+        grabbed = camera.eye + np.array([x, y, -3.2]) @ camera.frame
+        for by in (-0.3, 0.0, 0.2):
+            pixel = tuple(sight.seen([grabbed + by * camera.frame[axis]])[0].tolist())
+            change = handles.dragged(projection, side, grabbed, (3.2, 19.0), sight, pixel)
+            moved = changed(projection, change).window
+            assert moved[number] == pytest.approx(projection.window[number] + by, abs=0.01)
 
 
 def test_impossible_models_are_refused_and_never_nan() -> None:
