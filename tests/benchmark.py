@@ -10,6 +10,7 @@ writes the run's figures into that page.
 import argparse
 import collections
 import contextlib
+import gc
 import itertools
 import json
 import math
@@ -79,7 +80,10 @@ def main() -> int:
 
 
 def application() -> Any:
-    """The one QApplication of this process, with what it shows imported as the program does."""
+    """The one QApplication of this process, with what it shows imported as the program does.
+
+    As there, Python collects garbage only in pauses, by `rest`.
+    """
     from PySide6.QtWidgets import QApplication
 
     from widgets.program.opengl import prepare
@@ -89,6 +93,7 @@ def application() -> Any:
         made = QApplication([])
         with python_packages.for_good():
             import widgets.window.main_window  # noqa: F401
+        gc.disable()
         return made
     return QApplication.instance()
 
@@ -126,6 +131,7 @@ def settle(app: Any) -> None:
 
 def rest(seconds: float) -> None:
     """Let the window do what it does by itself."""
+    gc.collect()
     until = time.perf_counter() + seconds
     while time.perf_counter() < until:
         application().processEvents()

@@ -1120,7 +1120,7 @@ def test_both_matrices_of_another_program_give_our_picture(
     assert np.abs(pixels - OFF_AXIS.trace(points).image).max() < 1e-9
 
 
-def test_formulas_are_ready_before_the_panel_opens(
+def test_formulas_and_boxes_are_ready_before_the_panel_opens(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:
     window.panels.open(None)
@@ -1129,5 +1129,10 @@ def test_formulas_are_ready_before_the_panel_opens(
     window.panels.idle.start(0)
     qtbot.waitUntil(lambda: not window.panels.idle.isActive())
     monkeypatch.setattr(notation, "evaluated", None)  # nothing is worked out any more
+    view = window.matrices.views["clip_from_view"]
+    there = moved(window.store.document.projection, near=1.25)
+    window.store.set_projection(there)
     window.panels.open(window.matrices)
-    assert window.matrices.isVisible() and len(window.matrices.shown) > 4
+    assert window.matrices.isVisible() and window.matrices.views["clip_from_view"] is view
+    by_name = {matrix.name: matrix for matrix in window.matrices.shown}
+    assert by_name["clip_from_view"].values[2][2] == there.direct_stages[0].matrix[2, 2]

@@ -284,8 +284,11 @@ class MatrixPanel(ReadablePanel):
                 view.fit()
 
     def prepare(self, projection: Projection) -> None:
-        """Work out the formulas, which are kept, before the panel opens."""
+        """Work out the formulas, which are kept, and make the boxes before the panel opens."""
         self._matrices(projection)
+        if self._plan is None:
+            self._projection = projection
+            self._fill()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._show(shown.projection)
