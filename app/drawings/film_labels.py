@@ -18,11 +18,9 @@ from app.drawings.label_placement import (
     KeptSpot,
     Places,
     Wish,
-    apart,
     candidates,
     cheapest,
     crossed,
-    outline,
     overlap,
     placed_label,
 )
@@ -34,6 +32,7 @@ _LEAVING = 60.0  # what it costs to leave a place: as much as bad places in seve
 _JUMPING = 10.0  # to move by an em more than one from a frame to the next
 _STILL = 1.0  # and to stand still beside what moves
 _HIDDEN = 1e3  # and to be hidden in a frame
+_FOREIGN = 10.0  # and to be nearer to what another label names
 _NEAR = 4  # frames before and after, in which a step is usual or a jump
 _FADING = 2  # frames in which a label fades, on each side of a change
 
@@ -119,8 +118,9 @@ def _rounded(place: tuple[float, float], em: float) -> tuple[int, int]:
 
 def _tried(frame: Wanted, options: dict[Hashable, list[FilmPlace]]) -> dict[Hashable, Candidates]:
     """Return what the places of each label cost in a frame."""
-    em, choices = frame.ground.em, []
-    for wish, _ in frame.wishes:
+    em, choices, strays = frame.ground.em, [], list[Floats]()
+    outlines = [_outline(wish) for wish, _ in frame.wishes]
+    for number, (wish, _) in enumerate(frame.wishes):
         places, spots = options[wish.key], [*wish.spots, (np.nan, np.nan)]
         if not places:
             continue
@@ -131,20 +131,37 @@ def _tried(frame: Wanted, options: dict[Hashable, list[FilmPlace]]) -> dict[Hash
         turns = np.array([each.kept.turn for each in places])
         brief = np.array([each.kept.brief for each in places])
         tried = Places(centres, turns, anchors, np.zeros(len(places)), brief=brief)
-        half = wish.sizes(tried) / 2.0
-        own = apart(np.hstack([centres - half, centres + half]), outline(wish))
+        sizes = wish.sizes(tried)
+        own = _apart(centres, sizes, outlines[number])
         away = np.where(stands | (len(wish.spots) > 1), own, [each.away for each in places])
         leads = np.array([each.kept.leads for each in places])
         centres[~stands & ~leads & (away > LEADER_FROM_EM * em)] = np.nan  # too far
         choices.append((wish, tried._replace(away=away)))
+        others = np.vstack([np.full((1, 2), np.nan), *outlines[:number], *outlines[number + 1 :]])
+        strays.append(np.where(_apart(centres, sizes, others) < own, _FOREIGN, 0.0))
     if not choices:
         return {}
     every = candidates(choices, frame.ground)
+    every = every._replace(costs=every.costs + np.concatenate(strays))
     ends = np.cumsum(every.counts).tolist()
     return {
         wish.key: every.part(start, end)
         for (wish, _), start, end in zip(choices, [0, *ends], ends, strict=False)
     }
+
+
+def _outline(wish: Wish) -> Floats:
+    """Return points of what a label names: its only spot, or along the edges between its spots."""
+    ends = np.reshape(np.array(wish.spots, dtype=np.float64), (-1, 2))
+    parts = np.linspace(0.0, 1.0, 9)[:, None, None] if len(ends) > 1 else np.zeros((1, 1, 1))
+    return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
+
+
+def _apart(centres: Floats, sizes: Floats, points: Floats) -> Floats:
+    """Return how far the nearest of some points is from each box."""
+    beside = np.abs(points - centres[:, None]) - sizes[:, None] / 2.0
+    apart = np.linalg.norm(np.maximum(beside, 0.0), axis=2)
+    return np.asarray(np.where(np.isnan(apart), np.inf, apart).min(axis=1, initial=np.inf))
 
 
 def _steps(each: Sequence[Candidates | None], count: int) -> Floats:

@@ -43,7 +43,6 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
-_BESIDE_EDGE = 3.0  # nearer to an edge of what another label names
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
@@ -472,8 +471,7 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
-    outlines = [outline(wish) for wish, _ in choices]
-    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], outlines, em)
+    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
@@ -517,32 +515,16 @@ def _crossing(starts: Floats, boxes: Floats) -> NDArray[np.bool_]:
     return np.asarray(is_between & is_between.T)
 
 
-def outline(wish: Wish) -> Floats:
-    """Return points of what a label names: its only spot, or along the edges between its spots."""
-    ends = np.reshape(np.array(wish.spots, dtype=np.float64), (-1, 2))
-    parts = np.linspace(0.0, 1.0, 9)[:, None, None] if len(ends) > 1 else np.zeros((1, 1, 1))
-    return np.asarray((ends + parts * (np.roll(ends, -1, 0) - ends)).reshape(-1, 2))
-
-
-def apart(boxes: Floats, points: Floats) -> Floats:
-    """Return how far the nearest of some points is from each box."""
-    nearest = np.clip(points, boxes[:, None, :2], boxes[:, None, 2:])
-    away = np.linalg.norm(nearest - points, axis=2)
-    return np.asarray(np.where(np.isnan(away), np.inf, away).min(axis=1, initial=np.inf))
-
-
 def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
-    outlines: Sequence[Floats], em: float,
+    em: float,
 ) -> Floats:  # fmt: skip
-    """The cost of a label nearer to what another label names, or with a leader across its mark."""
+    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
     foreign = of[:, None] != np.arange(len(marks))
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
-    each = np.stack([apart(boxes, points) for points in outlines], axis=1)
-    beside = foreign & (each < np.minimum(own, each[np.arange(len(of)), of])[:, None])
-    costs = np.where(nearer.any(axis=1), _FOREIGN, np.where(beside.any(axis=1), _BESIDE_EDGE, 0.0))
+    costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
     costs[far] += _CROSSES * over.any(axis=1)

@@ -149,19 +149,6 @@ def test_labels_go_where_the_ink_is_not() -> None:
     assert edge <= 246.0 and left > 100.0
 
 
-def test_a_label_stands_nearer_to_its_own_plane_than_to_another_ones_edge() -> None:
-    """The place above would be near the other plane's corner, which is not where that is named."""
-    near = [(200.0, 100.0), (230.0, 110.0), (230.0, 60.0), (200.0, 50.0)]
-    far = [(20.0, 160.0), (150.0, 180.0), (150.0, 20.0), (20.0, 10.0)]
-    above, below, size = (190.0, 125.0), (230.0, 30.0), (60.0, 14.0)
-    wishes = [
-        Wish("far", size, far, partial(choices, (60.0, 165.0), (60.0, 180.0)), 0.0),
-        Wish("near", size, near, partial(choices, (215.0, 100.0), above, below), 1.0),
-    ]
-    assert place(wishes[1:], Ground(FRAME, EM))["near"].centre == above
-    assert place(wishes, Ground(FRAME, EM))["near"].centre == below
-
-
 def test_leaders_that_must_not_cross_do_not_however_much_more_the_other_place_costs() -> None:
     low, high, size = (100.0, 100.0), (100.0, 140.0), (40.0, 14.0)
     beyond_high, beyond_low, above = (180.0, 160.0), (180.0, 80.0), (100.0, 280.0)
