@@ -26,16 +26,14 @@ def bounds_px(projection: Projection, scene: Scene) -> tuple[float, ...]:
 
 
 def predictions(projection: Projection, scene: Scene) -> dict[Precision, Prediction] | None:
-    """Return bounds of every precision's largest error over a scene's vertices."""
-    predicted: dict[Precision, Prediction] | None = None
-    for part, space in scene.parts(projection.placement):
-        if part.has_vertices:
-            bounds = predict(projection, part.vertices, scene.origin, space)
-            if predicted is not None and bounds is not None:
-                for level, bound in predicted.items():
-                    bounds[level] = Prediction(*map(max, bound, bounds[level]))
-            predicted = bounds or predicted
-    return predicted
+    """Return bounds of every precision's largest error over the vertices of a scene's objects.
+
+    Those of a ground do not count: they may lie beside the eye, where nobody sees them.
+    """
+    objects, moved = scene.apart[0], not projection.placement.is_identity
+    if not objects.has_vertices:
+        return None
+    return predict(projection, objects.vertices, scene.origin, "object" if moved else "world")
 
 
 _bounds: WeakKeyDictionary[Scene, tuple[Projection, tuple[float, ...]]] = WeakKeyDictionary()

@@ -50,7 +50,7 @@ def test_precisions_are_predicted_when_the_input_stops(
     qtbot: QtBot, line: StatusLine, scene: Scene
 ) -> None:
     rested(qtbot, line, EVERYDAY, scene)
-    found = predict(EVERYDAY, scene.sample, scene.origin)
+    found = predict(EVERYDAY, scene.apart[0].vertices, scene.origin)
     assert found is not None
     drawn = drawing_bound_px(EVERYDAY, scene.boxes.together, scene.origin)
     read = found["float64"].px
@@ -118,6 +118,16 @@ def test_errors_are_predicted_when_the_hidden_line_appears(
     was = line.precision.text()
     show(line, replace(EVERYDAY, lens=Perspective(1e-6, 1.0, 30.0)), scene)
     qtbot.waitUntil(lambda: line.precision.text() != was)
+
+
+def test_near_is_dragged_to_the_letter_without_a_warning(
+    qtbot: QtBot, line: StatusLine, scene: Scene
+) -> None:
+    """A corner of the ground lies beside the eye, where nobody sees it."""
+    for near in (5.0, 9.0, 11.0):
+        projection = replace(scene.start, lens=replace(scene.start.lens, near=near))  # type: ignore[call-arg]
+        rested(qtbot, line, projection, scene)
+        assert line.health.text() == "" and "read float64" in line.precision.text()
 
 
 def test_a_risk_is_reported_and_withdrawn(qtbot: QtBot, line: StatusLine, scene: Scene) -> None:
