@@ -11,7 +11,7 @@ from app.document.document import Document
 from app.document.files import write_bytes_atomically
 from app.drawings.describing import describe
 from app.drawings.figure import Figure
-from app.drawings.film import steady
+from app.drawings.film import shown_values, steady
 from app.languages import said, with_comma
 from app.lecture.stages import IMAGE, WORLD
 from app.scenes.phenomena.words import digits_apart
@@ -80,4 +80,4 @@ def _values(options: Namespace, states: Sequence[Document], scene: Scene) -> lis
     if options.transition:
         parts = (with_comma(f"{100 * k / (len(states) - 1):.3g}") for k in range(len(states)))
         return [said("way = {0} %", part) for part in parts]
-    return sweep.shown_values(options, states, scene)
+    return shown_values(states, scene, sweep.swept_paths(options))

@@ -11,7 +11,7 @@ import argparse
 import contextlib
 import os
 import re
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 
 from app.commands.arguments import course_of, document_before, place_of, state_at, with_values
@@ -25,7 +25,6 @@ from app.drawings.figure import Figure
 from app.lecture.stages import IMAGE
 from app.model.projection import Camera
 from app.model.refusal import Refusal
-from app.scenes.scene import Scene
 
 MOTIONS = ("sweep", "orbit", "stages", "transition")  # options that move a picture, one at a time
 _FRAMES = {"stages": 120, "transition": 24}  # unless others are asked for
@@ -103,21 +102,15 @@ def with_views(
     return film.still(figures) if options.sweep else figures
 
 
-def shown_values(
-    options: argparse.Namespace, states: Sequence[Document], scene: Scene
-) -> list[str]:
-    """Return the swept values in each state: ``near n = 4``."""
-    paths = [text.partition("=")[0].strip() for text in options.sweep or ()]
-    return film.shown_values(states, scene, paths)
+def swept_paths(options: argparse.Namespace) -> list[str]:
+    return [text.partition("=")[0].strip() for text in options.sweep or ()]
 
 
 def steady(options: argparse.Namespace, figures: list[Figure], *, fades: bool) -> list[Figure]:
     """Return figures whose labels are placed on all of them together, with their values."""
-    if options.show_value:
-        notes = shown_values(options, [each.document for each in figures], figures[0].scene)
-        figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
     is_round = options.loop == "repeat" and options.orbit is not None
-    return film.steady(figures, is_round=is_round, fades=fades)
+    noted = swept_paths(options) if options.show_value else ()
+    return film.steady(figures, noted, is_round=is_round, fades=fades)
 
 
 def check_stages(options: argparse.Namespace) -> None:

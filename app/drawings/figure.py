@@ -227,7 +227,8 @@ class Figure:
 
     def boxed(self) -> Figure:
         """Return it in a box in which what is seen is as wide as asked for."""
-        return replace(self._as_wide(_Watch(None, len(self.panes)))[0], scale=self.scale)
+        figure = replace(self, size=None)
+        return replace(figure._as_wide(_Watch(None, len(self.panes)))[0], scale=self.scale)
 
     @property
     def _is_cropped(self) -> bool:
@@ -257,7 +258,7 @@ class Figure:
         self, watch: _Watch, seen: Callable[[Drawing, int], object] | None = None
     ) -> tuple[Figure, Pixels]:
         """Draw it in a box in which what is seen is as wide as asked for; return both."""
-        if self.width is None or self._has_own_size:
+        if self.size or self.width is None or self._has_own_size:
             return self, self._whole(watch, seen)
         # All formats have the same box: it is found at scale 1, where that has enough pixels.
         figure = replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
@@ -307,12 +308,13 @@ class Figure:
         from app.drawings.vectors import Area, box_of, moved
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
-        figure = self if self.width is None or self._has_own_size else self._as_wide(watch)[0]
+        is_boxed = self.size or self.width is None or self._has_own_size
+        figure = self if is_boxed else self._as_wide(watch)[0]
         shapes = [*figure._whole_shapes(watch)]
         width, height = self.full_size.px
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:
-            for _ in range(_FITS):  # letters keep their size, and so the first is not exact
+            for _ in range(0 if self.size else _FITS):  # letters keep their size: again
                 larger = self.width / (box[2] - box[0])
                 shapes = [moved(shape, 0.0, 0.0, larger) for shape in shapes]
                 box = box_of(shapes, background) or box

@@ -72,25 +72,34 @@ def standing(
 
 
 def steady(
-    figures: Sequence[Figure], *, is_round: bool = False, fades: bool = True
+    film: Sequence[Figure], noted: Sequence[str] = (), *, is_round: bool = False, fades: bool = True
 ) -> list[Figure]:
-    """Return figures whose labels are placed on all of them together; see `film_labels`."""
+    """Place labels on all figures together; see `film_labels`. The values of `noted` are below."""
     from app.drawings.film_labels import placed_in_film
 
-    if len(figures) < 2 or figures[0].panes == ("equation",):
-        return list(figures)
-    if figures[0].width is not None:
-        figures = [each.boxed() for each in figures]
-    elif len({each.size_px for each in figures}) > 1:
-        return list(figures)
-    frames = [[part.wanted() for part in each.pictures()] for each in figures]
-    if len({part.ground.em for frame in frames for part in frame}) > 1:
-        return list(figures)  # some are drawn finer than others
+    if noted:
+        notes = shown_values([each.document for each in film], film[0].scene, noted)
+        film = [replace(each, note=note) for each, note in zip(film, notes, strict=True)]
+    if len(film) < 2 or film[0].panes == ("equation",):
+        return list(film)
+    if film[0].width is not None:
+        film = _in_one_box(film)
+    frames = [[part.wanted() for part in each.pictures()] for each in film]
+    ems = {part.ground.em for frame in frames for part in frame}
+    if len(ems) > 1 or len({each.size_px for each in film}) > 1:
+        return list(film)  # some are drawn finer, or larger, than others
     panes = [
         placed_in_film(frame, is_round=is_round, fades=fades) for frame in zip(*frames, strict=True)
     ]
     stands = zip(*panes, strict=True)
-    return [replace(each, labels=here) for each, here in zip(figures, stands, strict=True)]
+    placed = [replace(each, labels=here) for each, here in zip(film, stands, strict=True)]
+    return placed if film[0].width is None else _in_one_box(placed)
+
+
+def _in_one_box(figures: Sequence[Figure]) -> list[Figure]:
+    """Return frames of a width in the smallest box of any of them: nothing grows or shrinks."""
+    least = min((each.boxed() for each in figures), key=lambda each: each.full_size.px)
+    return [replace(each, size=least.size, text_pt=least.text_pt) for each in figures]
 
 
 def shown_values(states: Sequence[Document], scene: Scene, paths: Sequence[str]) -> list[str]:
@@ -140,11 +149,9 @@ def sweep_film(
     values = swept(parsed, shown.document, max(sequence) + 1, ease)
     states = [set_values(shown.document, each) for each in values]
     figures = still([replace(shown, document=state) for state in states])
-    if show_value:
-        notes = shown_values(states, shown.scene, [sweep.path for sweep in parsed])
-        figures = [replace(each, note=note) for each, note in zip(figures, notes, strict=True)]
+    noted = [sweep.path for sweep in parsed if show_value]
     with blamed_on(path, REFUSALS["unwritable"]):
-        write_film(path, steady(figures), sequence, speed, loop == "once")
+        write_film(path, steady(figures, noted), sequence, speed, loop == "once")
 
 
 def write_film(

@@ -153,6 +153,22 @@ def test_frames_of_a_width_are_as_wide_as_asked_and_keep_their_labels() -> None:
         assert box[0] >= -0.5 and box[2] <= 300.5 and box[3] == pytest.approx(height, abs=0.5)
 
 
+def test_frames_of_a_width_have_one_scale() -> None:
+    """Though their labels reach farther out in some, nothing grows or shrinks with them."""
+    values = swept(parse_sweeps(["lens.near=1:2.5"]), Document(), 6)
+    states = [set_values(Document(), each) for each in values]
+    figures = [Figure(state, load("letter-f"), ("world",), width=992.0, text_pt=8.0)
+               for state in states]  # fmt: skip
+    placed = steady(still(figures))
+    assert len({each.full_size for each in placed}) == 1
+    places = [labels_of(each)["world", "near n"] for each in placed]
+    steps = [math.dist(one[:2], other[:2]) for one, other in pairwise(places)]
+    assert max(steps) < 1.2 * min(steps), "as the plane moves"
+    boxes = [box_of(each.shapes()[1], LIGHT.background) for each in placed]
+    widths = [box[2] - box[0] for box in boxes if box is not None]
+    assert len(widths) == 6 and min(widths) > 900.0 and max(widths) == pytest.approx(992.0, abs=1.0)
+
+
 def test_values_change_together_in_steps_ratios_or_slowly() -> None:
     document = Document()
     both = parse_sweeps(["lens.near=0.5:8", "camera.eye=6,5,9:-6,5,9"])
