@@ -31,6 +31,8 @@ from tests import claims
 from tests.__main__ import SCREEN, at_home
 
 VERTICES = (100, 10_000, 1_000_000)
+paces: list[float] = []
+"""How quick the machine was before each window, and after the part: it changes by the minute."""
 
 
 def main() -> int:
@@ -45,9 +47,9 @@ def main() -> int:
     parser.add_argument("--inside", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.inside:
-        before = pace()
         part_figures = PARTS[options.inside](0.1 if options.quick else 1.0)
-        print(json.dumps([part_figures, round(min(before, pace()), 2)]))
+        paces.append(pace())
+        print(json.dumps([part_figures, round(p50(paces), 2)]))
         return 0
     figures = json.loads(Path(options.kept).read_text("utf-8")) if options.kept else {}
     screen = CARD_SCREEN if options.only == "card" else SCREEN
@@ -103,6 +105,7 @@ def open_window(
 ) -> Any:
     """A main window, shown and drawn."""
     app = application()
+    paces.append(pace())
     from app.document.document import Document
     from app.scenes.scene import load
     from widgets.window.main_window import MainWindow
