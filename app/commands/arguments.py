@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 
 
 def document_of(file: str | None, assignments: Sequence[str], step: str | None = None) -> Document:
-    """Return the document of a FILE, with the values of ``--set``."""
     return with_values(document_before(file, assignments, step), assignments)
 
 

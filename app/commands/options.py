@@ -70,7 +70,6 @@ SUMMARIES = {
 
 
 def choices(command: str, option: str) -> list[str]:
-    """The values that an option may have."""
     return next(value for name, value, _ in pages()[command].options if name == option).split("|")
 
 
@@ -162,7 +161,6 @@ class Parser(argparse.ArgumentParser):
 
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
-    """Return an option's value, which must be one of several."""
     # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
         raise CliError("{0} = {1!r}: must be one of {2}.", option, value, ", ".join(values))

@@ -52,8 +52,6 @@ def run(arguments: Sequence[str]) -> int:
 
 
 class _ProjectedPoints(NamedTuple):
-    """The data that `project` prints."""
-
     projection: Projection
     trace: Trace
     precision: Precision

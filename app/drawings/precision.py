@@ -362,7 +362,6 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
 
 
 def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _MeshPart:
-    """Cut points, segments or triangles at planes."""
     normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
     for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):

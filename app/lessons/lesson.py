@@ -332,8 +332,6 @@ def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refus
 
 
 class _StepReader:
-    """Reads one step from its tokens."""
-
     def __init__(
         self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: AddFault
     ) -> None:

@@ -29,8 +29,6 @@ _DRAWS = 20  # how many seeds are tried until the numbers of an exercise suit
 
 
 class PlacedExercise(NamedTuple):
-    """An exercise in the step of its lesson."""
-
     course: Course
     place: int
     exercise: Asked
@@ -55,8 +53,6 @@ class PlacedExercise(NamedTuple):
 
 
 class SheetItem(NamedTuple):
-    """An exercise of a sheet, with its numbers."""
-
     placed: PlacedExercise
     variant: Variant
 

@@ -29,8 +29,6 @@ _DIGITS = 16
 
 
 class StudentResults(NamedTuple):
-    """The answers of a student."""
-
     student: str  # as typed by the student; empty if nothing was
     digests: Mapping[str, object]  # by a lesson's name: a digest of its file as the student had it
     attempts: Sequence[Attempt]

@@ -137,7 +137,6 @@ class Camera:
 
     @cached_property
     def frame_double_double(self) -> list[list[DoubleDouble]]:
-        """`frame` with twice the digits."""
         return [
             [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
             for axis in self.exact_frame

@@ -407,8 +407,6 @@ class _TakenAt(NamedTuple):
 
 @dataclass
 class _Drag:
-    """A drag, and the state at its start."""
-
     pane: Pane
     start: Projection
     taken: _TakenAt | None = None  # None for the picture
@@ -430,7 +428,6 @@ def _seen_from(change: Change, error: Refusal) -> Refusal:
 
 
 def _value(grip: Grip) -> Vector | float:
-    """The setting that a grip stands for."""
     away = grip.point - grip.base
     if grip.along is not None:
         way = heading(grip.along, grip.point)

@@ -99,7 +99,6 @@ class Typeset:
         )  # fmt: skip
 
     def paint(self, painter: QPainter, x: float, y: float) -> None:
-        """Paint the formula with the painter's pen."""
         font, pen = painter.font(), painter.pen()
         for left, base, text, its_font in self.runs:
             painter.setFont(its_font)

@@ -235,7 +235,6 @@ class Talks(QObject):
         return True
 
     def _show_state(self, player: Player) -> None:
-        """Show the state of the last given answer."""
         if player.told_state is not None:
             self._lessons.show_predicted(player.told_state)
             self._pose()

@@ -43,7 +43,6 @@ def path_of(assignment: str) -> str:
 
 
 def read_state(lines: Lines, line: int) -> State:
-    """Read the state of a block that begins at a line."""
     values: list[tuple[int, str]] = []
     document, document_line = "", 0
     names = set[str]()
@@ -242,8 +241,6 @@ class Block:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadBlock(Block):
-    """A block that the student or the class reads."""
-
     reveals: ClassVar[bool] = False  # whether a talk asks the class before it shows the answer
     text: str
     why: str = ""  # Markdown; `why` is shown once the answer is known
