@@ -48,7 +48,6 @@ def set_letters(options: argparse.Namespace) -> Letters | None:
 
 
 def course_of(lesson: str) -> Course:
-    """Return the steps of a lesson or a talk."""
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 

@@ -31,8 +31,6 @@ SWEEPS = ("near", "far", "fov", "distance", "up", "aspect", "gap")
 
 
 class Page(NamedTuple):
-    """What the page says of a command."""
-
     words: str  # the names of its words
     summary: str
     about: str  # what its words are

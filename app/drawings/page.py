@@ -172,7 +172,6 @@ def _font(name: str, signs: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return a text of a document for HTML."""
     return escape(printable(text))
 
 

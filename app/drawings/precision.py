@@ -285,8 +285,6 @@ def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
 
 
 class _MeshPart(NamedTuple):
-    """What is left of a mesh."""
-
     clip: Array  # (n, 4): vertices in clip space
     cells: NDArray[np.integer]  # (m, k)
     vertex: NDArray[np.integer] | None  # (n,): whose colour each has; None if all are left

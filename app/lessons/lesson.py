@@ -65,8 +65,6 @@ class Step(StepContent):
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson, or a talk."""
-
     path: Path
     title: str
     steps: tuple[Step, ...]

@@ -232,8 +232,6 @@ def to_review(
 
 
 class ExerciseMark(NamedTuple):
-    """An exercise of a test, and how it was answered."""
-
     item: SheetItem
     typed: str  # empty without an answer
     word: str  # `RIGHT`, the name of a wrong idea, or `WRONG`

@@ -35,8 +35,6 @@ class StudentResults(NamedTuple):
 
 
 class RemarkedAnswer(NamedTuple):
-    """An answer that was marked again."""
-
     attempt: Attempt
     word: str
     """`RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there."""

@@ -143,7 +143,6 @@ class Readout(QWidget):
         self.note.setVisible(bool(reasons))
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the readings about what is highlighted."""
         self._highlight = highlighted
         self._mark()
 

@@ -324,7 +324,6 @@ def resized(font: QFont, factor: float) -> QFont:
 
 
 def matrix(rows: Iterable[Iterable[str]]) -> str:
-    """Return a matrix of cells as a formula."""
     return f"[{';'.join('&'.join(row) for row in rows)}]"
 
 

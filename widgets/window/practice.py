@@ -126,8 +126,6 @@ def next_review(waiting: Waiting) -> str:
 
 
 class Practice(QObject):
-    """Begins tests and reviews on the lesson's card."""
-
     def __init__(
         self,
         window: QWidget,
@@ -152,7 +150,6 @@ class Practice(QObject):
         )
 
     def choose_test(self) -> None:
-        """Ask for the topics of a test, and begin it."""
         counts = {
             name: (course.lesson.title, sum(1 for _ in practice.exercises_of(course)))
             for name, course in topics().items()
@@ -170,7 +167,6 @@ class Practice(QObject):
         self._play_test(names, number)
 
     def go_on(self) -> None:
-        """Go on with the test that was begun."""
         test = practice.named_test(self.begun)
         if test is not None:
             self._play_test(*test)

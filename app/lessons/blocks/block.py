@@ -216,8 +216,6 @@ class StepContent:
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """A block of a step."""
-
     kind: ClassVar[str] = ""  # the word after its three backticks
     once: ClassVar[bool] = False  # whether a step may have only one block of this kind
     needs_answer: ClassVar[bool] = False  # the student has to answer it; such a block has a name
