@@ -49,8 +49,6 @@ BRACKET_PT = 4.0
 
 
 class Numbered(NamedTuple):
-    """An exercise of a test, with the title of its lesson, and its numbers."""
-
     title: str
     placed: PlacedExercise
     variant: Variant
