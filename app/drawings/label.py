@@ -39,19 +39,9 @@ PARTS = 4  # of a pixel, to which a piece is placed
 def drawn(
     text: str, em: float, colour: str, halo: str, underlined: bool = False, **how: bool
 ) -> Pixels:
-    """Draw a label with a halo round its letters.
+    """Draw a label with a halo round its letters: (h, w, 4) uint8 with opacity, from the top.
 
-    Parameters
-    ----------
-    em : float
-        The height of a word's em in pixels.
-    colour, halo : str
-        As ``"#rrggbb"``.
-
-    Returns
-    -------
-    (h, w, 4) array of uint8
-        Red, green, blue and opacity, from the top; the halo's `rim` on every side.
+    `em` is the height of a word's em in pixels; the halo's `rim` is on every side.
     """
     label, rim = line_of(text, **how), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
