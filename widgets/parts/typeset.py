@@ -100,7 +100,6 @@ class Typeset:
         )  # fmt: skip
 
     def paint(self, painter: QPainter, x: float, y: float) -> None:
-        """Paint the formula with the painter's pen."""
         font, pen = painter.font(), painter.pen()
         for left, base, text, its_font in self.runs:
             painter.setFont(its_font)
@@ -325,7 +324,6 @@ def resized(font: QFont, factor: float) -> QFont:
 
 
 def matrix(rows: Iterable[Iterable[str]]) -> str:
-    """Return a matrix of cells as a formula."""
     return f"[{';'.join('&'.join(row) for row in rows)}]"
 
 

@@ -259,7 +259,6 @@ class Lessons(QObject):
         self._finish()
 
     def _is_other(self, document: Document) -> bool:
-        """Whether a document shows another scene."""
         here = self._store.document
         return (here.scene, here.mesh) != (document.scene, document.mesh)
 
