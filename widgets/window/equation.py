@@ -43,8 +43,6 @@ def _changed_by(path: str) -> tuple[str, ...]:
 
 
 class EquationSlide(QWidget):
-    """Paints an equation as large as there is room for."""
-
     concerns = PROJECTION | {"view", "settings"}
     filled = Signal()  # the equation, or its size, may be another one
 
