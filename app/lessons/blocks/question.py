@@ -53,11 +53,6 @@ def beside(here: Here, own: Document, name: str, wrong: float) -> Document | Non
     return replace(own, view=replace(own.view, compare=pictures, dividers=(), large="image"))
 
 
-def is_set(own: Document, name: str) -> bool:
-    """Whether a number has values of its own."""
-    return bool(_change(own, name, 1.0))
-
-
 def _change(own: Document, name: str, value: float) -> str:
     """Return the assignment that gives a number a value; empty if there is none."""
     if name in _OF_WIDTH:
@@ -129,8 +124,6 @@ class Reply:
 
 @dataclass(frozen=True, kw_only=True)
 class Question(Asked):
-    """A question with one right reply."""
-
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]  # choices, or the wrong values that have an idea
     checks: tuple[tuple[int, Condition], ...] = ()  # they hold if the right reply is correct
@@ -170,7 +163,6 @@ class Question(Asked):
         return " ".join(numbers)
 
     def printed(self, numbers: Sequence[str]) -> str:
-        """Return the numbers of an answer for a reader."""
         return ", ".join(numbers)
 
     def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:
@@ -229,7 +221,7 @@ class Question(Asked):
             with on_line(line, "number"):
                 held = known.value(parse(self.number))
             is_held = math.isclose(value[0], held, rel_tol=1e-9)
-            if not is_held or not is_set(known.document, self.number):
+            if not is_held or not _change(known.document, self.number, 1.0):
                 raise refused(line, REFUSALS["other-number"], f"{held:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:
