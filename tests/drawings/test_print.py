@@ -181,3 +181,22 @@ def test_the_dashes_of_far_are_apart_in_a_column() -> None:
     apart = np.linalg.norm(begins - ends[:, None], axis=2)
     gaps = apart[apart > TOUCHING_PX]  # not the parts of a dash
     assert len(far) > 12 and gaps.min() > 1.25 * far[0].width
+
+
+def places_mm(shown: Figure) -> tuple[tuple[float, float], dict[str, tuple[float, float]]]:
+    """The size of a figure, and the middles of its labels by their texts."""
+    (width, height), shapes = shown.shapes()
+    boxes = {s.written.text: box_of([s], "") for s in shapes if isinstance(s, TextShape)}
+    middles = {
+        text: ((box[0] + box[2]) / 2.0 / DPI * 25.4, (box[1] + box[3]) / 2.0 / DPI * 25.4)
+        for text, box in boxes.items()
+        if box is not None
+    }
+    return (width / DPI * 25.4, height / DPI * 25.4), middles
+
+
+def test_a_column_of_three_panes_goes_into_a_page_of_a_book() -> None:
+    (width, height), _ = places_mm(
+        figure("letter-f", "world/ndc/image", (), size=None, width=84.0 / 25.4 * DPI)
+    )
+    assert width == pytest.approx(84.0) and height < 180.0
