@@ -323,14 +323,6 @@ class Ground:
             held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
         self.ink(held)
 
-    def ink_points(self, points: Floats) -> None:
-        """Count the squares of points, (n, 2), as ink."""
-        held = np.zeros(self.shape, dtype=np.bool_)
-        points = points[np.isfinite(points).all(axis=1)] / self._square
-        columns, rows = points[((points >= 0.0) & (points < self.shape)).all(axis=1)].astype(int).T
-        held[columns, rows] = True
-        self.ink(held)
-
     def hidden(self, boxes: Floats) -> Floats:
         """Return which part of each box in the frame, (n, 4), is ink."""
         if self._draw is not None:

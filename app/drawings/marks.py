@@ -279,6 +279,14 @@ class MarksDrawing(Layer):
             seen = self._state.seen(self._segments)
             spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen])
             ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
+        if self._shown:
+            state, triangles = self._state, self._state.silhouette.triangles
+            shown = np.eye(4) if state.pane == "world" else state.copies_from_local(0.0)
+            x, y, z, w = shown @ self._copied(triangles.reshape(-1, 3)).T
+            w = np.where(w > 0.0, w, np.nan)
+            spots = np.array(state.seen(np.column_stack([x / w, y / w, z / w])))
+            spots[~(spots[:, 2] > 0.0)] = np.nan
+            state.silhouette.ink(ground, spots[:, :2].reshape(-1, *triangles.shape[1:2], 2))
 
     def reach(self) -> Array:
         """The marked points and the copies of the objects, of those that are not too far away."""

@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from app.drawings.curve_names import beside, beside_curve
 from app.drawings.label_placement import (
+    SQUARE_EM,
     Ground,
     PlacedLabel,
     Places,
@@ -252,6 +253,15 @@ def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
     assert ground.hidden(boxes).tolist() == [1.0, 0.0, 0.0]
 
 
+def test_what_is_cut_away_beyond_a_volume_is_no_ink() -> None:
+    silhouette, ground = Silhouette(load("letter-f"), EM), Ground(FRAME, EM)
+    board = np.array([[(0.0, 0.0), (400.0, 0.0), (0.0, 300.0)]])
+    volume = np.array([(0.0, 0.0), (100.0, 0.0), (20.0, 20.0), (0.0, 100.0), (0.0, 0.0)])
+    silhouette.ink(ground, board, volume)
+    boxes = np.array([(5.0, 5.0, 30.0, 30.0), (110.0, 5.0, 140.0, 35.0)])
+    assert ground.hidden(boxes).tolist() == [1.0, 0.0]
+
+
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
 def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, float]]) -> None:
     parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)
@@ -266,7 +276,9 @@ def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_
     """A board covers all but a strip at the bottom; the point is at the board's left edge."""
     left, low, right, high = room(16.0 * em, 8.0 * em, em)
     ground = Ground((left, low, right, high), em)
-    ground.ink_points(np.mgrid[0 : 16 * em, 3.0 * em : 8 * em].reshape(2, -1).T)
+    board = np.zeros(ground.shape, dtype=np.bool_)
+    board[:, int(3.0 / SQUARE_EM) :] = True
+    ground.ink(board)
     spot, size = (1.5 * em, 6.0 * em), (8.0 * em, em)
     wide = Wish("P", size, [spot], lambda: around(spot, size, em))
     (label,) = place([wide], ground).values()
