@@ -196,6 +196,16 @@ def places_mm(shown: Figure) -> tuple[tuple[float, float], dict[str, tuple[float
     return (width / DPI * 25.4, height / DPI * 25.4), middles
 
 
+@pytest.mark.parametrize("width_mm", [36.0, 84.0])
+def test_both_pictures_of_two_eyes_have_their_titles_in_their_middles(width_mm: float) -> None:
+    """36 mm is what the image has in three panes of a column."""
+    shown = figure("two-eyes", "image", (), size=None, width=width_mm / 25.4 * DPI)
+    _, at = places_mm(shown)
+    for name, share in (("left eye", 0.25), ("right eye", 0.75)):
+        assert at[name][0] == pytest.approx(share * width_mm, abs=0.3)
+        assert at[name][1] < 4.0
+
+
 @pytest.mark.parametrize("scene", ["focus", "eye-plane", "vertex-depth"])
 def test_near_is_named_below_its_plane_where_what_lay_before_it_was_cut_away(scene: str) -> None:
     (_, high), at = places_mm(
