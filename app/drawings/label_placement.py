@@ -99,6 +99,8 @@ class Wish(NamedTuple):
             )
             far = places.away[:, None] > LEADER_FROM_EM * ground.em
             slides = far & (np.abs(centres - places.anchors) < 1e-6).any(axis=1, keepdims=True)
+            beside = np.abs(inside - places.anchors) >= half  # not over its own mark
+            slides &= beside.any(axis=1, keepdims=True)
             places = places._replace(centres=np.where(slides, inside, centres))
         return self, places
 
@@ -623,12 +625,17 @@ def placed_label(wish: Wish, places: Places, number: int, em: float) -> PlacedLa
     return PlacedLabel((x, y), turn, leader, kept)
 
 
-def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:
-    """From the rim of a mark to the box of its label."""
+def _leader(
+    spot: Spot, centre: Spot, size: tuple[float, float], em: float
+) -> tuple[Spot, Spot] | None:
+    """From the rim of a mark to the box of its label, if that is far: no stub is drawn."""
     (x, y), (middle_x, middle_y) = spot, centre
     end_x = min(max(x, middle_x - size[0] / 2.0), middle_x + size[0] / 2.0)
     end_y = min(max(y, middle_y - size[1] / 2.0), middle_y + size[1] / 2.0)
-    part = min(0.5, _RIM_EM * em / max(math.hypot(end_x - x, end_y - y), 1e-9))
+    away = math.hypot(end_x - x, end_y - y)
+    if away <= LEADER_FROM_EM * em:
+        return None
+    part = _RIM_EM * em / away
     return (x + part * (end_x - x), y + part * (end_y - y)), (end_x, end_y)
 
 

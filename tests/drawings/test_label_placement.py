@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 
 from app.drawings.curve_names import beside, beside_curve
 from app.drawings.label_placement import (
+    LEADER_FROM_EM,
     SQUARE_EM,
     Ground,
     PlacedLabel,
@@ -24,6 +25,7 @@ from app.drawings.label_placement import (
     flanking,
     on,
     place,
+    placed_label,
 )
 from app.drawings.labels import room
 from app.drawings.layer import Silhouette
@@ -260,6 +262,19 @@ def test_what_is_cut_away_beyond_a_volume_is_no_ink() -> None:
     silhouette.ink(ground, board, volume)
     boxes = np.array([(5.0, 5.0, 30.0, 30.0), (110.0, 5.0, 140.0, 35.0)])
     assert ground.hidden(boxes).tolist() == [1.0, 0.0]
+
+
+def test_no_stub_leads_to_a_label_that_slid_beside_its_mark() -> None:
+    size, frame = (60.0, EM), room(480.0, 320.0, EM)
+    left, right = ((spot, around(spot, size, EM)) for spot in ((12.0, 100.0), (200.0, 100.0)))
+    for spot, places in (left, right):
+        for number in range(len(places.centres)):
+            wish = Wish("P", size, [spot], lambda places=places: places)  # type: ignore[misc]
+            placed = placed_label(*wish.choices(Ground(frame, EM)), number, EM)
+            apart = np.abs(np.array(placed.centre) - spot) - np.array(size) / 2.0
+            assert (apart >= -1e-9).any(), "a label that slides does not hide its own mark"
+            is_far = np.hypot(*np.maximum(apart, 0.0)) > LEADER_FROM_EM * EM
+            assert (placed.leader is not None) == (is_far and places.away[number] > 1.2 * EM)
 
 
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
