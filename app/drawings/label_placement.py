@@ -185,7 +185,8 @@ def along(
 ) -> Places:
     """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level.
 
-    `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last.
+    `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last,
+    after the places round the others.
     """
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
     spans, mids = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
@@ -200,6 +201,7 @@ def along(
     is_before = gaps.max(axis=1) < math.pi  # corners are all round that place
     order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
+    round_good = around(mids[order[~is_before[order]]], size, em)
     order = order[lengths[order] >= 1.0]
     turns = np.arctan2(across[:, 1], across[:, 0])
     turns -= math.pi * np.round(turns / math.pi)
@@ -211,7 +213,11 @@ def along(
     centres = anchors + np.repeat((away[:, None] * outward)[order], len(_ALONG), axis=0)
     turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
     places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
-    return joined(places, round_mids)
+    good = len(_ALONG) * int((~is_before[order]).sum())
+    first, last = (
+        Places(*(each[part] for each in places[:4])) for part in (slice(good), slice(good, None))
+    )
+    return joined(first, round_good, last, round_mids)
 
 
 def flanking(

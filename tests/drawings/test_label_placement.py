@@ -255,6 +255,17 @@ def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
     assert ground.hidden(boxes).tolist() == [1.0, 0.0, 0.0]
 
 
+def test_the_name_of_a_far_side_stands_at_its_corner_rather_than_on_the_near_one() -> None:
+    """There is no room above its upper edge, which is steeper than a level name is high."""
+    em, size = 100.0, (271.0, 81.0)
+    far = np.array([(404.0, 307.0), (805.0, 244.0), (805.0, 672.0), (404.0, 735.0)])
+    body = np.concatenate([far, far - (200.0, 122.0)])
+    edges = np.stack([far, np.roll(far, -1, axis=0)], axis=1)
+    wish = Wish("far", size, [(605.0, 490.0)], lambda: along(edges, (605.0, 490.0), size, em, body))
+    (placed,) = place([wish], Ground((30.0, 30.0, 975.0, 825.0), em)).values()
+    assert placed.centre[1] > 735.0 and placed.turn == 0.0
+
+
 def test_what_is_cut_away_beyond_a_volume_is_no_ink() -> None:
     silhouette, ground = Silhouette(load("letter-f"), EM), Ground(FRAME, EM)
     board = np.array([[(0.0, 0.0), (400.0, 0.0), (0.0, 300.0)]])
