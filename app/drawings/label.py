@@ -39,19 +39,9 @@ PARTS = 4  # of a pixel, to which a piece is placed
 def drawn(
     text: str, em: float, colour: str, halo: str, underlined: bool = False, **how: bool
 ) -> Pixels:
-    """Draw a label with a halo round its letters.
+    """Draw a label with a halo round its letters: (h, w, 4) uint8 with opacity, from the top.
 
-    Parameters
-    ----------
-    em : float
-        The height of a word's em in pixels.
-    colour, halo : str
-        As ``"#rrggbb"``.
-
-    Returns
-    -------
-    (h, w, 4) array of uint8
-        Red, green, blue and opacity, from the top; the halo's `rim` on every side.
+    `em` is the height of a word's em in pixels; the halo's `rim` is on every side.
     """
     label, rim = line_of(text, **how), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
@@ -184,7 +174,7 @@ class SceneLabel:
         self.em = style.font_size
         self._how = {"plain": plain, "one_size": style.one_size}
         self._style, self._anchor = style, anchor
-        self._visible, self._shown, self._is_short = visible, True, False
+        self.is_visible, self._shown, self._is_short = visible, True, False
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
@@ -217,11 +207,6 @@ class SceneLabel:
     @property
     def _shown_px(self) -> tuple[int, int]:
         return self.letter_px if self._is_short else self.size_px
-
-    @property
-    def is_visible(self) -> bool:
-        """The last value of `set_visible`."""
-        return self._visible
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
@@ -259,7 +244,7 @@ class SceneLabel:
         self._set("_place", (x_px, y_px, turn))
 
     def set_visible(self, visible: bool) -> None:
-        self._set("_visible", visible)
+        self._set("is_visible", visible)
 
     def set_shown(self, shown: bool) -> None:
         """Switch the label off, whatever `set_visible` says, or on again."""
@@ -275,7 +260,7 @@ class SceneLabel:
             self._show()
 
     def _show(self) -> None:
-        seen = self._visible and self._shown and bool(self.text)
+        seen = self.is_visible and self._shown and bool(self.text)
         self.actor.SetVisibility(seen)
         if not seen:
             return

@@ -55,8 +55,6 @@ class Area(NamedTuple):
 
 
 class LineShape(NamedTuple):
-    """A line of a width in pixels."""
-
     points: Points
     colour: Colour
     opacity: float
@@ -527,7 +525,6 @@ def _plane(plane: Any) -> Array:
 
 
 def _cells(array: Any) -> list[Any]:
-    """The indices of the points of each cell."""
     if array is None or array.GetNumberOfCells() == 0:
         return []
     ends = vtk_to_numpy(array.GetOffsetsArray())  # type: ignore[no-untyped-call]

@@ -43,8 +43,6 @@ def _changed_by(path: str) -> tuple[str, ...]:
 
 
 class EquationSlide(QWidget):
-    """Paints an equation as large as there is room for."""
-
     concerns = PROJECTION | {"view", "settings"}
     filled = Signal()  # the equation, or its size, may be another one
 
@@ -144,7 +142,6 @@ class EquationSlide(QWidget):
 
     @property
     def _gap_em(self) -> float:
-        """The gap between two matrices."""
         return GAP_EM if self._has_result or not self._is_product else APART_EM
 
     # -- painting
