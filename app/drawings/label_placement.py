@@ -61,6 +61,10 @@ class Places(NamedTuple):
     leads: bool = True  # whether a leader may join a place that is far away
     brief: NDArray[np.bool_] | None = None  # (n,), where the letter stands alone; None: nowhere
 
+    def part(self, which: slice) -> Places:
+        at = self.centres[which], self.turns[which], self.anchors[which], self.away[which]
+        return Places(*at, self.leads)
+
 
 NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
 
@@ -214,10 +218,7 @@ def along(
     turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
     places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
     good = len(_ALONG) * int((~is_before[order]).sum())
-    first, last = (
-        Places(*(each[part] for each in places[:4])) for part in (slice(good), slice(good, None))
-    )
-    return joined(first, round_good, last, round_mids)
+    return joined(places.part(slice(good)), round_good, places.part(slice(good, None)), round_mids)
 
 
 def flanking(
