@@ -190,7 +190,7 @@ def along(
     """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level.
 
     `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last,
-    after the places round the others.
+    after the places diagonally from the others.
     """
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
     spans, mids = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
@@ -205,7 +205,8 @@ def along(
     is_before = gaps.max(axis=1) < math.pi  # corners are all round that place
     order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
-    round_good = around(mids[order[~is_before[order]]], size, em)
+    good = order[~is_before[order]]
+    diagonal = around(mids[good], size, em).part(slice(4 * len(good)))
     order = order[lengths[order] >= 1.0]
     turns = np.arctan2(across[:, 1], across[:, 0])
     turns -= math.pi * np.round(turns / math.pi)
@@ -217,8 +218,8 @@ def along(
     centres = anchors + np.repeat((away[:, None] * outward)[order], len(_ALONG), axis=0)
     turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
     places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
-    good = len(_ALONG) * int((~is_before[order]).sum())
-    return joined(places.part(slice(good)), round_good, places.part(slice(good, None)), round_mids)
+    first = len(_ALONG) * int((~is_before[order]).sum())
+    return joined(places.part(slice(first)), diagonal, places.part(slice(first, None)), round_mids)
 
 
 def flanking(
