@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkText
 
 from app.drawings.style import Style, rgb
 from app.languages import with_comma
-from app.lecture.typesetting import line_of, piece_of
+from app.lecture.typesetting import Outline, line_of, piece_of
 
 Pixels = NDArray[np.uint8]
 
@@ -32,6 +32,7 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
+SPACE_HIGH_EM, SPACE_LINES = 0.45, (0.1, 0.9)  # the halo of a space is round two lines
 _SHORT = re.compile(r"(?:[^=]* )?([^ =]+) = [^=]+")
 PARTS = 4  # of a pixel, to which a piece is placed
 
@@ -86,7 +87,7 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    drawn = piece_of(piece, is_tex)
+    drawn = surrounded(piece, is_tex)
     if not len(drawn.vertices):
         empty = np.zeros((0, 0), dtype=np.uint8)
         return empty, empty, 0, 0
@@ -103,12 +104,22 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
         renderer = make(width, height, 72)
         pen = renderer.new_gc()
         pen.set_joinstyle("round")
+        pen.set_capstyle("round")
         pen.set_foreground("white")
         pen.set_linewidth(pen_px)
         renderer.draw_path(pen, path, placed, (1.0, 1.0, 1.0))
         coverages.append(np.array(renderer.buffer_rgba())[..., 3])
     letters, halo = coverages
     return letters, halo, first, height + below
+
+
+def surrounded(piece: str, is_tex: bool) -> Outline:
+    """Return what a halo surrounds: a piece, or two lines in a space, so that no gap shows."""
+    drawn = piece_of(piece, is_tex)
+    if piece != " ":
+        return drawn
+    lines = [(drawn.width * x, y) for x in SPACE_LINES for y in (0.0, SPACE_HIGH_EM)]
+    return drawn._replace(vertices=np.array(lines), codes=np.array([1, 2, 1, 2], dtype=np.uint8))
 
 
 def rim_px(em: float) -> int:

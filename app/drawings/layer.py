@@ -78,10 +78,10 @@ class Silhouette:
         """
         held = self._held(ground, spots)
         if volume is not None and np.isfinite(volume).all():
-            ways = volume - volume[:, None]
-            across = np.stack([-ways[..., 1], ways[..., 0]], axis=-1)
+            between = volume - volume[:, None]
+            across = np.stack([-between[..., 1], between[..., 0]], axis=-1)
             least = (across * volume[:, None]).sum(axis=-1)
-            is_side = ways.any(axis=-1) & (across @ volume.T >= least[..., None] - 1e-6).all(
+            is_side = between.any(axis=-1) & (across @ volume.T >= least[..., None] - 1e-6).all(
                 axis=-1
             )
             middles = (np.indices(ground.shape) + 0.5) * self._square_px

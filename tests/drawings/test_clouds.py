@@ -49,8 +49,10 @@ def test_no_dot_stands_out_of_the_frame_of_its_picture(scattered: tuple[Scene, A
     """A dot at the frame is cut by it, as it is in pixels."""
     scene, large = replace(scattered[0], dot_widths=20.0), {"text_pt": 4.0, "palette": "print"}
     _, found = figure_of(scene, CAMERA, ["world", "image"], (600, 300), **large).shapes()
-    rings = [np.array(ring) for shape in found if isinstance(shape, Area) for ring in shape.rings]
-    picture = min((ring for ring in rings if len(ring) == 4), key=lambda ring: np.ptp(ring[:, 0]))
+    areas, paper = [shape for shape in found if isinstance(shape, Area)], (1.0, 1.0, 1.0)
+    rings = [np.array(ring) for area in areas for ring in area.rings]
+    grounds = [np.array(area.rings[0]) for area in areas if area.colour == paper]
+    picture = min(grounds, key=lambda ring: np.ptp(ring[:, 1]))
     left, low = picture.min(axis=0), picture.max(axis=0)
     parts = [ring for ring in rings if len(ring) > 12]
     assert len(parts) > 3, "of dots at the frame"

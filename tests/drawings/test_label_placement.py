@@ -208,9 +208,9 @@ def test_a_plane_is_named_first_at_edges_behind_which_its_volume_is_not() -> Non
     edges = np.stack([far, np.roll(far, -1, axis=0)], axis=1)
     near = far + np.array((300.0, 60.0))  # to the right
     places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, np.concatenate([far, near]))
-    x, y = places.centres[:12].T
+    x, y = places.centres[:24].T
     assert (y[:3] > 220.0 + 0.2 * (x[:3] - 100.0)).all()  # all places of an edge before another's
-    assert (x[:9] < 300.0).all() and (x[9:] > 300.0).all()
+    assert (x[:9] < 300.0).all() and (x[21:] > 300.0).all(), "after those diagonally from others"
     # Near is in front, far shows above it and to its right: the left and the lower edge are clear.
     behind = np.concatenate([far, far + np.array((60.0, 40.0))])
     x, y = along(edges, (200.0, 180.0), (80.0, 14.0), EM, behind).centres[:12].T
