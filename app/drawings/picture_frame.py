@@ -125,8 +125,6 @@ class ImageState(PaneState):
 
 
 class PictureFrame(Layer):
-    """The border, the axes and the caption."""
-
     _state: ImageState
 
     def __init__(self, state: ImageState) -> None:
@@ -194,7 +192,6 @@ class PictureFrame(Layer):
         return actor
 
     def lay_out(self, pane_width_px: int, pane_height_px: int) -> None:
-        """Stand round the picture in a pane of this size."""
         left, top, width, height = self._state.rectangle_in(pane_width_px, pane_height_px)
         right, bottom = left + width, top + height
         em = self._style.font_size

@@ -276,7 +276,6 @@ class _Gltf:
     def _primitive(
         self, primitive: dict[str, Any], weights: Iterable[float], joints: Floats | None
     ) -> Mesh:
-        """Return the triangles, lines or points of a primitive."""
         position = primitive["attributes"]["POSITION"]
         count = self._data.count(position)
         used: Any = slice(None)
@@ -372,7 +371,6 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _joined(parts: list[Mesh]) -> Mesh:
-    """Join meshes of triangles, lines and points, with colours."""
     parts = [Mesh(rgb=flat(PAINT_RGB, 0)), *parts]
     first = np.cumsum([0] + [len(part.points) for part in parts])
     corners, lines, dots = (

@@ -191,7 +191,6 @@ class _Tree(QWidget):
         self.place()
 
     def place(self) -> None:
-        """Place the nodes within the current size."""
         inner = max(
             node.sizeHint().height() for name, node in self.nodes.items() if name not in self.leaves
         )

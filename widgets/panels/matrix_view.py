@@ -458,7 +458,6 @@ class MatrixView(QWidget):
             self.highlighted.emit(highlighted)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the cells that contain a highlighted quantity."""
         if highlighted != self._highlight:
             self._highlight = highlighted
             self.update()
@@ -535,7 +534,6 @@ class MatrixView(QWidget):
 
 
 def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
-    """Add an action for each format in which matrices are copied."""
     for form, text in (
         ("text", QCoreApplication.translate("MatrixView", "Copy as text")),
         ("numpy", QCoreApplication.translate("MatrixView", "Copy for NumPy (numbers)")),

@@ -309,7 +309,6 @@ class MeasurePanel(DiagramPanel):
     # -- files
 
     def export_dialog(self) -> None:
-        """Ask for a file name, and export what is shown."""
         title, kinds, kind = WORDS["export-as"]
         path, _ = QFileDialog.getSaveFileName(self, title, f"{self.name}.pdf", kinds, kind)
         if path:

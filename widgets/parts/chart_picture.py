@@ -124,7 +124,6 @@ def picture(
 def _size(
     paper: Paper, per_inch: float, shown: list[Diagram | str], font: QFont, style: Style
 ) -> QSizeF:
-    """The picture's size in pixels of the layout."""
     charts = len(shown)
     rows = -(-charts // 2)
     usual = ONE_PX if charts == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
