@@ -32,6 +32,7 @@ from app.document.settings import set_values
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import NOTHING
+from app.lessons.text import html_of
 from tests.support.drawings import labels_of, lit_at
 from tests.support.layout import cut
 from tests.support.window import (
@@ -47,6 +48,7 @@ from tests.support.window import (
     settle,
 )
 from tests.support.window import enter as enter_text
+from widgets.parts import lesson_text
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
@@ -120,6 +122,7 @@ def is_presenting(window: MainWindow) -> bool:
 # -- what a class sees
 
 
+@pytest.mark.undrawn
 def test_one_picture_is_the_slide(window: MainWindow) -> None:
     for scene, leading in (("letter-f", "world"), ("clipping", "ndc"), ("depth-buffer", "image")):
         window.guide.choose(scene)
@@ -234,6 +237,7 @@ def test_a_row_that_comes_into_the_strip_has_the_value_of_the_document(window: M
     assert row.isVisible() and row.value() == "box"
 
 
+@pytest.mark.undrawn
 def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
     window: MainWindow,
 ) -> None:
@@ -243,6 +247,16 @@ def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
     window.store.set_view(controls=("stage",))
     settle()
     assert window.strip.isVisible() and window.control_strip.isHidden()
+
+
+def test_no_markdown_is_read_without_a_talk(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read = list[str]()
+    monkeypatch.setattr(lesson_text, "html_of", lambda text: read.append(text) or html_of(text))
+    begin(window)
+    press(window, Qt.Key.Key_Escape)
+    assert not window.isFullScreen() and not read
 
 
 def test_a_class_sees_no_tooltips(window: MainWindow) -> None:
@@ -379,6 +393,7 @@ def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     assert bar.isVisible()
 
 
+@pytest.mark.undrawn
 def test_no_last_word_stands_alone(window: MainWindow) -> None:
     """Of each thing to try, the last line is at least half as long as the longest."""
     window.guide.choose("off-axis-window")
@@ -623,6 +638,7 @@ def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:
     assert window.isMaximized() and not window.isFullScreen()
 
 
+@pytest.mark.undrawn
 def test_closed_while_presenting_it_opens_as_an_ordinary_window(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
