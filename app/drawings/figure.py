@@ -240,8 +240,8 @@ class Figure:
             tried = replace(figure._drawn_once, size=other.size, text_pt=other.text_pt)
             if self.width - tried._wide(tried._whole(watch)) > _NEAR_PX:
                 return other
-        found = replace(figure._as_wide(watch)[0], scale=self.scale)
-        return min(other or found, found, key=lambda each: each.full_size.px)
+        own = replace(figure._as_wide(watch)[0], scale=self.scale)
+        return min(other or own, own, key=lambda each: each.full_size.px)
 
     @property
     def _drawn_once(self) -> Figure:
