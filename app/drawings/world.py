@@ -313,7 +313,7 @@ class WorldDrawing(Drawing):
         return {name: px for name, px in outside.items() if px > _ROUNDING_PX}
 
     def refit(self) -> bool:
-        if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
+        if not self.own.was_moved and self.own.rest(self._framed(), is_cut=bool(self.cut())):
             self.reset_clipping_range()
             return True
         return self.layers.place_labels(at_rest=True)
