@@ -205,7 +205,7 @@ class Manipulation(Gestures, QObject):
             around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
         self.line.setParent(canvas)
         self.line.setText(text)
-        self.line.put_beside(around, _APART_PX, above=True)
+        self.line.put_beside(around, _APART_PX, above=True, off=pane.named_on(canvas)[0])
         self.line.show()
 
     def _is_written(self, handle: Handle, pane: Pane) -> bool:

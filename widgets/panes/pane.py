@@ -13,8 +13,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QMoveEvent, QShowEvent
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QMoveEvent, QShowEvent, QTransform
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
 from app.document.naming import named_in
@@ -361,6 +361,18 @@ class Pane(QFrame):
             self.setCursor(Qt.CursorShape.OpenHandCursor)
         else:
             self.unsetCursor()
+
+    def named_on(self, widget: QWidget) -> tuple[list[QRectF], QTransform]:
+        """Where names and their points are on a widget that holds the canvas; from their pixels."""
+        if self.drawing is None:
+            return [], QTransform()
+        board, ratio = self.drawing.board, self.canvas.pixel_ratio
+        right, up = board.renderer.GetOrigin()  # an image's names are counted from its frame
+        corner = self.canvas.mapTo(widget, QPointF(0.0, self.canvas.height()))
+        from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
+        from_pixels.translate(right, up)
+        ends = ((QPointF(*box[:2]), QPointF(*box[2:])) for box in board.boxes)
+        return [from_pixels.mapRect(QRectF(*each)) for each in ends], from_pixels
 
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips; `named`: with its title."""
