@@ -576,7 +576,7 @@ def test_the_speaker_sees_that_the_screen_is_black(window: MainWindow, qtbot: An
         return "" if image.isNull() else image.pixelColor(image.rect().center()).name()
 
     for is_black in (False, True, False):
-        qtbot.waitUntil(lambda black=is_black: middle() and (middle() == "#000000") is black)
+        qtbot.waitUntil(lambda black=is_black: middle() != "" and (middle() == "#000000") is black)
         window.present.blank()
 
 
