@@ -308,7 +308,6 @@ def _clouded(
     *,
     alone: bool,
 ) -> Scene:
-    """Return the scene with a cloud, or the cloud alone."""
     points = checked_points(cloud, (3,), "cloud").reshape(-1, 3)
     if not 1 <= len(points) <= MOST_DOTS:
         raise Refusal.saying(REFUSALS["api-cloud"], len(points), MOST_DOTS)

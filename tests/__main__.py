@@ -131,6 +131,8 @@ def main() -> int:
     signal.signal(signal.SIGTERM, _stop)
     # A job in the background has Ctrl-C ignored, and so would all that the tests start and stop.
     signal.signal(signal.SIGINT, signal.default_int_handler)
+    if {"-h", "--help"} & {*sys.argv}:
+        print(__doc__, flush=True)
     command = [sys.executable, "-m", "pytest", *sys.argv[1:]]
     processes = min(os.cpu_count() or 1, MOST_SCREENS)
     if sys.platform.startswith("linux") and processes > 1:

@@ -29,15 +29,16 @@ from typing import Any, NamedTuple
 from app import bootstrap, python_packages
 from tests import claims
 from tests.__main__ import SCREEN, at_home
+from tests.support.tools import ToolParser
 
 VERTICES = (100, 10_000, 1_000_000)
 paces: list[float] = []
 """How quick the machine was before each window, and after the part: it changes by the minute."""
 
 
-def main() -> int:
+def main(words: Sequence[str]) -> int:
     """Set up as the tests do, and run inside a screen."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.benchmark", description=__doc__)
+    parser = ToolParser("benchmark", __doc__)
     parser.add_argument("--json", metavar="FILE", help="write the figures to a file as well")
     parser.add_argument("--only", choices=sorted(PARTS), help="run one part only")
     parser.add_argument("--quick", action="store_true", help="a tenth of the repetitions")
@@ -45,7 +46,7 @@ def main() -> int:
     parser.add_argument("--write", action="store_true", help="write the figures into the page")
     parser.add_argument("--from", dest="kept", metavar="FILE", help="take the figures from --json")
     parser.add_argument("--inside", help=argparse.SUPPRESS)
-    options = parser.parse_args()
+    options = parser.parse_args(words)
     if options.inside:
         part_figures = PARTS[options.inside](0.1 if options.quick else 1.0)
         paces.append(pace())
@@ -983,4 +984,4 @@ PARTS: dict[str, Callable[[float], dict[str, Any]]] = {
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

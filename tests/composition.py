@@ -5,6 +5,11 @@ then the sums; the exit status is 1 if there is a fault. `tests/drawings/test_co
 takes a sample.
 """
 
+if __name__ == "__main__":  # before anything is imported that it installs
+    from app import bootstrap
+
+    bootstrap.start("tests", extras=("test",))
+
 import sys
 from collections import Counter
 from collections.abc import Iterator, Sequence
@@ -16,6 +21,7 @@ from app.drawings.composition import ComposedPicture, measured
 from app.drawings.style import DARK, LIGHT
 from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
+from tests.support.tools import ToolParser, one_of
 
 WINDOWS = {
     "1366x768": {"large": (584, 680), "small": (480, 300)},
@@ -36,7 +42,10 @@ def pictures(scene: str, window: str, style: str) -> Iterator[tuple[str, Compose
             yield pane, each
 
 
-def main(scenes: Sequence[str]) -> int:
+def main(words: Sequence[str]) -> int:
+    parser = ToolParser("composition", __doc__)
+    parser.add_argument("scene", nargs="*", type=one_of(BUILT_IN, "scene"))
+    scenes = parser.parse_args(words).scene
     sums, count = Counter[str](), 0
     for scene, window, style in product(scenes or BUILT_IN, WINDOWS, STYLES):
         for pane, each in pictures(scene, window, style):

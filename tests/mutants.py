@@ -14,7 +14,6 @@ all, and what is not unique. No part of the suite.
 
 from __future__ import annotations
 
-import argparse
 import compileall
 import concurrent.futures
 import contextlib
@@ -28,11 +27,12 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from app import bootstrap
+from tests.support.tools import ToolParser
 
 LIST = Path(__file__).with_suffix(".json")
 SOURCES = ("app", "widgets")
@@ -40,13 +40,13 @@ LONGEST_S = 600
 """A run that takes longer tells nothing: the program hangs, or the machine has other work."""
 
 
-def main() -> int:
+def main(words: Sequence[str]) -> int:
     """Set up as the tests do, and do what is asked in as many copies as there are jobs."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.mutants", description=__doc__)
+    parser = ToolParser("mutants", __doc__)
     parser.add_argument("act", choices=("check", "record", "list"))
     parser.add_argument("ids", nargs="*", metavar="ID")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1)
-    options = parser.parse_intermixed_args()
+    options = parser.parse_intermixed_args(words)
     mutants = json.loads(LIST.read_text(encoding="utf-8"))
     by_id = {mutant["id"]: mutant for mutant in mutants}
     for name in options.ids:
@@ -194,4 +194,4 @@ class Copy:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

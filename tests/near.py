@@ -9,19 +9,21 @@ import collections
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from types import FrameType
 from typing import Any
 
 from app import bootstrap
 from tests.__main__ import at_home
+from tests.support.tools import ToolParser
 
 
-def main() -> int:
+def main(words: Sequence[str]) -> int:
     """Set up as the tests do, and count inside a screen."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.near", description=__doc__)
+    parser = ToolParser("near", __doc__)
     parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
-    if parser.parse_args().inside:
+    if parser.parse_args(words).inside:
         _count()
         return 0
     with at_home() as environment:
@@ -73,4 +75,4 @@ def _count() -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

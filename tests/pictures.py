@@ -8,7 +8,11 @@ command for each. The charts are drawn from the recorded ``app/measure/content/l
 the start card's pictures.
 """
 
-import argparse
+if __name__ == "__main__":  # before anything is imported that it installs
+    from app import bootstrap
+
+    bootstrap.start("tests", extras=("test",))
+
 import json
 import re
 import subprocess
@@ -16,7 +20,7 @@ import sys
 import tempfile
 import textwrap
 import zlib
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -41,6 +45,7 @@ from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_S
 from tests.support.commands import run
 from tests.support.notebook import with_outputs
+from tests.support.tools import ToolParser, one_of
 from widgets.parts.chart_picture import picture
 from widgets.window.start_card import THUMBNAIL_PX, tile_path
 
@@ -260,16 +265,17 @@ def compare(names: Iterable[str], folder: Path) -> dict[str, float]:
     return {name: share for name, share in found.items() if share > MOST_DIFFERENT}
 
 
-def main() -> int:
+def main(words: Sequence[str]) -> int:
     """Compare or write the pictures; 1 if one of them is not what the program draws."""
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="of pictures (all)")
+    parser = ToolParser("pictures", __doc__)
+    known = one_of({*PICTURES, *BUILT_IN}, "picture")
+    parser.add_argument("names", nargs="*", metavar="NAME", type=known, help="of pictures (all)")
     parser.add_argument("--write", action="store_true", help="draw them anew")
     parser.add_argument("--measure", action="store_true", help="measure and draw the charts anew")
     parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
     parser.add_argument("--tiles", action="store_true", help="draw the start card's pictures anew")
     parser.add_argument("--notebook", action="store_true", help="run the notebook anew")
-    found = parser.parse_args()
+    found = parser.parse_args(words)
     if found.notebook:
         sys.path.insert(0, str(ROOT / "app" / "wheel"))  # `frustum_lab`
         notebook = DOCS / "scripting.ipynb"
@@ -312,4 +318,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

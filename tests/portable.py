@@ -8,9 +8,11 @@ pytest names what the others need of this system (`tests.conftest.LACKING`).
 import os
 import subprocess
 import sys
+from collections.abc import Sequence
 
 from app.bootstrap import ROOT
 from tests.__main__ import at_home
+from tests.support.tools import ToolParser
 
 POSIX = (
     "O_NONBLOCK", "chown", "fchmod", "fork", "forkpty", "getegid", "geteuid", "getgid",
@@ -46,7 +48,8 @@ sys.exit(pytest.main(["-q", "-p", "no:cacheprovider", *arguments], plugins=[Else
 """
 
 
-def main(arguments: list[str]) -> int:
+def main(words: Sequence[str]) -> int:
+    _, arguments = ToolParser("portable", __doc__).parse_known_args(words)
     status = 0
     with at_home() as environment:
         for system in ("win32", "darwin"):

@@ -5,6 +5,11 @@ matrices of every lens in every lecture's letters, whose lines must fit their te
 fault; the exit status is 1 if there is one.
 """
 
+if __name__ == "__main__":  # before anything is imported that it installs
+    from app import bootstrap
+
+    bootstrap.start("tests", extras=("test",))
+
 import re
 import subprocess
 import sys
@@ -24,6 +29,7 @@ from app.lecture.paper import displayed
 from app.lessons.course import scene_of
 from app.model.refusal import counted
 from app.scenes.scene import BUILT_IN, load
+from tests.support.tools import ToolParser, one_of
 
 STAGES = (0.0, 1.0, 2.0, 2.5, 3.0, 4.0)
 PT_PER_MM = 72.27 / 25.4
@@ -96,13 +102,15 @@ def faults_of_matrices(folder: Path, text_pt: float) -> Iterator[str]:
             yield f"{width} points wide:\n{equation}"
 
 
-def main(scenes: Sequence[str]) -> int:
-    count = 0
+def main(words: Sequence[str]) -> int:
+    parser, count = ToolParser("tex", __doc__), 0
+    parser.add_argument("scene", nargs="*", type=one_of(BUILT_IN, "scene"))
+    options = parser.parse_args(words)
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for faults in (
             *(faults_of_matrices(folder, width) for width in WIDTHS_PT),
-            *(faults_of_figures(folder, scene) for scene in scenes or BUILT_IN),
+            *(faults_of_figures(folder, scene) for scene in options.scene or BUILT_IN),
         ):
             for fault in faults:
                 count += 1

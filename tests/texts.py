@@ -5,6 +5,11 @@ files and the sentences of the lessons are given to it as Python that marks them
 or an editor, fills in what is ``unfinished``.
 """
 
+if __name__ == "__main__":  # before anything is imported that it installs
+    from app import bootstrap
+
+    bootstrap.start("tests", extras=("test",))
+
 import argparse
 import ast
 import json
@@ -12,6 +17,7 @@ import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 from functools import partial
 from pathlib import Path
 
@@ -29,6 +35,7 @@ from app.model.parameters import PARAMETERS
 from app.model.refusal import SENTENCES
 from app.scenes.built_in import WORDS, WORDS_OF_A_MESH
 from app.scenes.phenomena import PHENOMENA
+from tests.support.tools import ToolParser
 
 TRANSLATED = [each for each in LANGUAGES if each not in (ENGLISH, "sr-Latn")]
 QT_TEXTS = {"OK", "Save", "Cancel", "Close", "Discard", "&Yes", "&No"}
@@ -210,6 +217,11 @@ def update(folder: Path = TRANSLATIONS) -> None:
                 subprocess.run(tool, check=True, capture_output=True)
 
 
-if __name__ == "__main__":
-    argparse.ArgumentParser(prog="python3 -m tests.texts", description=__doc__).parse_args()
+def main(words: Sequence[str]) -> int:
+    ToolParser("texts", __doc__).parse_args(words)
     update()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

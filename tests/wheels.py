@@ -3,15 +3,22 @@
 It takes minutes and a network. The README says what is missing.
 """
 
+if __name__ == "__main__":  # before anything is imported that it installs
+    from app import bootstrap
+
+    bootstrap.start("tests", extras=("test",))
+
 import re
 import subprocess
 import sys
 import tempfile
+from collections.abc import Sequence
 
 from app import bootstrap
 from app.commands.bundle import target_words
 from app.commands.options import choices
 from app.python_packages import pins
+from tests.support.tools import ToolParser
 
 PYTHONS = ("3.11", "3.12", "3.13", "3.14", "3.15")
 
@@ -36,7 +43,8 @@ def missing(platform: str, python: str) -> list[str]:
     return lacking
 
 
-def main() -> int:
+def main(words: Sequence[str]) -> int:
+    ToolParser("wheels", __doc__).parse_args(words)
     status = 0
     for python in PYTHONS:
         for platform in choices("bundle", "--platform"):
@@ -47,4 +55,4 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

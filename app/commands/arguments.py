@@ -34,7 +34,6 @@ if TYPE_CHECKING:
 
 
 def document_of(file: str | None, assignments: Sequence[str], step: str | None = None) -> Document:
-    """Return the document of a FILE, with the values of ``--set``."""
     return with_values(document_before(file, assignments, step), assignments)
 
 
@@ -49,7 +48,6 @@ def set_letters(options: argparse.Namespace) -> Letters | None:
 
 
 def course_of(lesson: str) -> Course:
-    """Return the steps of a lesson or a talk."""
     from app.lessons.course import Course
     from app.lessons.lesson import read as read_lesson
 

@@ -26,7 +26,6 @@ CODE = ("__main__.py", "pyproject.toml", "constraints.txt", "LICENSE", "README.m
 
 
 def run(arguments: Sequence[str]) -> int:
-    """The command ``bundle``."""
     options, (out,) = Parser("bundle").read(arguments)
     if not os.path.exists(bootstrap.ROOT / "pyproject.toml"):
         raise CliError("bundle: this program has no folder of its code to make one of.")

@@ -20,7 +20,6 @@ MOST_TESTS = 500  # more would fill a disk by mistake
 
 
 def print_tests(options: argparse.Namespace) -> int:
-    """Write the tests of ``lesson print``, and the key if it is asked for."""
     for option in ("topics", "seeds", "out"):
         if not getattr(options, option):
             raise CliError("lesson print needs --{0}.", option)

@@ -108,7 +108,6 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
 
 
 def _draw_page(options: argparse.Namespace, out: str, file: str | None) -> str:
-    """Draw a page for phones, of one state or of a sweep."""
     _choose_panes(options, file)
     _check(options, out, (".html",))
     page.check(options)

@@ -112,7 +112,6 @@ def _json(projection: Projection) -> str:
 
 
 def _object(values: Mapping[str, object]) -> str:
-    """Write a JSON object with a line for each value."""
     lines = (
         f"  {json.dumps(name)}: {json.dumps(value, allow_nan=False)}"
         for name, value in values.items()

@@ -6,17 +6,10 @@ import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 
+from app.commands import terminal
 from app.commands.arguments import check_out, document_of, load_scene
 from app.commands.options import Parser, parse_number
-from app.commands.terminal import (
-    CANNOT_DRAW,
-    INTERRUPTED,
-    CliError,
-    interrupt,
-    print_error,
-    standard_output,
-    write_out,
-)
+from app.commands.terminal import CliError
 from app.document.files import write_bytes_atomically
 from app.document.lengths import PX_PER, Size
 from app.drawings import off_screen
@@ -53,7 +46,7 @@ def run(arguments: Sequence[str]) -> int:
     for option, out in targets.items():
         if out != "-":
             check_out(option, out)
-    standard_output()
+    terminal.standard_output()
     settings = [*options.set, *([f"scene={options.scene}"] if options.scene else [])]
     file = words[0] if words else None
     document = document_of(file, settings)
@@ -76,10 +69,10 @@ def run(arguments: Sequence[str]) -> int:
         opengl = False
         left_out = [name for name in trades if name in measuring.NEED_OPENGL]
         if left_out:
-            print_error(said("{0} Not measured: {1}.", error, ", ".join(left_out)), 0)
+            terminal.print_error(said("{0} Not measured: {1}.", error, ", ".join(left_out)), 0)
         trades = [name for name in trades if name not in left_out]
         if not trades and not swept:
-            return CANNOT_DRAW
+            return terminal.CANNOT_DRAW
     with _watched(options.attended) as watch:
         results = measuring.measure_all(
             document, scene, trades, swept, quick=options.quick, opengl=opengl, watch=watch
@@ -89,7 +82,7 @@ def run(arguments: Sequence[str]) -> int:
         options.csv: "\n".join([*map(to_csv, results.trades), *map(to_csv, results.sweeps)]),
     }
     try:
-        write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
+        terminal.write_out([texts["-"]] if "-" in texts else _measured(results, options.cost))
     finally:  # write the files even if the reader of the tables closes the pipe
         for out, text in texts.items():
             if out not in (None, "-"):
@@ -100,7 +93,7 @@ def run(arguments: Sequence[str]) -> int:
             paper = Paper(options.size, options.width, options.text_size, options.palette)
             drawn = picture(results.by_cost(options.cost), options.chart, paper=paper)
             write_bytes_atomically(options.chart, drawn)
-    return 0 if results.complete else INTERRUPTED
+    return 0 if results.complete else terminal.INTERRUPTED
 
 
 def _range(name: str, ends: str) -> tuple[str, tuple[float | None, float | None]]:
@@ -147,7 +140,7 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
         cancelled.set()  # also when the starting program has ended
         going.set()
 
-    with interrupt() as cancelled:
+    with terminal.interrupt() as cancelled:
         if attended:
             threading.Thread(target=obey, daemon=True).start()
         try:

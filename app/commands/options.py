@@ -31,8 +31,6 @@ SWEEPS = ("near", "far", "fov", "distance", "up", "aspect", "gap")
 
 
 class Page(NamedTuple):
-    """What the page says of a command."""
-
     words: str  # the names of its words
     summary: str
     about: str  # what its words are
@@ -70,7 +68,6 @@ SUMMARIES = {
 
 
 def choices(command: str, option: str) -> list[str]:
-    """The values that an option may have."""
     return next(value for name, value, _ in pages()[command].options if name == option).split("|")
 
 
@@ -162,7 +159,6 @@ class Parser(argparse.ArgumentParser):
 
 
 def one_of(option: str, value: str, values: Sequence[str]) -> str:
-    """Return an option's value, which must be one of several."""
     # argparse does not catch a CliError, and so does not rephrase it.
     if value not in values:
         raise CliError("{0} = {1!r}: must be one of {2}.", option, value, ", ".join(values))

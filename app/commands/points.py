@@ -52,8 +52,6 @@ def check_typed(arguments: Sequence[str]) -> None:
 
 
 class Read(NamedTuple):
-    """The content of a file of points."""
-
     points: list[Row]  # each point has w: 1, or 0 at infinity
     has_w: bool  # whether the file has a column for w
     columns: Columns

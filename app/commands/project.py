@@ -18,14 +18,8 @@ from app.commands.terminal import CliError, write_out
 from app.document.document import MESH_ENDINGS
 from app.languages import said, sentences, translate
 from app.model.projection import PLANES, Array, Projection, Space, Trace
-from app.precision.levels import (
-    Precision,
-    Prediction,
-    precision_for_reading,
-    predict,
-    trace,
-    trace_homogeneous,
-)
+from app.precision import levels
+from app.precision.levels import Precision, Prediction, trace
 
 
 def run(arguments: Sequence[str]) -> int:
@@ -38,10 +32,10 @@ def run(arguments: Sequence[str]) -> int:
     read = points.read(source)
     rows, has_w = np.array(read.points), read.has_w
     space: Space = options.space
-    predictions = predict(projection, rows[rows[:, 3] != 0.0, :3], space=space)
-    precision = options.rung or precision_for_reading(predictions)
+    predictions = levels.predict(projection, rows[rows[:, 3] != 0.0, :3], space=space)
+    precision = options.rung or levels.precision_for_reading(predictions)
     if has_w:
-        traced = trace_homogeneous(projection, rows, precision, space)
+        traced = levels.trace_homogeneous(projection, rows, precision, space)
     else:
         traced = trace(projection, rows[:, :3], precision, space=space)
     answer = _ProjectedPoints(projection, traced, precision, predictions, space, read.columns)
@@ -52,8 +46,6 @@ def run(arguments: Sequence[str]) -> int:
 
 
 class _ProjectedPoints(NamedTuple):
-    """The data that `project` prints."""
-
     projection: Projection
     trace: Trace
     precision: Precision

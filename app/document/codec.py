@@ -381,7 +381,6 @@ def _dump(tree: Tree, ensure_ascii: bool) -> str:
 
 
 def to_tree(document: Document) -> Tree:
-    """Convert a document to a JSON tree, which `from_tree` reads."""
     projection, quality = document.projection, document.quality
     width, height = projection.image_size
     tiles = [tile.text for tile in projection.placement.tiles]

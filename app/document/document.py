@@ -262,7 +262,6 @@ def lens_fields(kind: object) -> tuple[Field, ...]:
 
 
 def fields_of(scene: str, kind: object) -> tuple[Field, ...]:
-    """Return the fields of a document with this scene and this kind of lens."""
     settings = [
         Field("settings", each.name, _KINDS.get(type(each.default), NUMBER), False, each.unit,
               each.whole)

@@ -56,7 +56,6 @@ def seen_from(view: View, scene: Scene) -> str:
 
 
 def nameable(pane: str, document: Document, scene: Scene) -> frozenset[str]:
-    """Return the ids of everything that a pane of a document can name."""
     view, projection = document.view, document.projection
     shown = scene.illustration(projection, document.settings) or Illustration(())
     planes = frozenset(ENDS if projection.lens.planes is not None else ())

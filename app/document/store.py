@@ -256,7 +256,6 @@ class Store(QObject):
             self._go(self._undo, self._redo)
 
     def redo(self) -> None:
-        """Redo the last undone step."""
         self._close_gesture()
         self._go(self._redo, self._undo)
 

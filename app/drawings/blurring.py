@@ -70,7 +70,7 @@ class Blurring:
 
     def __init__(self, scene: Scene, style: Style, tolerance_px: float) -> None:
         self._style = style
-        self._model = ModelActors(scene, style, tolerance_px)
+        self.model = ModelActors(scene, style, tolerance_px)
         self._screen: OffScreen | None = None
         self._shown: tuple[Projection, Aperture | Eyes] | None = None
         self._size, self._kind, self._transparent = (0, 0), _OPENING, False
@@ -98,10 +98,6 @@ class Blurring:
         """Average the same picture again, because the faces or lines of the scene have changed."""
         self._count = 0
         self.actor.SetVisibility(False)
-
-    @property
-    def model(self) -> ModelActors:
-        return self._model
 
     @property
     def is_coarse(self) -> bool:
@@ -163,7 +159,7 @@ class Blurring:
             left, right = (low + (high - low) * k / width for k in (first, first + count))
             seen = replace(seen, lens=seen.lens.replaced(left=left, right=right))
         window = self._ready((count, height))
-        self._model.show_picture(seen.with_depth("opengl"))
+        self.model.show_picture(seen.with_depth("opengl"))
         window.Render()
         return pixels_of(window)[:, :drawn]
 
@@ -173,7 +169,7 @@ class Blurring:
             renderer = self._screen.renderer
             PropGroup.make_ready(renderer)
             renderer.SetActiveCamera(identity_camera())
-            for actor in self._model.actors:
+            for actor in self.model.actors:
                 renderer.AddViewProp(actor)
         renderer, window = self._screen.renderer, self._screen.render_window
         renderer.SetBackground(*((0.0,) * 3 if self._transparent else rgb(self._style.background)))

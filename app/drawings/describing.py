@@ -48,7 +48,6 @@ class Description(NamedTuple):
 
 
 def describe(document: Document, scene: Scene, panes: Sequence[str] = PANES) -> Description:
-    """Say in words what the panes of a document show, what is cut off, and what is risky."""
     projection, letters = document.projection, document.view.letters
     illustration = scene.illustration(projection, document.settings)
     title, general = translate(scene.title, "phenomena"), list[str]()

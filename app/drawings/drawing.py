@@ -214,7 +214,6 @@ class Drawing:
     # -- on the way from one state to another
 
     def begin_glide(self, start: Pose) -> None:
-        """Begin a way from another pose to the present one."""
         if self.own is not None:
             self.own.begin_glide(start)
 

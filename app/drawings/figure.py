@@ -179,7 +179,6 @@ class Figure:
 
     @property
     def em_pt(self) -> float:
-        """Height of an em in points."""
         if self.text_pt is not None or self.panes == ("equation",):
             return self.text_pt or 7.0
         return max(_LEAST_TEXT_PX, USUAL_TEXT * self._side) * 72.0 / DPI

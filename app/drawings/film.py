@@ -180,7 +180,6 @@ def write_frames(
     order: Sequence[int],
     told: Callable[[Sequence[int]], Iterable[int]] = iter,
 ) -> None:
-    """Write a figure for each frame."""
     first: dict[int, str] = {}
     for path, number in zip(paths, told(order), strict=True):
         if number in first:

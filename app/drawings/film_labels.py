@@ -117,7 +117,6 @@ def _rounded(place: tuple[float, float], em: float) -> tuple[int, int]:
 
 
 def _tried(frame: Wanted, options: dict[Hashable, list[FilmPlace]]) -> dict[Hashable, Candidates]:
-    """Return what the places of each label cost in a frame."""
     em, choices, strays = frame.ground.em, [], list[Floats]()
     outlines = [_outline(wish) for wish, _ in frame.wishes]
     for number, (wish, _) in enumerate(frame.wishes):

@@ -338,7 +338,8 @@ class FrustumDrawing(Layer):
     def inside(self) -> dict[str, Array]:
         """The whole frustum if near or far is named, else the named sides of the window."""
         state, corners = self._state, self._state.volume.corners
-        if not self._has_planes:
+        has_planes = state.volume.exists and state.projection.lens.planes is not None
+        if not has_planes or "frustum" in state.hidden:
             return {}
         asked = (*ENDS, "height", "width") if state.own.fixed else ENDS
         if any(map(state.names.wants, asked)):
@@ -348,11 +349,6 @@ class FrustumDrawing(Layer):
             for i, side in enumerate(SIDES)
             if state.names.wants(side[0])
         }
-
-    @property
-    def _has_planes(self) -> bool:
-        has_planes = self._state.volume.exists and self._state.projection.lens.planes is not None
-        return has_planes and "frustum" not in self._state.hidden
 
 
 def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:

@@ -172,7 +172,6 @@ class HandleMarks(Handles, Layer):
         return frozenset(list(resting)[:_MOST_AT_REST])
 
     def _colour(self, handle: Handle) -> tuple[int, ...]:
-        """The colour of the concept that a handle is about."""
         style, name = self._style, handle.name
         if name == "grip":
             colour = self._state.grips[handle.setting].colour

@@ -423,7 +423,6 @@ def _middle(face: ScreenCell) -> float:
 
 
 def _split(face: ScreenCell, other: ScreenCell) -> list[ScreenCell]:
-    """Split a face by another one's plane."""
     a, b, c = (p - q for p, q in zip(face.plane, other.plane, strict=True))
     points = np.column_stack([face.points, np.ones(len(face.points))])
     if np.abs(points @ (a, b, 0.0, c)).max() < SAME_DEPTH:

@@ -203,7 +203,6 @@ class Board:
             self._asked = None
 
     def _place(self, kept: Mapping[Hashable, KeptSpot] | None) -> dict[Hashable, PlacedLabel]:
-        """Place the labels that were wanted last."""
         assert self._asked is not None
         wishes, ground, taken = self._asked
         del ground.taken[taken:]

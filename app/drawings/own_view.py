@@ -84,8 +84,6 @@ class Framed(NamedTuple):
 
 
 class _Fixed(NamedTuple):
-    """Where a fixed view stands."""
-
     offset: Array  # from the model's eye in the pane's own axes
     half_height: float  # that it sees; from the eye a slope
 

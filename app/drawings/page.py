@@ -56,8 +56,6 @@ class PagePane(NamedTuple):
 
 
 class SliderPosition(NamedTuple):
-    """One position of the slider."""
-
     value: str  # with its name and unit
     panes: Sequence[PagePane]
     general: Sequence[str]  # sentences that a screen reader reads on demand
@@ -174,7 +172,6 @@ def _font(name: str, signs: str) -> str:
 
 
 def escaped(text: str) -> str:
-    """Return a text of a document for HTML."""
     return escape(printable(text))
 
 

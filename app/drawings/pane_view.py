@@ -27,8 +27,6 @@ Spot: TypeAlias = tuple[float, float, float]
 
 
 class PaneView(NamedTuple):
-    """The pane's own camera and size."""
-
     eye: Array  # scene-local
     axes: Array  # rows: right, up and the direction of view
     slope: float  # tangent of half the vertical angle of view; 0 if parallel

@@ -125,8 +125,6 @@ class ImageState(PaneState):
 
 
 class PictureFrame(Layer):
-    """The border, the axes and the caption."""
-
     _state: ImageState
 
     def __init__(self, state: ImageState) -> None:

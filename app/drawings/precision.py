@@ -285,8 +285,6 @@ def _cells(mesh: vtkPolyData, kind: str) -> vtkCellArray:
 
 
 class _MeshPart(NamedTuple):
-    """What is left of a mesh."""
-
     clip: Array  # (n, 4): vertices in clip space
     cells: NDArray[np.integer]  # (m, k)
     vertex: NDArray[np.integer] | None  # (n,): whose colour each has; None if all are left
@@ -362,7 +360,6 @@ def _planes(projection: Projection) -> tuple[Array, Array]:
 
 
 def _cut(clip: Array, cells: NDArray[np.integer], planes: tuple[Array, Array]) -> _MeshPart:
-    """Cut points, segments or triangles at planes."""
     normals, offsets = planes
     out = np.zeros(len(clip), dtype=np.uint8)
     for bit, (normal, offset) in enumerate(zip(normals, offsets, strict=True)):

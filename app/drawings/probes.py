@@ -208,9 +208,7 @@ def _traced(projection: Projection, points: tuple[Vector, ...]) -> tuple[Trace, 
     return tuple(Trace(*row) for row in rows)
 
 
-@lru_cache(maxsize=16)  # six probes, likewise
-def _traced_at_infinity(projection: Projection, direction: Vector) -> Trace:
-    return trace_at_infinity(projection, direction)
+_traced_at_infinity = lru_cache(maxsize=16)(trace_at_infinity)  # six probes, likewise
 
 
 class _Slot:

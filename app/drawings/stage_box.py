@@ -443,7 +443,6 @@ def _turn_to(axis: Array) -> Array:
 
 
 def _placed(place: Array, turn: Array) -> Array:
-    """The matrix that turns something, and then moves it to a place."""
     matrix = np.eye(4)
     matrix[:3, :3], matrix[:3, 3] = turn, place
     return matrix

@@ -54,8 +54,6 @@ class Area(NamedTuple):
 
 
 class LineShape(NamedTuple):
-    """A line of a width in pixels."""
-
     points: Points
     colour: Colour
     opacity: float
@@ -513,7 +511,6 @@ def _plane(plane: Any) -> Array:
 
 
 def _cells(array: Any) -> list[Any]:
-    """The indices of the points of each cell."""
     if array is None or array.GetNumberOfCells() == 0:
         return []
     ends = vtk_to_numpy(array.GetOffsetsArray())  # type: ignore[no-untyped-call]

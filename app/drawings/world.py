@@ -285,7 +285,6 @@ class WorldDrawing(Drawing):
         )  # fmt: skip
 
     def _inside(self) -> dict[str, Array]:
-        """What has to be inside the pane."""
         inside = self.layers.inside()
         if "subject" in self.state.left_out and len(inside) > 1:
             del inside["subject"]

@@ -82,7 +82,8 @@ class Ratio:
         above = [str(abs(coefficient.numerator))] if abs(coefficient.numerator) != 1 else []
         below = [str(coefficient.denominator)] if coefficient.denominator != 1 else []
         above += _factors(letters)
-        below += _factors([(name, n) for ((((name, _),), _),), n in self._letters_below])
+        alone = [(part, n) for part, n in self.below if len(part) == 1]
+        below += _factors([(name, n) for ((((name, _),), _),), n in alone])
         if rest != _ONE:
             needs_brackets = above or below or self.below or coefficient < 0
             above.append(f"({_sum(rest)})" if needs_brackets else _sum(rest))
@@ -92,17 +93,12 @@ class Ratio:
         divided = f"/({divisor})" if len(below) > 1 else f"/{divisor}" if below else ""
         return f"{'-' if coefficient < 0 else ''}{product}{divided}"
 
-    @property
-    def _letters_below(self) -> list[tuple[Polynomial, int]]:
-        return [(part, power) for part, power in self.below if len(part) == 1]
-
 
 def number(value: Fraction | int) -> Ratio:
     return Ratio(_polynomial({(): Fraction(value)}))
 
 
 def letter(name: str) -> Ratio:
-    """A letter, or a function's text, as a ratio."""
     return Ratio(_single_letter(name))
 
 

@@ -91,7 +91,6 @@ def lettering(letters: Letters) -> Lettering:
 
 
 def _sections(text: str) -> dict[str, dict[str, str]]:
-    """Read a file of letters by its sections."""
     given: dict[str, dict[str, str]] = {section: {} for section in _KNOWN}
     section, places = "", dict[tuple[str, str], str]()
     for number, line in enumerate(text.splitlines(), 1):

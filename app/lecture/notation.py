@@ -100,8 +100,6 @@ def steps_of_a_point(
 
 
 class WrittenMatrix(NamedTuple):
-    """One matrix for display."""
-
     name: str  # ``target_from_source``, or the name of a factor
     values: Numbers  # each rounded once; no minus zero
     formulas: Formulas  # in our own names; see `written`
@@ -172,7 +170,6 @@ def _steps(table: LensTable, letters: Letters) -> tuple[PipelineStep, ...]:
 
 
 def _names(lens: "_WrittenForm", letters: Letters) -> dict[str, str]:
-    """Return a lecture's names of the matrices of a lens."""
     base, _, names = lettering(letters)
     kind = "persp" if lens.is_central else "ort"
     w = written(_formulas(lens, base).get("clip_from_depth_range", _IDENTITY)[3][3], letters)

@@ -107,7 +107,6 @@ def _past(one: Kinds, other: Kinds) -> Change:
 
 
 def _each(kinds: Kinds, how: Callable[[Factor], Iterable[Factors]]) -> Change:
-    """Replace each factor of some kinds in turn."""
     return lambda chain: (
         (*chain[:place], *others, *chain[place + 1 :])
         for place, factor in enumerate(chain) if factor.kind.startswith(kinds)

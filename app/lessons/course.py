@@ -35,7 +35,6 @@ def _scene(name: str, mesh: str) -> Scene:
 
 
 def scene_of(document: Document) -> Scene:
-    """Return the scene of a document, from a small cache."""
     return _scene(document.scene, document.mesh)
 
 
@@ -259,7 +258,6 @@ def ideas() -> Course:
 
 
 def idea_named(name: str) -> Idea | None:
-    """Return the wrong idea of a name, if the program knows it."""
     for place, step in enumerate(ideas().lesson.steps):
         if step.name == name:
             says = "\n\n".join(part.text for part in step.words)

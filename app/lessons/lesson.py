@@ -65,8 +65,6 @@ class Step(StepContent):
 
 @dataclass(frozen=True)
 class Lesson:
-    """A lesson, or a talk."""
-
     path: Path
     title: str
     steps: tuple[Step, ...]
@@ -332,8 +330,6 @@ def _read_whole(kind: type[Block], body: Body) -> tuple[Block | None, list[Refus
 
 
 class _StepReader:
-    """Reads one step from its tokens."""
-
     def __init__(
         self, lines: Sequence[str], first: int, tokens: Sequence[Token], complain: AddFault
     ) -> None:

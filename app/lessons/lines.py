@@ -95,8 +95,6 @@ class LineItem(NamedTuple):
 
 
 class Items(tuple[LineItem, ...]):
-    """The items of a block, by key."""
-
     def every(self, key: str) -> list[LineItem]:
         return [item for item in self if item.key == key]
 
@@ -113,7 +111,6 @@ class Items(tuple[LineItem, ...]):
         return item.text if item else ""
 
     def texts(self, key: str) -> tuple[str, ...]:
-        """Return every text of a key that may be repeated."""
         return tuple(item.text for item in self.every(key))
 
     def conditions(self, key: str) -> tuple[tuple[int, Condition], ...]:

@@ -29,8 +29,6 @@ _DRAWS = 20  # how many seeds are tried until the numbers of an exercise suit
 
 
 class PlacedExercise(NamedTuple):
-    """An exercise in the step of its lesson."""
-
     course: Course
     place: int
     exercise: Asked
@@ -55,8 +53,6 @@ class PlacedExercise(NamedTuple):
 
 
 class SheetItem(NamedTuple):
-    """An exercise of a sheet, with its numbers."""
-
     placed: PlacedExercise
     variant: Variant
 
@@ -236,8 +232,6 @@ def to_review(
 
 
 class ExerciseMark(NamedTuple):
-    """An exercise of a test, and how it was answered."""
-
     item: SheetItem
     typed: str  # empty without an answer
     word: str  # `RIGHT`, the name of a wrong idea, or `WRONG`

@@ -220,8 +220,6 @@ class Standing(NamedTuple):
 
 @dataclass
 class _QuestionHistory:
-    """The history of a student's answers to one question."""
-
     outcome: str = ""
     due: date | None = None
     passed: int = 0  # how often it was solved alone when it had come back

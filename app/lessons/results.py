@@ -29,16 +29,12 @@ _DIGITS = 16
 
 
 class StudentResults(NamedTuple):
-    """The answers of a student."""
-
     student: str  # as typed by the student; empty if nothing was
     digests: Mapping[str, object]  # by a lesson's name: a digest of its file as the student had it
     attempts: Sequence[Attempt]
 
 
 class RemarkedAnswer(NamedTuple):
-    """An answer that was marked again."""
-
     attempt: Attempt
     word: str
     """`RIGHT`, the name of a wrong idea, `WRONG` or `SHOWN`; empty if its lesson is not there."""

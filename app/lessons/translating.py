@@ -73,7 +73,6 @@ def in_language(text: str, translate: Translate) -> str:
 
 
 def _matched(lines: list[str]) -> Iterator[tuple[str, re.Match[str] | None]]:
-    """Yield each line, with its match if it begins or continues a sentence."""
     block: str | None = "top"
     is_value = False  # of a block: whether an indented line continues a value
     for number, line in enumerate(lines):

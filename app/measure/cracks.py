@@ -28,7 +28,6 @@ def gap_px(both: Array, bits: int, common: bool, scale: Array) -> tuple[float, f
 
 
 def measure(projection: Projection) -> Trade:
-    """Measure trade 8."""
     lens, distance = projection.lens, projection.camera.distance
     left, right, bottom, top = lens.window_at(projection.window, distance)
     scale = np.array(projection.image_size) / (right - left, top - bottom)

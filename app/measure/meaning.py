@@ -1,9 +1,12 @@
 """One sentence that states the result of a trade."""
 
+from functools import partial
+
 from app.languages import with_comma
 from app.measure.results import COLUMNS, STEADY, ChartPoint, Trade, named, of_measure, plain
 from app.model.refusal import MEASURE, SENTENCES
 
+_plain = partial(plain, digits=2)
 GOOD_ENOUGH = {  # an invisible error in the trade's unit: a hundredth of a pixel, half a texel, ...
     "arithmetic": 0.01,
     "interpolation": 0.5,
@@ -160,10 +163,6 @@ def _price(trade: Trade, choice: ChartPoint) -> str:
     """Write a choice's time and bytes."""
     prices = {trade.cost_unit: choice.cost, "B": choice.bytes}
     return ", ".join(f"{_plain(price)} {unit}" for unit, price in prices.items() if price)
-
-
-def _plain(value: float | None) -> str:
-    return plain(value, 2)
 
 
 def cheapest(trade: Trade, limit: float) -> ChartPoint | None:

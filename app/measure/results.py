@@ -277,7 +277,6 @@ def _plain_tree(value: Any) -> Any:
 
 
 def to_json(results: Measurements) -> str:
-    """Write the file that `from_json` reads."""
     tree: dict[str, Any] = {"format": FORMAT, "version": VERSION, **_plain_tree(results)}
     return json.dumps(tree, allow_nan=False, indent=1) + "\n"
 

@@ -32,7 +32,6 @@ def unwatched(_fraction: float) -> None:
 
 
 def part_of(watch: Watch, first: float, last: float) -> Watch:
-    """Return a watch for the part of the work from one fraction to another."""
     return lambda fraction: watch(first + (last - first) * fraction)
 
 

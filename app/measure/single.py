@@ -15,13 +15,11 @@ SHIPPED = Path(__file__).with_name("content") / "letter-f.json"
 
 
 def only_part(results: Measurements) -> Trade | Sweep:
-    """Return the only trade or sweep of split results."""
     parts: list[Trade | Sweep] = [*results.trades, *results.sweeps]
     return parts[0]
 
 
 def has_numbers(results: Measurements) -> bool:
-    """Whether split results contain a number."""
     part = only_part(results)
     if isinstance(part, Trade):
         return bool(part.frontier)

@@ -56,7 +56,6 @@ def predicted(near: float, far: float, pieces: int) -> float:
 
 
 def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatched) -> Trade:
-    """Measure trade 7."""
     lens, names = projection.lens, ["each pixel", "each vertex"]
     names += [f"each vertex, {pieces} pieces" for pieces in PIECES[1:]]
     try:

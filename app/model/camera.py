@@ -18,20 +18,9 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
+from app.model import limits
 from app.model.lenses.answers import Intrinsics
-from app.model.limits import (
-    SMALLEST_FIELD,
-    SMALLEST_OPENING,
-    SMALLEST_UP_ANGLE,
-    Array,
-    Vector,
-    cos_sin_deg,
-    finite,
-    finite_vector,
-    positive,
-    read_only,
-    within,
-)
+from app.model.limits import Array, Vector
 from app.model.refusal import REFUSALS, Refusal
 
 Whole: TypeAlias = tuple[int, int, int]
@@ -92,7 +81,7 @@ class Camera:
 
     def __post_init__(self) -> None:
         for field in ("eye", "target", "up"):
-            object.__setattr__(self, field, finite_vector(field, getattr(self, field)))
+            object.__setattr__(self, field, limits.finite_vector(field, getattr(self, field)))
         if self.eye == self.target:
             raise Refusal("target", self.target, REFUSALS["not-the-eye"])
         if self.up == (0.0, 0.0, 0.0):
@@ -100,7 +89,7 @@ class Camera:
         backward, right = self._exact_axes
         up = _whole(self.up)[0]
         sin_squared = Fraction(_dot(right, right), _dot(backward, backward) * _dot(up, up))
-        if sin_squared < Fraction(SMALLEST_UP_ANGLE) ** 2:
+        if sin_squared < Fraction(limits.SMALLEST_UP_ANGLE) ** 2:
             raise Refusal("up", self.up, REFUSALS["not-parallel"])
 
     @cached_property
@@ -117,7 +106,7 @@ class Camera:
     @cached_property
     def frame(self) -> Array:
         """Rows u, v, n of the camera's right-handed orthonormal frame (lecture 004), (3, 3)."""
-        return read_only([list(map(float, axis)) for axis in self.exact_frame])
+        return limits.read_only([list(map(float, axis)) for axis in self.exact_frame])
 
     @cached_property
     def exact_frame(self) -> tuple[tuple[Fraction, ...], ...]:
@@ -133,11 +122,10 @@ class Camera:
             [float(exact - Fraction(part)) for exact, part in zip(*rows, strict=True)]
             for rows in zip(self.exact_frame, large.tolist(), strict=True)
         ]
-        return read_only(large), read_only(small)
+        return limits.read_only(large), limits.read_only(small)
 
     @cached_property
     def frame_double_double(self) -> list[list[DoubleDouble]]:
-        """`frame` with twice the digits."""
         return [
             [DoubleDouble(*map(np.asarray, dd.from_exact(part))) for part in axis]
             for axis in self.exact_frame
@@ -192,12 +180,12 @@ class Camera:
         Raises a `Refusal` for ``distance <= 0``, an elevation outside -90..90, numbers that are not
         finite, and a distance too small for float64 to tell the eye from the target.
         """
-        target = finite_vector("target", target)
+        target = limits.finite_vector("target", target)
         azimuth_deg, elevation_deg, distance, roll_deg = (
-            finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
+            limits.finite(field, value) for field, value in zip(Orbit._fields, orbit, strict=True)
         )
-        positive("distance", distance)
-        within("elevation_deg", elevation_deg, -90, 90)
+        limits.positive("distance", distance)
+        limits.within("elevation_deg", elevation_deg, -90, 90)
         right, upward, backward = _orbit_axes(azimuth_deg, elevation_deg)
         offset = [distance * b for b in backward]
         eye = tuple(t + o for t, o in zip(target, offset, strict=True))
@@ -206,7 +194,7 @@ class Camera:
         if roll_deg == 0.0 and abs(elevation_deg) < 89.9999:
             up: tuple[float, ...] = (0.0, 1.0, 0.0)
         else:
-            cos_roll, sin_roll = cos_sin_deg(roll_deg)
+            cos_roll, sin_roll = limits.cos_sin_deg(roll_deg)
             up = tuple(cos_roll * v + sin_roll * u for u, v in zip(right, upward, strict=True))
         return cls(eye, target, up)  # type: ignore[arg-type]
 
@@ -232,8 +220,8 @@ class Camera:
 
 def _orbit_axes(azimuth_deg: float, elevation_deg: float) -> tuple[Vector, Vector, Vector]:
     """u, v, n of a camera without roll at these angles."""
-    cos_a, sin_a = cos_sin_deg(azimuth_deg)
-    cos_e, sin_e = cos_sin_deg(elevation_deg)
+    cos_a, sin_a = limits.cos_sin_deg(azimuth_deg)
+    cos_e, sin_e = limits.cos_sin_deg(elevation_deg)
     right = (cos_a, 0.0, -sin_a)
     upward = (-sin_e * sin_a, cos_e, -sin_e * cos_a)
     return right, upward, (cos_e * sin_a, sin_e, cos_e * cos_a)
@@ -254,7 +242,7 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
     except ValueError:  # rows of different lengths
         shape = ()
     if shape == (3, 3):
-        k = [[finite(f"K[{i}, {j}]", given[i][j]) for j in range(3)] for i in range(3)]
+        k = [[limits.finite(f"K[{i}, {j}]", given[i][j]) for j in range(3)] for i in range(3)]
         (fx, skew, cx), (below, fy, cy), (*last, scale) = k
         if cx == cy == 0.0 != scale and any(last):
             raise Refusal("K", k, REFUSALS["camera-transposed"])
@@ -266,18 +254,18 @@ def checked_intrinsics(given: Any, image_size: tuple[int, int]) -> Intrinsics:
     elif shape != (4,):
         raise Refusal("intrinsics", given, REFUSALS["not-k"])
     parts = zip(Intrinsics._fields, given, strict=True)
-    fx, fy, cx, cy = intrinsics = Intrinsics(*(finite(name, value) for name, value in parts))
+    fx, fy, cx, cy = intrinsics = Intrinsics(*(limits.finite(name, value) for name, value in parts))
     width, height = image_size
     for name, value, bound in (("fx", fx, REFUSALS["x-left"]), ("fy", fy, REFUSALS["y-up"])):
         if value < 0.0:
             raise Refusal(name, value, bound, -value)
-        positive(name, value)
+        limits.positive(name, value)
     in_first_pixel = 0.0 <= cx <= 1.0 and 0.0 <= cy <= 1.0
     if in_first_pixel and max(fx, fy) <= _MOST_NORMALISED and min(image_size) >= _FEW_PX:
         raise Refusal("fx", fx, REFUSALS["normalised"], width, height)
     for name, value, side, centre in (("fx", fx, width, cx), ("fy", fy, height, cy)):
-        least = (abs(centre) + side + 1.0) * SMALLEST_FIELD
-        within(name, value, least, side / (2.0 * SMALLEST_OPENING))
+        least = (abs(centre) + side + 1.0) * limits.SMALLEST_FIELD
+        limits.within(name, value, least, side / (2.0 * limits.SMALLEST_OPENING))
     return intrinsics
 
 
@@ -337,5 +325,5 @@ def taken_apart(p: Any) -> TakenApart:
     sign = float(np.sign(np.linalg.det(rotation)))
     scale = sign * float(k[2, 2])
     k = k / k[2, 2]
-    translation = read_only(np.linalg.solve(k, cells[:, 3] / size / scale))
+    translation = limits.read_only(np.linalg.solve(k, cells[:, 3] / size / scale))
     return TakenApart(scale * size, k, sign * rotation, translation)

@@ -159,7 +159,6 @@ class EyeFirst:
         return distance < number(self._lens.near), distance > number(self._lens.far)
 
     def world_from_image(self, points: Array) -> Array:
-        """See `Projection.world_from_image`."""
         of, depth = self._of, points[..., 2]
         # The shares of the way from near and to far, without a difference that would lose digits.
         gone, left_over = (1.0 - depth, depth) if self._reverse else (depth, 1.0 - depth)

@@ -81,7 +81,6 @@ class Formula:
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """The distinct letters of the formula."""
         return tuple(dict.fromkeys(part.name for part in self if isinstance(part, Letter)))
 
     def value(self, known: Mapping[str, Any], arithmetic: Arithmetic = EXACT) -> Any:
@@ -103,7 +102,6 @@ class Formula:
         return self.with_parts(part.where(terms) for part in self.parts) if term is None else term
 
     def with_parts(self, parts: Iterable[Formula]) -> Formula:
-        """The same kind of formula with other parts."""
         return type(self)(*parts) if self.parts else self
 
 

@@ -75,8 +75,6 @@ _GREEK |= {name: f"\\{name}" for name in ("alpha", "beta", "theta", "psi")}  # i
 
 
 class _Latex(_Stacked):
-    """Writes LaTeX mathematics."""
-
     minus, minus_between, plus, space = "-", " - ", " + ", r" \, "
     degree = r"^{\circ}"
     times = r" \cdot "

@@ -104,7 +104,6 @@ class Parameter:
 
     @property
     def fields(self) -> tuple[str, ...]:
-        """The fields of the document that it changes."""
         return self.changes or (self.name,)
 
     @property
@@ -114,7 +113,6 @@ class Parameter:
     # -- in a projection
 
     def value(self, projection: Any) -> Any:
-        """Return its value in a projection whose lens has it."""
         if self.read is not None:
             return self.read(projection)
         if self.computed is not None:
@@ -243,7 +241,6 @@ def read_content(path: Path) -> str:
 
 
 def read_sections(path: Path) -> dict[str, ContentSection]:
-    """Return the sections of a content file by their headings."""
     return sections_of(read_content(path))
 
 
@@ -258,7 +255,6 @@ def stated(name: str, **columns: Any) -> Parameter:
 
 
 def texts_of(parameter: Parameter) -> set[str]:
-    """Return every text of a parameter that can be translated."""
     labels = (text for _, text in parameter.choices)
     own = (getattr(parameter, name) for name in ("title", "tip", *_OWN))
     return {text for text in (*own, *labels, *parameter.tips) if text}
@@ -270,7 +266,6 @@ ImpliedSettings: TypeAlias = Mapping[str, Value | None]
 
 
 def number(settings: ImpliedSettings, name: str) -> float:
-    """The value of a setting that is a number."""
     value = settings[name]
     if isinstance(value, bool) or not isinstance(value, numbers.Real):
         raise TypeError(name)

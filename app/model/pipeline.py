@@ -237,7 +237,6 @@ class Pipeline:
 
     @cached_property
     def clip_from_world(self) -> Array:
-        """`clip_from_view` times `view_from_world`, (4, 4)."""
         return read_only(self.clip_from_view @ self.view_from_world)
 
     @cached_property

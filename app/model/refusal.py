@@ -185,7 +185,6 @@ def _limit_number(limit: Any) -> Any:
 
 
 def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
-    """Whether each number of a value is above or below a limit."""
     if not isinstance(limit, float):
         return []
     parts = value if isinstance(value, (tuple, list)) else (value,)
@@ -194,7 +193,6 @@ def _sides(value: object, limit: Any) -> list[tuple[bool, bool]]:
 
 
 def _cut(text: str) -> str:
-    """Cut a text to a length that fits into a sentence."""
     return text if len(text) <= _SHOWN else text[: _SHOWN - 3] + "..."
 
 
@@ -220,7 +218,6 @@ def shown_name(name: str) -> str:
 
 
 def nearest(word: str, known: Iterable[str]) -> str:
-    """Return the known word that is most like another one."""
     return max(known, key=lambda each: difflib.SequenceMatcher(None, word, each).ratio())
 
 

@@ -146,8 +146,6 @@ def stored(
 
 
 class BoundedNumbers(NamedTuple):
-    """Numbers of a format, and bounds of their errors."""
-
     value: Array
     error: Array
 

@@ -86,7 +86,6 @@ def risks(
 
 
 def _decimals(error: float) -> str:
-    """Return the number of certain decimals of a number with this error."""
     if error == math.inf:
         return "0"
     return str(max(0, math.floor(-math.log10(2.0 * error))))

@@ -372,7 +372,6 @@ def _drawn(mesh: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _joined(parts: list[Mesh]) -> Mesh:
-    """Join meshes of triangles, lines and points, with colours."""
     parts = [Mesh(rgb=flat(PAINT_RGB, 0)), *parts]
     first = np.cumsum([0] + [len(part.points) for part in parts])
     corners, lines, dots = (

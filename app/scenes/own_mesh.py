@@ -100,7 +100,6 @@ def values_of(array: "vtkDataArray") -> NDArray[Any]:
 
 
 def cells_of(cells: "vtkCellArray") -> tuple[Ints, Ints]:
-    """Return offsets and corners of a VTK cell array."""
     cells.ConvertTo64BitStorage()
     offsets = values_of(cells.GetOffsetsArray())
     corners = values_of(cells.GetConnectivityArray())

@@ -21,23 +21,22 @@ import sys
 from importlib import import_module
 
 from app import bootstrap
+from tests.support.tools import ToolParser
 
-if __name__ == "__main__":
-    tool, *words = sys.argv[1:] or [""]
-    tools = (
-        "golden",
-        "hostile",
-        "documents",
-        "cheap",
-        "bounds",
-        "drift",
-        "jitter",
-        "variants",
-        "hands",
-        "regexes",
-    )
-    if tool not in tools:
-        sys.exit(__doc__)
+TOOLS = (
+    "golden", "hostile", "documents", "cheap", "bounds", "drift", "jitter", "variants", "hands",
+    "regexes",
+)  # fmt: skip
+
+
+def main(words: list[str]) -> int:
+    parser = ToolParser("fuzz", __doc__)
+    parser.add_argument("tool", choices=TOOLS)
+    tool = parser.parse_args(words[:1]).tool
     bootstrap.start("tests", extras=("test",))
     os.environ["OPENBLAS_NUM_THREADS"] = "1"  # before numpy: a fork takes no threads along
-    sys.exit(import_module(f"tests.fuzz.{tool}").main(words))
+    return int(import_module(f"tests.fuzz.{tool}").main(words[1:]))
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -4,7 +4,6 @@
 first bound that is too low, and names its seed. The table says how much larger the bounds are.
 """
 
-import argparse
 import collections
 import random
 from collections.abc import Callable, Sequence
@@ -14,6 +13,7 @@ import numpy as np
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.precision.unprojecting import WAYS, float32_pixels, followed
 from tests.fuzz.seams import seams, vertex_depth
+from tests.support.tools import ToolParser, one_of
 
 BLOCK = 1000
 """Cases that share a camera."""
@@ -21,10 +21,10 @@ BLOCK = 1000
 
 def main(words: Sequence[str]) -> int:
     """Print the ratios of bounds and errors for every choice of every trade."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz bounds", description=__doc__)
+    parser = ToolParser("fuzz bounds", __doc__)
     parser.add_argument("--count", type=int, default=1_000_000)
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("trade", nargs="*", choices=[[], *TRADES])
+    parser.add_argument("trade", nargs="*", type=one_of(TRADES, "trade"))
     options = parser.parse_args(words)
     print("trade, choice                          cases   least  median")
     for trade in options.trade or TRADES:

@@ -5,7 +5,6 @@ formats, reciprocals and snapping, stops at the first bound that is too low, and
 table says how much larger than the errors the bounds are. The suite takes fewer documents.
 """
 
-import argparse
 import collections
 import itertools
 import json
@@ -23,6 +22,7 @@ from app.precision.cheap import CheapPicture, Hardware, cheap
 from app.scenes.scene import BUILT_IN, load
 from tests.fuzz.catalogue import a_valid_tree, edited, some_points
 from tests.oracles import exact
+from tests.support.tools import ToolParser
 
 DIGITS = 700
 """As in `tests.precision.test_levels`: documents have numbers from 1e-205 to 1e100."""
@@ -30,7 +30,7 @@ DIGITS = 700
 
 def main(words: Sequence[str]) -> int:
     """Print the ratios of bounds and errors for every format."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz cheap", description=__doc__)
+    parser = ToolParser("fuzz cheap", __doc__)
     parser.add_argument("--count", type=int, default=2_000)
     options = parser.parse_args(words)
     found: dict[str, list[list[float]]] = collections.defaultdict(list)

@@ -5,7 +5,6 @@ some at the limits, and damaged ones. It uses those that are valid, stops at the
 silent NaN or a warning, and names its seed. The suite takes a twentieth of them.
 """
 
-import argparse
 import collections
 import json
 import random
@@ -18,11 +17,12 @@ from app.document.codec import parse
 from app.model.projection import LENSES, Projection
 from app.model.refusal import Refusal
 from tests.fuzz.catalogue import a_number, a_size, a_tree, an_interval
+from tests.support.tools import ToolParser
 
 
 def main(words: Sequence[str]) -> int:
     """Print how many documents had each outcome."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz documents", description=__doc__)
+    parser = ToolParser("fuzz documents", __doc__)
     parser.add_argument("--count", type=int, default=20_000)
     options = parser.parse_args(words)
     warnings.simplefilter("error")

@@ -5,7 +5,6 @@ each way, for one to three rounds, and looks at random points through random len
 first bound that is too low. The table has the median of bound over error.
 """
 
-import argparse
 import random
 from collections.abc import Sequence
 from fractions import Fraction
@@ -18,13 +17,14 @@ from app.model.projection import Array
 from app.precision.drift import BLOCK, drifted, errors_px, exact_turn, rounds_of
 from app.scenes.scene import load
 from tests.oracles.illustrations import random_projection
+from tests.support.tools import ToolParser
 
 AXES, ROUNDS = 400, 3
 
 
 def main(words: Sequence[str]) -> int:
     """Print the median ratio of every format and way."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz drift", description=__doc__)
+    parser = ToolParser("fuzz drift", __doc__)
     parser.add_argument("--count", type=int, default=100_000)
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(words)

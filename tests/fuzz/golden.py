@@ -40,6 +40,7 @@ from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN
 from tests.__main__ import screens
 from tests.fuzz.catalogue import PLAIN_SCENES, a_valid_tree, settings_in_words, some_points
+from tests.support.tools import ToolParser
 
 DOCUMENTS = 300
 SEED = 17
@@ -49,7 +50,7 @@ SHOWN = 12
 
 def main(words: Sequence[str]) -> int:
     """Run each part in a process; the window runs alone, because it draws differently if late."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz golden", description=__doc__)
+    parser = ToolParser("fuzz golden", __doc__)
     parser.add_argument("act", choices=("record", "compare"))
     parser.add_argument("folder", type=Path)
     parser.add_argument("--only", choices=PARTS, action="append", help="may be repeated")

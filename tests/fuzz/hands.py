@@ -54,6 +54,7 @@ from tests.fuzz.hostile import a_folder
 from tests.support.controls import NONSENSE
 from tests.support.meshes import WRITERS, pyramid_file
 from tests.support.opened import delete_what_is_due
+from tests.support.tools import ToolParser
 from tests.support.window import LEFT, NO_KEY, settle
 from widgets.panes.canvas import CANVASES
 from widgets.program import application, logs, opengl
@@ -518,9 +519,7 @@ def in_a_window(folder: Path, options: argparse.Namespace) -> int:
 
 def main(words: Sequence[str]) -> int:
     """Copy the program, and act in its window in a process of its own."""
-    parser = argparse.ArgumentParser(
-        prog="python3 -m tests.fuzz hands", description="Use the window at random."
-    )
+    parser = ToolParser("fuzz hands", __doc__)
     parser.add_argument("--minutes", type=float, default=20.0)
     parser.add_argument("--steps", type=int, default=0, help="end after so many instead")
     parser.add_argument("--seed", type=int, default=1)

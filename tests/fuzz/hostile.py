@@ -21,7 +21,6 @@ processor time (which other jobs do not lengthen) are its own. Every finding, an
 command opens all files.
 """
 
-import argparse
 import collections
 import contextlib
 import json
@@ -40,6 +39,7 @@ from typing import Any, NamedTuple
 from app.commands import cli
 from tests.fuzz import lessons
 from tests.fuzz.files import ENDINGS, write_hostile
+from tests.support.tools import ToolParser
 
 CONFIRMED = 50
 LONGEST_S = 10.0
@@ -302,9 +302,7 @@ def main(words: Sequence[str]) -> int:
     if IN_A_WINDOW in words[:1]:
         in_a_window(Path(words[1]))
         return 0
-    parser = argparse.ArgumentParser(
-        prog="python3 -m tests.fuzz hostile", description="Open hostile files."
-    )
+    parser = ToolParser("fuzz hostile", __doc__)
     parser.add_argument("--count", type=int, default=5000)
     parser.add_argument("--first", type=int, default=0, help="number of the first, to go on from")
     parser.add_argument("--seed", type=int, default=1)

@@ -5,7 +5,6 @@
 at the first bound that is too low. The table has the median of bound over error.
 """
 
-import argparse
 import random
 from collections.abc import Sequence
 
@@ -15,13 +14,14 @@ from app.model.projection import Array
 from app.scenes.phenomena.jitter import jump_errors, paths_of
 from app.scenes.scene import load
 from tests.oracles.illustrations import random_projection
+from tests.support.tools import ToolParser
 
 WAYS = ("world", "relative", "two")
 
 
 def main(words: Sequence[str]) -> int:
     """Print the median ratio of every arithmetic."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz jitter", description=__doc__)
+    parser = ToolParser("fuzz jitter", __doc__)
     parser.add_argument("--count", type=int, default=100_000)
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args(words)

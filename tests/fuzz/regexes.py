@@ -6,7 +6,6 @@ twice the text is a finding, and so is one that takes more than `LONGEST_S` for 
 Where the caller bounds its text (`BOUNDED`), it is measured on texts of that length.
 """
 
-import argparse
 import ast
 import collections
 import itertools
@@ -19,6 +18,8 @@ from functools import partial
 from importlib import import_module
 from pathlib import Path
 from typing import Any, NamedTuple
+
+from tests.support.tools import ToolParser
 
 parser = import_module("re._parser")  # the tree of an expression is not public
 ROOT = Path(__file__).parents[2]
@@ -270,7 +271,7 @@ def finding(each: Used, size: int) -> str:
 
 def main(words: Sequence[str]) -> int:
     """Measure all expressions; 1 if there are findings."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz regexes", description=__doc__)
+    parser = ToolParser("fuzz regexes", __doc__)
     parser.add_argument("--size", type=int, default=SIZE)
     parser.add_argument("--only", default="", help="a part of the path of the files")
     options = parser.parse_args(words)

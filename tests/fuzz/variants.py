@@ -5,7 +5,6 @@ these seeds, and types each of their values as students do: to three digits and 
 cut off, with zeros and without. It lists what is marked otherwise. The suite takes fewer seeds.
 """
 
-import argparse
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields
 from decimal import ROUND_DOWN, ROUND_HALF_EVEN, ROUND_UP, Decimal
@@ -24,11 +23,12 @@ from app.lessons.course import Course
 from app.lessons.lesson import read
 from app.lessons.practice import exercises_of
 from app.model.refusal import Refusal
+from tests.support.tools import ToolParser
 
 
 def main(words: Sequence[str]) -> int:
     """Print what is marked wrongly, and how many variants there were."""
-    parser = argparse.ArgumentParser(prog="python3 -m tests.fuzz variants", description=__doc__)
+    parser = ToolParser("fuzz variants", __doc__)
     parser.add_argument("--first", type=int, default=1)
     parser.add_argument("--last", type=int, default=LARGEST_SEED)
     parser.add_argument("--only", default="", help="lessons whose file's name begins so")

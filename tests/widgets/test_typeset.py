@@ -10,10 +10,12 @@ from PySide6.QtGui import QFont, QFontMetricsF, QPainterPath, QPalette
 from PySide6.QtWidgets import QApplication
 from pytestqt.qtbot import QtBot
 
+from app.lecture.typesetting import Outline, outline
 from app.model.formula import ARROW
 from app.model.formula_text import stacked_fraction
 from tests.support.window import rgb_of
-from widgets.parts.typeset import TypesetLabel, in_line, matrix, typeset
+from widgets.parts import typeset as typesetting
+from widgets.parts.typeset import TypesetLabel, in_line, matrix, outlines_of, typeset
 
 
 @pytest.fixture
@@ -158,3 +160,21 @@ def test_a_matrix_says_where_its_cells_are(font: QFont) -> None:
     for one, other in combinations(laid_out.cells, 2):
         assert not one.intersects(other)
     assert typeset("1/3", font).cells == ()
+
+
+def test_each_point_of_a_formula_is_read_once_for_all_its_letters(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    tex = r"\frac{a + b}{c} = x_1"
+    whole, read = outline(tex), list[int]()
+
+    class Points(np.ndarray[Any, Any]):
+        def tolist(self) -> Any:
+            read.append(len(self))
+            return super().tolist()
+
+    counted: Outline = whole._replace(vertices=whole.vertices.view(Points))
+    monkeypatch.setattr(typesetting, "piece_of", lambda _piece, _is_tex: counted)
+    parts = outlines_of.__wrapped__(tex, True)
+    assert [name for name, _ in parts if name] == ["a", "b", "c", "x_1"]
+    assert 0 < sum(read) <= len(whole.vertices)

@@ -488,7 +488,6 @@ class Controls(Dock, RowHolder):
         self._show_values(_ALL)
 
     def _show_values(self, parts: Collection[str]) -> None:
-        """Write the visible values of these parts of the projection."""
         is_open = {rows: rows.is_open for rows in self._parts}
         if is_open[self.sections["object"]]:
             self.chain.show_pipeline(self._projection)

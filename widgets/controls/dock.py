@@ -84,8 +84,6 @@ LEFT_MARGIN_PX, RIGHT_MARGIN_PX = 8, 4
 
 
 class Dock(QScrollArea):
-    """A column of widgets below a search box."""
-
     def __init__(self, parent: QWidget | None = None) -> None:
         super().__init__(parent)
         self._is_for_class = False

@@ -95,7 +95,6 @@ class Binding(NamedTuple):
     lenses: tuple[str, ...]  # kinds of lens that have this value; empty if it depends on no lens
 
     def belongs_to(self, lens: Lens) -> bool:
-        """Whether the lens has this value."""
         return not self.lenses or lens.kind in self.lenses
 
     def accepts(self, projection: Projection, value: float) -> bool:

@@ -104,7 +104,6 @@ class Readout(QWidget):
         self.more.setChecked(False)
 
     def show_readings(self, readings: Sequence[Reading]) -> None:
-        """Show these readings only."""
         self._readings = readings
         self._show()
 
@@ -144,7 +143,6 @@ class Readout(QWidget):
         self.note.setVisible(bool(reasons))
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the readings about what is highlighted."""
         self._highlight = highlighted
         self._mark()
 
@@ -200,7 +198,6 @@ class Readout(QWidget):
         unit.setText("" if reading.value is None else of_phenomena(reading.unit))
 
     def _place(self, value: _Value, below: bool) -> None:
-        """Put a value beside its label, or below it."""
         row = 2 * [each[1] for each in self.lines].index(value)
         if below != value.is_below:
             value.is_below = below

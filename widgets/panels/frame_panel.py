@@ -66,8 +66,6 @@ class _FrameStep(NamedTuple):
 
 
 class FramePanel(Panel):
-    """Builds u, v and n step by step."""
-
     concerns = PROJECTION
     step_changed = Signal(object)  # the step to draw; None while the panel is folded
 

@@ -75,7 +75,6 @@ class MatrixBox(QWidget):
         note: str,
         writing: MatrixNotation,
     ) -> None:
-        """Show the matrix with its changes, its factors, and a note below."""
         self._title.setText(_named(matrix, title))
         tip = stage_title(matrix.name)
         if matrix.product:

@@ -535,7 +535,6 @@ class MatrixView(QWidget):
 
 
 def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
-    """Add an action for each format in which matrices are copied."""
     for form, text in (
         ("text", QCoreApplication.translate("MatrixView", "Copy as text")),
         ("numpy", QCoreApplication.translate("MatrixView", "Copy for NumPy (numbers)")),

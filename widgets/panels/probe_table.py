@@ -62,7 +62,6 @@ class _Model(QAbstractTableModel):
         return self.content.outside[(index.column() - 1) // _PARTS]
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the cells that name what is highlighted."""
         if highlighted != self._highlighted:
             self._highlighted = highlighted
             if self.content.probes:

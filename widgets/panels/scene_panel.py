@@ -23,8 +23,6 @@ MOST_ABREAST = 2  # most diagrams in one row; more of them use two rows if they 
 
 
 class ScenePanel(DiagramPanel):
-    """The explanation and the diagrams of the scene, side by side."""
-
     concerns = frozenset({"illustration"})
 
     def __init__(self) -> None:

@@ -47,8 +47,6 @@ _GAP_PX = 2
 
 @dataclass(frozen=True)
 class Vertex:
-    """A vertex of the scene's faces."""
-
     number: int
 
 

@@ -38,7 +38,6 @@ class Header(QWidget):
         self._beside_title = widget, narrow
 
     def add_tool(self, button: QToolButton) -> None:
-        """Put a button before the other buttons."""
         self._tool_bar.insertWidget(0, button)
         self.fit()
 

@@ -25,35 +25,16 @@ from app.model.limits import OTHER_SIDE, vector
 from app.model.parameter import Settings
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import REFUSALS, Refusal, six_digits
-from app.picking.handles import (
-    Change,
-    Handle,
-    Spot,
-    changed,
-    dollied,
-    dragged,
-    moved_by,
-    moved_point,
-    panned,
-    present,
-    slid_grip,
-    way,
-)
+from app.picking import handles
+from app.picking.handles import Change, Handle, Spot, changed, way
 from app.picking.sight import Sight, heading
 from app.scenes.phenomena.marks import Grip
 from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane
+from widgets.parts import messages
 from widgets.parts.gestures import EscapeKey, Gestures
 from widgets.parts.labels import BesideLabel
-from widgets.parts.messages import (
-    field_name,
-    of_phenomena,
-    parameter_text,
-    read_text,
-    seen_from,
-    sentence,
-)
 from widgets.parts.number_rows import QUIET_MS
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
@@ -114,7 +95,7 @@ class Manipulation(Gestures, QObject):
             self._grips = {grip.setting: grip for grip in grips}
             phenomenon = shown.scene.phenomenon
             settings = () if phenomenon is None else phenomenon.settings
-            self._labels = {each.name: of_phenomena(each.title) for each in settings}
+            self._labels = {each.name: messages.of_phenomena(each.title) for each in settings}
             if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
                 self._drop()  # another scene while dragging
         if self._pointed is not None:
@@ -189,8 +170,10 @@ class Manipulation(Gestures, QObject):
                 is_gone = projection.lens.planes is None
         if is_gone:
             return ""
-        values = present(projection, self._does(handle)[0])
-        return ", ".join(f"{field_name(name)} = {_shown(value)}" for name, value in values.items())
+        values = handles.present(projection, self._does(handle)[0])
+        return ", ".join(
+            f"{messages.field_name(name)} = {_shown(value)}" for name, value in values.items()
+        )
 
     def _show_line(self, pane: Pane, text: str) -> None:
         """Show a line beside the thing that is dragged, or in the middle of the picture."""
@@ -220,8 +203,8 @@ class Manipulation(Gestures, QObject):
             if grip is not None and grip.along is not None:
                 return (), self.tr("Drag along its way")
             return (), self.tr("Drag this point (Shift: up and down)")
-        moved = moved_by(self._projection, handle)
-        return tuple(each.name for each in moved), parameter_text(moved[0], moved[0].drag)
+        moved = handles.moved_by(self._projection, handle)
+        return tuple(each.name for each in moved), messages.parameter_text(moved[0], moved[0].drag)
 
     # -- drags
 
@@ -283,7 +266,7 @@ class Manipulation(Gestures, QObject):
             step /= 2.0
             if self._refusal_of(drag, drag.reached + step, shift) is None:
                 drag.reached += step
-        self._show_line(drag.pane, sentence(six_digits(error)))
+        self._show_line(drag.pane, messages.sentence(six_digits(error)))
 
     def _refusal_of(self, drag: "_Drag", away: QPointF, shift: bool) -> Refusal | None:
         """Drag by so many pixels, or return why the model cannot."""
@@ -294,21 +277,23 @@ class Manipulation(Gestures, QObject):
             if drag.held is not None:
                 return self._drag_point(drag, drag.held, pixel, shift=shift)
             return self._attempt(
-                partial(dragged, drag.start, handle, grabbed, drawn, sight, pixel, shift=shift)
+                partial(
+                    handles.dragged, drag.start, handle, grabbed, drawn, sight, pixel, shift=shift
+                )
             )
         if drag.pane.drawing is None:
             return None
         shift_px = drag.pane.drawing.image_shift(right_px, down_px)
-        return self._attempt(partial(panned, drag.start, shift_px))
+        return self._attempt(partial(handles.panned, drag.start, shift_px))
 
     def _drag_point(self, drag: "_Drag", held: Grip, pixel: Spot, *, shift: bool) -> Refusal | None:
         assert drag.taken is not None
         before, sight = vector(held.point), drag.taken.sight
         value: Vector | float | None
         if held.along is not None:
-            value = slid_grip(held.base, held.along, drag.before, held.point, sight, pixel)
+            value = handles.slid_grip(held.base, held.along, drag.before, held.point, sight, pixel)
         else:
-            point = moved_point(before, sight, pixel, shift)
+            point = handles.moved_point(before, sight, pixel, shift)
             moved = replace(held, point=np.array(point))
             value = drag.before if point == before else _value(moved)  # dragged back
         self._refused = None
@@ -345,18 +330,20 @@ class Manipulation(Gestures, QObject):
         if drag.held is not None:
             self.setting_edited.emit({drag.held.setting: drag.before})
         else:
-            self.edited.emit(changed(self._projection, present(drag.start, drag.names)))
+            self.edited.emit(changed(self._projection, handles.present(drag.start, drag.names)))
         self._drop()
 
     # -- the wheel, and keys for it
 
     def _dolly(self, steps: float) -> None:
-        self._nudge(partial(dollied, self._projection, ZOOM_PER_WHEEL_STEP**-steps))
+        self._nudge(partial(handles.dollied, self._projection, ZOOM_PER_WHEEL_STEP**-steps))
 
     def _push(self, way: QPointF) -> None:
         drawing = self._image.drawing
         if drawing is not None:
-            self._nudge(partial(panned, self._projection, drawing.image_shift(way.x(), way.y())))
+            self._nudge(
+                partial(handles.panned, self._projection, drawing.image_shift(way.x(), way.y()))
+            )
 
     def _nudge(self, make: Callable[[], Change]) -> None:
         """Make one of many small changes, which together are one step to undo."""
@@ -366,7 +353,7 @@ class Manipulation(Gestures, QObject):
             self.line.hide()
             error = self._attempt(make)
             if error is not None:
-                self._show_line(self._image, sentence(six_digits(error)))
+                self._show_line(self._image, messages.sentence(six_digits(error)))
 
     # -- edits
 
@@ -407,8 +394,6 @@ class _TakenAt(NamedTuple):
 
 @dataclass
 class _Drag:
-    """A drag, and the state at its start."""
-
     pane: Pane
     start: Projection
     taken: _TakenAt | None = None  # None for the picture
@@ -423,14 +408,13 @@ def _seen_from(change: Change, error: Refusal) -> Refusal:
     side, _ = OTHER_SIDE.get(error.bound, ("", ""))
     value = change.get(side)
     if isinstance(value, float):
-        return seen_from(side, "", value, error)
+        return messages.seen_from(side, "", value, error)
     if error.bound == REFUSALS["not-the-eye"] and "eye" in change:
-        return seen_from("eye", "", 0.0, error)
+        return messages.seen_from("eye", "", 0.0, error)
     return error
 
 
 def _value(grip: Grip) -> Vector | float:
-    """The setting that a grip stands for."""
     away = grip.point - grip.base
     if grip.along is not None:
         way = heading(grip.along, grip.point)
@@ -440,5 +424,5 @@ def _value(grip: Grip) -> Vector | float:
 
 def _shown(value: Any) -> str:
     if isinstance(value, tuple):
-        return f"({listed(map(read_text, value))})"
-    return read_text(value)
+        return f"({listed(map(messages.read_text, value))})"
+    return messages.read_text(value)

@@ -184,7 +184,6 @@ class StageStrip(QWidget, Playing):
             self.named.emit(*said)
 
     def _name(self, stop: int) -> list[str]:
-        """Return a stop's name and tooltip."""
         if stop < WORLD and stop <= self.first:
             return WORDS["object"]
         if stop < WORLD:

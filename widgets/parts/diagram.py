@@ -24,8 +24,6 @@ PRINTED_PX, PRINTED_FINER = QSize(480, 360), 3
 
 
 class DiagramView(QWidget):
-    """Draws one diagram at the size of the widget."""
-
     spot_clicked = Signal(str)  # emits the key of a clicked `Spot`, or of a point of a `Curve`
     copy_wanted = Signal(QImage)
     export_wanted = Signal(QImage)  # emit the `picture` for the clipboard, or for a file

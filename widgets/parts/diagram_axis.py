@@ -50,8 +50,6 @@ def decade_ticks(low: float, high: float, most: int) -> list[float]:
 
 @dataclass(frozen=True)
 class DiagramAxis:
-    """One axis of a diagram: its numbers and their places."""
-
     low: float
     high: float
     log: bool

@@ -352,7 +352,6 @@ class RowHolder(Gestures):
     rows: dict[str, Row]
 
     def _join(self, row: Row) -> None:
-        """Forward the row's gestures."""
         row.gesture_started.connect(partial(self._finish_others, row))
         self.pass_on(row)
 

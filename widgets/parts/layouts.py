@@ -262,7 +262,6 @@ def push_button(text: str, tip: str = "", act: object = None, *, name: str = "")
 
 
 def dialog_buttons(dialog: QDialog, accept: QDialogButtonBox.StandardButton) -> QDialogButtonBox:
-    """Make the buttons that accept a dialog and cancel it."""
     buttons = QDialogButtonBox(accept | QDialogButtonBox.StandardButton.Cancel)
     buttons.accepted.connect(dialog.accept)
     buttons.rejected.connect(dialog.reject)

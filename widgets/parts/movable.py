@@ -22,7 +22,6 @@ class MovableColumn(QWidget):
         self.parts: list[QWidget] = []
 
     def show_parts(self, parts: Sequence[QWidget]) -> None:
-        """Show other parts, from the top, in place of these."""
         before, self.parts = self.parts, [*parts]
         discard(self._column, before)
         for part in parts:

@@ -231,7 +231,6 @@ class NumberRow(_TypedRow):
         self._show_value()
 
     def put_beside(self, widget: QWidget) -> None:
-        """Put a widget between the name and the field."""
         self._grid.addWidget(widget, 0, 1)
 
     # -- input by the user

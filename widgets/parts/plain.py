@@ -73,7 +73,6 @@ def set_tip(target: QWidget | QAction | QTableWidgetItem, text: str) -> None:
 
 
 def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
-    """Show a tooltip now, at a place on the screen."""
     QToolTip.showText(place, tip_of(text), widget)
 
 
@@ -98,7 +97,6 @@ class TextDocument(QTextDocument):
         return None
 
     def paint(self, painter: QPainter, place: QPointF, palette: QPalette) -> None:
-        """Paint the document with its upper left corner at a place."""
         context = QAbstractTextDocumentLayout.PaintContext()
         context.palette = palette
         painter.save()

@@ -41,7 +41,6 @@ class Rows(QWidget):
         self._rows.addWidget(widget)
 
     def add_title(self, text: str) -> None:
-        """Add a quiet title of the rows that follow."""
         title = PlainLabel(text, objectName=QUIET)
         self._titles.append(title)
         self.add(title)
@@ -54,15 +53,12 @@ class Rows(QWidget):
             title.setVisible(any(not row.isHidden() for row in below))
 
     def return_borrowed(self) -> None:
-        """Return every borrowed row to its place."""
         for place, widget in enumerate(self._order):
             if widget.parent() is not self.body:
                 self._rows.insertWidget(place, widget)
 
 
 class TitledRows(Rows):
-    """Rows below a quiet title."""
-
     def __init__(self, title: str) -> None:
         super().__init__()
         self.title = PlainLabel(title, objectName=QUIET)

@@ -11,6 +11,7 @@ import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
+from itertools import islice
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
 from PySide6.QtGui import (
@@ -99,7 +100,6 @@ class Typeset:
         )  # fmt: skip
 
     def paint(self, painter: QPainter, x: float, y: float) -> None:
-        """Paint the formula with the painter's pen."""
         font, pen = painter.font(), painter.pen()
         for left, base, text, its_font in self.runs:
             painter.setFont(its_font)
@@ -275,18 +275,16 @@ def outlines_of(piece: str, is_tex: bool) -> tuple[tuple[str, QPainterPath], ...
 def _path(whole: Outline, place: int, end: int) -> QPainterPath:
     path = QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
-    points = [(float(x), -float(y)) for x, y in whole.vertices]
-    codes = [int(code) for code in whole.codes]
     draw: dict[int, Callable[..., None]]
     draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
-    while place < end:
-        code = codes[place]
-        count = {3: 2, 4: 3}.get(code, 1)  # points of a curve
+    points = (whole.vertices[place:end] * (1.0, -1.0)).tolist()
+    read = zip(whole.codes[place:end].tolist(), points, strict=True)
+    for code, point in read:
         if code in draw:
-            draw[code](*(x for point in points[place : place + count] for x in point))
+            others = islice(read, {3: 1, 4: 2}.get(code, 0))  # of a curve
+            draw[code](*point, *(x for _, other in others for x in other))
         else:
             path.closeSubpath()
-        place += count
     return path
 
 
@@ -326,7 +324,6 @@ def resized(font: QFont, factor: float) -> QFont:
 
 
 def matrix(rows: Iterable[Iterable[str]]) -> str:
-    """Return a matrix of cells as a formula."""
     return f"[{';'.join('&'.join(row) for row in rows)}]"
 
 

@@ -34,8 +34,6 @@ class DisplayError(RuntimeError):
 
 @dataclass(frozen=True)
 class OpenGL:
-    """The OpenGL that windows get on this machine."""
-
     version: str  # the driver's text, such as ``"4.5 (Core Profile) Mesa 22.3.6"``
     renderer: str
     software: bool  # whether the CPU draws, because a graphics card or its driver is missing

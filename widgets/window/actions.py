@@ -202,7 +202,6 @@ class Actions(QObject):
     def _named(
         self, name: str, act: Callable[[], object] | None = None, *, on: bool | None = None
     ) -> QAction:
-        """Make the action of this name in the content file."""
         entry = next(menu.entries[name] for menu in menus().values() if name in menu.entries)
         action = self._action(_tr(entry.text), act, _keys(entry.keys), _tr(entry.tip), on)
         self._made[name] = [action]

@@ -129,8 +129,6 @@ def cameras(panes: Mapping[str, Pane]) -> dict[str, Camera]:
 
 
 class Arrangement(QObject):
-    """Reads the window's arrangement into a `View`, and restores it."""
-
     concerns = frozenset({"view", "scene"})
 
     def __init__(

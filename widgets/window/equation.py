@@ -144,7 +144,6 @@ class EquationSlide(QWidget):
 
     @property
     def _gap_em(self) -> float:
-        """The gap between two matrices."""
         return GAP_EM if self._has_result or not self._is_product else APART_EM
 
     # -- painting

@@ -404,7 +404,6 @@ class MainWindow(QMainWindow):
         self.comparing.pictures.refresh()
 
     def _notify(self, changed: Changed) -> None:
-        """Notify the components that the change concerns."""
         self.panels.keep(self.shown)
         waits = bool(changed & {"scene", "view"})
         if waits:  # the panes take over another document all at once, after they are arranged

@@ -135,7 +135,6 @@ class Pen(QWidget):
 
     @property
     def here(self) -> list[Stroke]:
-        """The strokes of the step."""
         return self.strokes.get(self._step, [])
 
     # -- what the speaker does

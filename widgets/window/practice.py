@@ -21,21 +21,9 @@ from PySide6.QtWidgets import (
 
 from app import __version__
 from app.document.files import write_bytes_atomically
+from app.lessons import practice
 from app.lessons.blocks.exercise import LARGEST_SEED
-from app.lessons.practice import (
-    MOST,
-    Sheet,
-    Waiting,
-    draw_test,
-    exercises_of,
-    find_waiting,
-    hints_of,
-    name_of_test,
-    named_test,
-    practised,
-    to_review,
-    topics,
-)
+from app.lessons.practice import Sheet, Waiting, topics
 from app.lessons.record import Attempt, Record, corrected, ideas_met, standings
 from app.lessons.results import LONGEST_STUDENT, of_test, to_json
 from app.model.refusal import Refusal, counted
@@ -86,7 +74,7 @@ class SelfTestDialog(QDialog):
             "Up to {0} exercises. One try each, no hints, panels closed; give three significant"
             " digits. At the end you see all solutions."
         )
-        how = PlainLabel(text.format(MOST), wordWrap=True)
+        how = PlainLabel(text.format(practice.MOST), wordWrap=True)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
         self.begin = buttons.addButton(self.tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
         buttons.accepted.connect(self.accept)
@@ -108,7 +96,7 @@ class SelfTestDialog(QDialog):
             box.setChecked(on and box.isEnabled())
 
     def _show_count(self) -> None:
-        count = min(MOST, sum(self._counts[name] for name in self.topics))
+        count = min(practice.MOST, sum(self._counts[name] for name in self.topics))
         text = counted(count, "exercise") if count else self.tr("Choose topics.")
         self._count.setText(text)
         self.begin.setEnabled(count > 0 and self.number.hasAcceptableInput())
@@ -120,8 +108,8 @@ def review_text(waiting: Waiting) -> str:
     if not count:
         return QCoreApplication.translate("Practice", "&Review")
     some = counted(count, "exercise")
-    if count > MOST:
-        some = QCoreApplication.translate("Practice", "{0} of {1}").format(MOST, some)
+    if count > practice.MOST:
+        some = QCoreApplication.translate("Practice", "{0} of {1}").format(practice.MOST, some)
     text = QCoreApplication.translate("Practice", "&Review: {0}, about {1}")
     return text.format(some, counted(waiting.minutes, "minute"))
 
@@ -138,8 +126,6 @@ def next_review(waiting: Waiting) -> str:
 
 
 class Practice(QObject):
-    """Begins tests and reviews on the lesson's card."""
-
     def __init__(
         self,
         window: QWidget,
@@ -159,12 +145,13 @@ class Practice(QObject):
     @property
     def begun(self) -> str:
         """The name of the test that is not finished yet; empty if there is none."""
-        return next((name for name in self._settings.progress if named_test(name) is not None), "")
+        return next(
+            (name for name in self._settings.progress if practice.named_test(name) is not None), ""
+        )
 
     def choose_test(self) -> None:
-        """Ask for the topics of a test, and begin it."""
         counts = {
-            name: (course.lesson.title, sum(1 for _ in exercises_of(course)))
+            name: (course.lesson.title, sum(1 for _ in practice.exercises_of(course)))
             for name, course in topics().items()
         }
         number = random.randint(1, LARGEST_SEED)
@@ -180,8 +167,7 @@ class Practice(QObject):
         self._play_test(names, number)
 
     def go_on(self) -> None:
-        """Go on with the test that was begun."""
-        test = named_test(self.begun)
+        test = practice.named_test(self.begun)
         if test is not None:
             self._play_test(*test)
 
@@ -193,16 +179,16 @@ class Practice(QObject):
         every = len(names) == len(topics()) > 1
         said = self.tr("all topics") if every else ", ".join(names)
         title = self.tr("Test {0}: {1}").format(number, said)
-        items = draw_test(names, number)
+        items = practice.draw_test(names, number)
         if items:
-            self._card.play(Sheet(name_of_test(names, number), title, items, is_test=True))
+            self._card.play(Sheet(practice.name_of_test(names, number), title, items, is_test=True))
         else:
             self._messages.show_message(self.tr("These topics have no exercises yet."), warns=False)
 
     @property
     def attempts(self) -> list[Attempt]:
         """All answers of this student."""
-        return corrected(self._record.read(), hints_of)
+        return corrected(self._record.read(), practice.hints_of)
 
     # -- results
 
@@ -231,9 +217,9 @@ class Practice(QObject):
         """Show every topic with its exercises, as they were solved."""
         attempts = self.attempts
         known, problem = standings(attempts), self._record.problem
-        waiting = find_waiting(attempts)
+        waiting = practice.find_waiting(attempts)
         said = "" if problem is None else sentence(problem)
-        lessons = practised(lesson for lesson, _ in known)
+        lessons = practice.practised(lesson for lesson, _ in known)
         self.overview = overview = Overview(
             lessons, known, ideas_met(attempts, known), review_text(waiting), said, self._window
         )
@@ -252,15 +238,15 @@ class Practice(QObject):
 
     @property
     def waiting(self) -> Waiting:
-        return find_waiting(self.attempts)
+        return practice.find_waiting(self.attempts)
 
     def review(self) -> None:
         """Practise what has come back, with new numbers."""
         attempts = self.attempts
         if self._record.problem is not None:
             self._messages.show_message(sentence(self._record.problem))
-        waiting = find_waiting(attempts)
-        items = to_review(waiting.due, standings(attempts))
+        waiting = practice.find_waiting(attempts)
+        items = practice.to_review(waiting.due, standings(attempts))
         if items:
             self._card.play(Sheet("", self.tr("Review"), items, is_test=False))
             return

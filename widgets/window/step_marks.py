@@ -54,7 +54,6 @@ class StepMarks(QWidget):
         self._counted.setVisible(len(self._numbers) <= MOST_COUNTED)
 
     def show_progress(self, player: Player) -> None:
-        """Show the current step, and what is done."""
         steps = player.lesson.steps
         self._counted.setText(self.tr("Step {0} of {1}").format(player.place + 1, len(steps)))
         tick, done = "✓", self.tr("done")

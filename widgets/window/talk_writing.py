@@ -21,8 +21,6 @@ MESSAGE_MS = 3000
 
 
 class TalkWriter(QObject):
-    """Writes the window's state into a lesson's file."""
-
     def __init__(
         self, window: QMainWindow, lessons: Lessons, store: Store, messages: MessageBar
     ) -> None:

@@ -116,7 +116,6 @@ class Talks(QObject):
             return ""
 
     def _show(self, _told: object = None) -> None:
-        """Show the step to the class and to the speaker."""
         player = self._lessons.player
         self._keys.listen(self.is_on, self.speaker)
         self._band.setVisible(self.is_on)
@@ -236,7 +235,6 @@ class Talks(QObject):
         return True
 
     def _show_state(self, player: Player) -> None:
-        """Show the state of the last given answer."""
         if player.told_state is not None:
             self._lessons.show_predicted(player.told_state)
             self._pose()
@@ -405,8 +403,6 @@ class Talks(QObject):
 
 
 class TalkActions(QObject):
-    """The menu entries about talks."""
-
     def __init__(self, talks: Talks, window: QMainWindow, settings: Settings) -> None:
         super().__init__(window)
         self._talks = talks

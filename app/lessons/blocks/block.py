@@ -43,7 +43,6 @@ def path_of(assignment: str) -> str:
 
 
 def read_state(lines: Lines, line: int) -> State:
-    """Read the state of a block that begins at a line."""
     values: list[tuple[int, str]] = []
     document, document_line = "", 0
     names = set[str]()
@@ -217,8 +216,6 @@ class StepContent:
 
 @dataclass(frozen=True, kw_only=True)
 class Block:
-    """A block of a step."""
-
     kind: ClassVar[str] = ""  # the word after its three backticks
     once: ClassVar[bool] = False  # whether a step may have only one block of this kind
     needs_answer: ClassVar[bool] = False  # the student has to answer it; such a block has a name
@@ -242,8 +239,6 @@ class Block:
 
 @dataclass(frozen=True, kw_only=True)
 class ReadBlock(Block):
-    """A block that the student or the class reads."""
-
     reveals: ClassVar[bool] = False  # whether a talk asks the class before it shows the answer
     text: str
     why: str = ""  # Markdown; `why` is shown once the answer is known

@@ -51,8 +51,6 @@ class Choice(Reply):
 
 @dataclass(frozen=True, kw_only=True)
 class Choices(Question):
-    """A question with choices."""
-
     is_worked: ClassVar[bool] = False
     replies: tuple[Choice, ...]
 

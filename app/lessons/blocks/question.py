@@ -129,8 +129,6 @@ class Reply:
 
 @dataclass(frozen=True, kw_only=True)
 class Question(Asked):
-    """A question with one right reply."""
-
     reveals: ClassVar[bool] = True
     replies: Sequence[Reply]  # choices, or the wrong values that have an idea
     checks: tuple[tuple[int, Condition], ...] = ()  # they hold if the right reply is correct
@@ -170,7 +168,6 @@ class Question(Asked):
         return " ".join(numbers)
 
     def printed(self, numbers: Sequence[str]) -> str:
-        """Return the numbers of an answer for a reader."""
         return ", ".join(numbers)
 
     def mistakes(self, here: Here, write: Callable[[float], str]) -> Iterator[tuple[str, str]]:

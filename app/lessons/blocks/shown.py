@@ -73,8 +73,6 @@ class Note(Block):
 
 @dataclass(frozen=True, kw_only=True)
 class Samples(Block):
-    """Sample answers of a step."""
-
     kind = "test"
     samples: tuple[Sample, ...]
 

@@ -80,7 +80,6 @@ def in_markdown(sides: Iterable[str]) -> str:
 
 
 def has_names(formula: Formula) -> bool:
-    """Whether a formula has names, so that there is a way to its value."""
     return any(name not in ("pi", "infinity") for name in formula.letters) or any(
         isinstance(part, Call) and part.name not in FUNCTIONS for part in formula
     )

@@ -206,7 +206,6 @@ class Lens(Geometry):
         return self
 
     def replaced(self, **fields: Any) -> Lens:
-        """Return the same lens with some fields changed."""
         return cast(Lens, replace(cast(Any, self), **fields))
 
     def cut(self, window: Window, near: float, far: float) -> Lens:

@@ -77,8 +77,6 @@ class Text:
 
 @dataclass(frozen=True, eq=False)
 class Marks:
-    """All marks of one pane."""
-
     lines: tuple[Polyline, ...] = ()
     faces: tuple[Face, ...] = ()
     dots: tuple[Dot, ...] = ()

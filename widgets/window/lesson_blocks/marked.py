@@ -104,8 +104,6 @@ class MarkedAnswerView(BlockView):
 
 
 class NumberAnswerView(MarkedAnswerView):
-    """A question with a typed number."""
-
     def __init__(self, played: PlayedBlock, question: Answer) -> None:
         super().__init__(played, question)
         self.field = QLineEdit()

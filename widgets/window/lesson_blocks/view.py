@@ -164,7 +164,6 @@ class BlockView(QFrame):
         self._offer_answer()
 
     def reveal_answer(self) -> None:
-        """Show the right answer, and the way to it."""
         self._remove_response()
         try:
             said = self._show_right_answer()
