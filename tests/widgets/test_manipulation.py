@@ -41,6 +41,7 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
+from widgets.panes.pane import named_on
 from widgets.window.main_window import MainWindow
 
 NONE = Qt.KeyboardModifier.NoModifier
@@ -329,7 +330,7 @@ def test_a_value_that_is_written_at_the_thing_is_not_written_twice(
 
 def hidden_names(window: MainWindow) -> list[QRectF]:
     """The names in the world pane on which the line lies."""
-    boxes, _ = window.panes["world"].named_on(window.panes["world"].canvas)
+    boxes, _ = named_on(window.panes["world"].canvas, window.panes["world"])
     names = boxes[: len(boxes) - len(world(window).board.points)]
     return [box for box in names if box.intersects(held_line(window).geometry().toRectF())]
 

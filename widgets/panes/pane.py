@@ -362,18 +362,6 @@ class Pane(QFrame):
         else:
             self.unsetCursor()
 
-    def named_on(self, widget: QWidget) -> tuple[list[QRectF], QTransform]:
-        """Where names and their points are on a widget that holds the canvas; from their pixels."""
-        if self.drawing is None:
-            return [], QTransform()
-        board, ratio = self.drawing.board, self.canvas.pixel_ratio
-        right, up = board.renderer.GetOrigin()  # an image's names are counted from its frame
-        corner = self.canvas.mapTo(widget, QPointF(0.0, self.canvas.height()))
-        from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
-        from_pixels.translate(right, up)
-        ends = ((QPointF(*box[:2]), QPointF(*box[2:])) for box in board.boxes)
-        return [from_pixels.mapRect(QRectF(*each)) for each in ends], from_pixels
-
     def set_presenting(self, on: bool, *, named: bool = True) -> None:
         """Show a class the picture without buttons, frame and tooltips; `named`: with its title."""
         self.header.set_presenting(on, named=named)
@@ -527,3 +515,17 @@ class Pane(QFrame):
         elif not self.is_aimed_at:
             self.double_clicked.emit()
             self.reset_view()
+
+
+def named_on(widget: QWidget, pane: Pane) -> tuple[list[QRectF], QTransform]:
+    """Where a pane's names and their points are on a widget that holds it; from their pixels."""
+    canvas, drawing = pane.canvas, pane.drawing
+    if drawing is None:
+        return [], QTransform()
+    right, up = drawing.board.renderer.GetOrigin()  # an image's names are counted from its frame
+    corner = canvas.mapTo(widget, QPointF(0.0, canvas.height()))
+    ratio = canvas.pixel_ratio
+    from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
+    from_pixels.translate(right, up)
+    ends = ((QPointF(*box[:2]), QPointF(*box[2:])) for box in drawing.board.boxes)
+    return [from_pixels.mapRect(QRectF(*each)) for each in ends], from_pixels

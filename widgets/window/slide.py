@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
 from app.drawings.label_placement import Floats, Ground
-from widgets.panes.pane import Pane
+from widgets.panes.pane import Pane, named_on
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
@@ -62,7 +62,7 @@ class Slide(QWidget):
     def named(self) -> Iterator[tuple[list[QRectF], HiddenInk]]:
         """Yield names, points, cells and titles, which nothing should hide, and how boxes do it."""
         for pane in self.findChildren(Pane):  # also those that are compared
-            drawing, (boxes, from_pixels) = pane.drawing, pane.named_on(self)
+            drawing, (boxes, from_pixels) = pane.drawing, named_on(self, pane)
             if drawing is None or not pane.canvas.isVisible():
                 continue
             to_pixels, _ = from_pixels.inverted()
