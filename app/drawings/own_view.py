@@ -102,7 +102,8 @@ class OwnView(PaneCamera):
         self._heading_deg = 0.0  # the azimuth of the model's camera when the picture opened
         self._was_shifted = False
         self._fixed_at: _Fixed | None = None
-        self._rested = 0  # what was framed at the last rest
+        self.placed_px = 0, 0  # the pane's size when it was placed
+        self._rested = 0  # what was framed when it was placed, or at the last rest
         self._left: dict[int, tuple[_Fixed | None, tuple[float, ...]]] = {}
         """Where it stood, by what was framed, before an edit made it look from elsewhere."""
         self.depths: tuple[float, float] = self._camera.GetClippingRange()
@@ -141,7 +142,8 @@ class OwnView(PaneCamera):
 
         A fixed view that was shifted stays.
         """
-        before, self._left = self._now, {}
+        before, self.placed_px = self._now, self.size_px
+        self._left, self._rested = {}, self._key(framed)
         if self.fixed:
             if not self._was_shifted:
                 self._fixed_at = None
@@ -153,7 +155,7 @@ class OwnView(PaneCamera):
 
     def rest(self, framed: Framed, *, is_cut: bool) -> bool:
         """`place` it if something is cut; stand where it did if what led to that is undone."""
-        before, here = self._now, hash((self.fixed, *self.size_px, framed.points.tobytes()))
+        before, here = self._now, self._key(framed)
         if here in self._left and not self._was_shifted:
             self._fixed_at, stood = self._left[here]
             if self.fixed:
@@ -167,6 +169,9 @@ class OwnView(PaneCamera):
             self._left = left
         self._rested = here
         return self._now != before
+
+    def _key(self, framed: Framed) -> int:
+        return hash((self.fixed, *self.size_px, framed.points.tobytes()))
 
     def _stand_freely(self, *place: Any) -> None:
         self._look_through(_HALF)

@@ -34,6 +34,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from app.picking.handles import EYE
 from app.scenes.scene import Scene, load
 from tests.support.cameras import random_projections
 from tests.support.drawings import (
@@ -816,6 +817,22 @@ def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeV
     view.drawing.show_projection(with_lens(fov_y_deg=100.0))
     view.drawing.refit()
     assert not view.drawing.refit() and view.camera.GetPosition() == place
+
+
+def test_a_name_that_appears_while_something_is_held_moves_no_view() -> None:
+    scene, window = load("vanishing-points"), OffScreen(420, 300)
+    drawing = WorldDrawing(window, scene, WORDS, LIGHT, live=True)
+    start, camera = scene.start, window.renderer.GetActiveCamera()
+    away = replace(start, camera=replace(start.camera, eye=(5.338, 1.981, 4.334)))
+    places = []
+    for held, projection in ((None, start), (EYE, start), (EYE, away)):
+        drawing.hold(held)
+        drawing.show_projection(projection, scene.illustration(projection, {}))
+        window.render_window.Render()
+        places.append(camera.GetPosition())
+    assert len(set(places)) == 1
+    drawing.remove()
+    window.close()
 
 
 @pytest.mark.parametrize("fixed", ["", "side"])
