@@ -120,7 +120,6 @@ def _for(texts: Iterable[str], python: str) -> list[str]:
 
 
 def unmet(wanted: Iterable[Requirement]) -> list[Requirement]:
-    """Return the requirements that this interpreter does not meet."""
     return [each for each in wanted if not each.is_met()]
 
 

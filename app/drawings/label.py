@@ -19,7 +19,7 @@ from vtkmodules.vtkRenderingCore import vtkPolyDataMapper2D, vtkTexture, vtkText
 
 from app.drawings.style import Style, rgb
 from app.languages import with_comma
-from app.lecture.typesetting import line_of, piece_of
+from app.lecture.typesetting import Outline, line_of, piece_of
 
 Pixels = NDArray[np.uint8]
 
@@ -32,6 +32,7 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
+SPACE_HIGH_EM, SPACE_LINES = 0.45, (0.1, 0.9)  # the halo of a space is round two lines
 _SHORT = re.compile(r"(?:[^=]* )?([^ =]+) = [^=]+")
 PARTS = 4  # of a pixel, to which a piece is placed
 
@@ -39,19 +40,9 @@ PARTS = 4  # of a pixel, to which a piece is placed
 def drawn(
     text: str, em: float, colour: str, halo: str, underlined: bool = False, **how: bool
 ) -> Pixels:
-    """Draw a label with a halo round its letters.
+    """Draw a label with a halo round its letters: (h, w, 4) uint8 with opacity, from the top.
 
-    Parameters
-    ----------
-    em : float
-        The height of a word's em in pixels.
-    colour, halo : str
-        As ``"#rrggbb"``.
-
-    Returns
-    -------
-    (h, w, 4) array of uint8
-        Red, green, blue and opacity, from the top; the halo's `rim` on every side.
+    `em` is the height of a word's em in pixels; the halo's `rim` is on every side.
     """
     label, rim = line_of(text, **how), rim_px(em)
     left, low, right, high = (side * em for side in label.box)
@@ -96,7 +87,7 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
     from matplotlib.path import Path
     from matplotlib.transforms import Affine2D
 
-    drawn = piece_of(piece, is_tex)
+    drawn = surrounded(piece, is_tex)
     if not len(drawn.vertices):
         empty = np.zeros((0, 0), dtype=np.uint8)
         return empty, empty, 0, 0
@@ -113,12 +104,22 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
         renderer = make(width, height, 72)
         pen = renderer.new_gc()
         pen.set_joinstyle("round")
+        pen.set_capstyle("round")
         pen.set_foreground("white")
         pen.set_linewidth(pen_px)
         renderer.draw_path(pen, path, placed, (1.0, 1.0, 1.0))
         coverages.append(np.array(renderer.buffer_rgba())[..., 3])
     letters, halo = coverages
     return letters, halo, first, height + below
+
+
+def surrounded(piece: str, is_tex: bool) -> Outline:
+    """Return what a halo surrounds: a piece, or two lines in a space, so that no gap shows."""
+    drawn = piece_of(piece, is_tex)
+    if piece != " ":
+        return drawn
+    lines = [(drawn.width * x, y) for x in SPACE_LINES for y in (0.0, SPACE_HIGH_EM)]
+    return drawn._replace(vertices=np.array(lines), codes=np.array([1, 2, 1, 2], dtype=np.uint8))
 
 
 def rim_px(em: float) -> int:
@@ -184,7 +185,7 @@ class SceneLabel:
         self.em = style.font_size
         self._how = {"plain": plain, "one_size": style.one_size}
         self._style, self._anchor = style, anchor
-        self._visible, self._shown, self._is_short = visible, True, False
+        self.is_visible, self._shown, self._is_short = visible, True, False
         self._underlined = False
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
@@ -217,11 +218,6 @@ class SceneLabel:
     @property
     def _shown_px(self) -> tuple[int, int]:
         return self.letter_px if self._is_short else self.size_px
-
-    @property
-    def is_visible(self) -> bool:
-        """The last value of `set_visible`."""
-        return self._visible
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
@@ -259,7 +255,7 @@ class SceneLabel:
         self._set("_place", (x_px, y_px, turn))
 
     def set_visible(self, visible: bool) -> None:
-        self._set("_visible", visible)
+        self._set("is_visible", visible)
 
     def set_shown(self, shown: bool) -> None:
         """Switch the label off, whatever `set_visible` says, or on again."""
@@ -275,7 +271,7 @@ class SceneLabel:
             self._show()
 
     def _show(self) -> None:
-        seen = self._visible and self._shown and bool(self.text)
+        seen = self.is_visible and self._shown and bool(self.text)
         self.actor.SetVisibility(seen)
         if not seen:
             return

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from app.document.lengths import DPI
-from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
+from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM, surrounded
 from app.drawings.occlusion import Points
 from app.drawings.off_screen import Pixels
 from app.drawings.style import rgb
@@ -154,22 +154,21 @@ class _PdfWriter:
 
         written, em, turn = text.written, text.em, text.written.turn
         cos, sin = np.cos(turn), np.sin(turn)
-        for part in ("halo", "letters"):
-            for (piece, is_tex, size, at), place in zip(written.pieces, _along(text), strict=True):
-                drawn = piece_of(piece, is_tex)
-                if not len(drawn.vertices):
-                    continue
-                if part == "halo":
-                    matrix = Affine2D().scale(size * em).translate(at * em, 0.0)
-                    matrix = matrix.rotate(turn).scale(1.0, -1.0).translate(*text.place)
-                    halo: Any = PathPatch(
-                        Path(drawn.vertices, drawn.codes), facecolor="none",
-                        edgecolor=written.halo, alpha=HALO_OPACITY * written.opacity,
-                        linewidth=2.0 * HALO_EM * em * _PT_PER_PX, joinstyle="round",
-                        transform=matrix + self._place, zorder=self._above(),
-                    )  # fmt: skip
-                    self._figure.add_artist(halo)
-                    continue
+        paths = [
+            Path(size * part.vertices + (at, 0.0), part.codes)
+            for piece, is_tex, size, at in written.pieces
+            if len((part := surrounded(piece, is_tex)).vertices)
+        ]
+        matrix = Affine2D().scale(em).rotate(turn).scale(1.0, -1.0).translate(*text.place)
+        halo: Any = PathPatch(
+            Path.make_compound_path(*paths), facecolor="none", edgecolor=written.halo,
+            alpha=HALO_OPACITY * written.opacity, linewidth=2.0 * HALO_EM * em * _PT_PER_PX,
+            joinstyle="round", capstyle="round", transform=matrix + self._place,
+            zorder=self._above(),
+        )  # fmt: skip
+        self._figure.add_artist(halo)
+        for (piece, is_tex, size, _), place in zip(written.pieces, _along(text), strict=True):
+            if len(piece_of(piece, is_tex).vertices):
                 name = "DejaVuSans" if is_set_in_words(piece) else "STIXGeneral"
                 font: Any = FontProperties(
                     fname=font_file(name), size=size * em * _PT_PER_PX, math_fontfamily=FONT

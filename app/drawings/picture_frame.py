@@ -192,7 +192,6 @@ class PictureFrame(Layer):
         return actor
 
     def lay_out(self, pane_width_px: int, pane_height_px: int) -> None:
-        """Stand round the picture in a pane of this size."""
         left, top, width, height = self._state.rectangle_in(pane_width_px, pane_height_px)
         right, bottom = left + width, top + height
         em = self._style.font_size

@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 from PIL import Image
 
 from app.document.lengths import PX_PER
-from app.drawings.label import HALO_EM, HALO_OPACITY, UNDER_EM
+from app.drawings.label import HALO_EM, HALO_OPACITY, SPACE_HIGH_EM, SPACE_LINES, UNDER_EM
 from app.drawings.occlusion import Colour, Points
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FUNCTIONS, GREEK, is_set_in_words, outline
@@ -165,13 +165,16 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
     written, em = text.written, text.em
     (x, y), turn = text.place, -math.degrees(written.turn)
     place = f"translate({_n(x)} {_n(y)})" + (f" rotate({_n(turn)})" if turn else "")
-    spans, outlines, end = list[str](), list[str](), 0.0
+    spans, outlines, end, spaces = list[str](), list[str](), 0.0, ""
     for (piece, is_tex, size, at), width in zip(written.pieces, written.widths, strict=True):
         end = at + width * size
         where = f'x="{_n(at * em)}" font-size="{_n(size * em)}"'
         # As wide as it was composed, also in another font.
         wide = f' textLength="{_n(width * size * em)}" lengthAdjust="spacingAndGlyphs"'
         if not is_tex:
+            if piece == " ":
+                high, places = _n(-SPACE_HIGH_EM * size * em), SPACE_LINES
+                spaces += "".join(f"M{_n((at + x * (end - at)) * em)} 0V{high}" for x in places)
             font = "" if is_set_in_words(piece) else _SIGNS
             spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
             continue
@@ -207,9 +210,10 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
     letters = f'{"".join(outlines)}<text xml:space="preserve" font-family="{WORDS_FONT}">'
     letters += "".join(spans) + "</text>"
     halo = 2.0 * HALO_EM * em
+    between = spaces and f'<path transform="{place}" d="{spaces}"/>'
     yield (
-        f'<use xlink:href="#{name}" stroke={quoteattr(written.halo)} stroke-width="{_n(halo)}"'
-        f' stroke-opacity="{HALO_OPACITY * written.opacity:.3g}"/>'
+        f'<g stroke={quoteattr(written.halo)} stroke-width="{_n(halo)}"'
+        f' opacity="{HALO_OPACITY * written.opacity:.3g}"><use xlink:href="#{name}"/>{between}</g>'
     )
     yield f'<g id="{name}" transform="{place}" fill="{colour}"{faint}>{letters}</g>'
     if written.underlined:

@@ -25,11 +25,12 @@ _BP_PER_PX = 72.0 / DPI
 _PT_PER_BP = 72.27 / 72.0
 _FONT_PT = 10.0  # of the font that is scaled: TeX's own smaller ones are wider than a label's place
 _HALO = (
+    r"\def\gap{\rlap{\kern.03em.}\rlap{\kern.03em\raise.3em\hbox{.}}}"
     r"\def\halo#1{}\ifnum0\ifdefined\XeTeXversion1\fi\ifdefined\outputmode\the\outputmode\fi"
     r"\ifdefined\pdfoutput\the\pdfoutput\fi>0 "
     rf"\def\halo{{\csname pgfsys@invoke\endcsname{{1 Tr 1 j {2.0 * HALO_EM * _FONT_PT:g} w}}}}\fi"
 )
-"""In PDF the contours of letters; elsewhere nothing could draw them."""
+"""In PDF the contours of letters, and of dots in a space; elsewhere nothing could draw them."""
 _HELD = 0xE000  # the first private letter, which stands for a formula
 _MOST_POINTS = 500  # of a path, which TeX holds in its memory
 _COMMANDS = "|".join((
@@ -190,6 +191,7 @@ class _TikzWriter:
         if not is_halo:
             return rf"\node[{options}] at {at} {{{said}}};"
         faint = _faint("text", HALO_OPACITY * written.opacity)
+        said = re.sub(r"(?<!\\)\$[^$]*\$| ", lambda part: _filled(part[0]), said)
         return rf"\node[{options}{faint}] at {at} {{\halo{{{said}}}}};"
 
     def _style(self, text: TextShape) -> str:
@@ -212,6 +214,11 @@ def _n(px: float) -> str:
 
 def _faint(what: str, opacity: float) -> str:
     return f",{what} opacity={opacity:.3g}" if opacity < 1.0 else ""
+
+
+def _filled(part: str) -> str:
+    """A formula with a halo in its spaces, or a space with one."""
+    return part.replace(r"\ ", r"\gap\ ") if part != " " else r"\gap{} "
 
 
 def _tex(pieces: Iterable[tuple[str, bool]]) -> str:

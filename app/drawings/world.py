@@ -11,12 +11,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import SceneActors, lift_lines, make_pale
+from app.drawings.actors import SceneActors, lift_lines, line_actor, make_pale
 from app.drawings.camera import CameraDrawing
 from app.drawings.dimensions import Dimensions
 from app.drawings.drawing import Drawing, light_of_labels
-from app.drawings.eye_walk import EyeWalk
 from app.drawings.frame import DIMMED
 from app.drawings.frustum import FrustumDrawing
 from app.drawings.handles import WorldHandles
@@ -34,6 +34,7 @@ from app.lecture.highlight import AXES, ENDS, WINDOW
 from app.model.projection import Array, Camera, Chain, Projection, Vector
 from app.picking.handles import Handle
 from app.scenes.phenomena.illustration import Illustration, Shot
+from app.scenes.poly_mesh import vtk_points
 from app.scenes.scene import Scene
 
 _WIDEST = 2.5  # extents: of a wider frustum, no more is framed
@@ -104,6 +105,38 @@ class SceneInWorld(FacesLayer):
 
     def inside(self) -> dict[str, Array]:
         return {"subject": self._state.objects}
+
+
+class EyeWalk(Layer):
+    """The way of the eye while the model's camera walks round the scene, made at the first walk.
+
+    All walks have as many points.
+    """
+
+    def __init__(self, state: WorldState) -> None:
+        self._state = state
+        self._line: vtkActor | None = None
+        self._points = NO_POINTS
+
+    def show_walk(self, eyes: Sequence[Vector]) -> None:
+        """Draw a line through places of the eye, in the world; hide it for none."""
+        state = self._state
+        self._points = np.reshape(np.array(eyes, dtype=np.float64), (-1, 3)) - state.origin
+        if self._line is None and len(eyes):
+            ends = [range(len(eyes))]
+            self._line = line_actor(self._points, ends, state.style.muted, state.style.line_width)
+            state.canvas.add(self._line, layer="camera")
+        if self._line is not None:
+            state.canvas.set_visible(len(eyes) > 0, self._line)
+            if len(eyes):
+                mesh = self._line.GetMapper().GetInput()
+                mesh.SetPoints(vtk_points(self._points.astype(np.float32)))
+
+    def reach(self) -> Array:
+        return self._points
+
+    def inside(self) -> dict[str, Array]:
+        return {"walk": self._points} if len(self._points) else {}
 
 
 class WorldDrawing(Drawing):

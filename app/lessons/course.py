@@ -29,13 +29,11 @@ _ALONG = {"frame_step": "panel", "probes": "pinned", "compare": "dividers"}
 """Fields of the view that are set together with another one."""
 
 
-@lru_cache(maxsize=32)
-def _scene(name: str, mesh: str) -> Scene:
-    return load(name, mesh=mesh)
+_load = lru_cache(maxsize=32)(load)
 
 
 def scene_of(document: Document) -> Scene:
-    return _scene(document.scene, document.mesh)
+    return _load(document.scene, mesh=document.mesh)
 
 
 def panes_of(document: Document) -> list[str]:
@@ -164,7 +162,7 @@ class Course:
         """Return the initial document of a built-in scene, or of a mesh beside the lesson."""
         scene = name if name in BUILT_IN or not is_mesh(name) else self._beside(name, line)
         own = self._beside(mesh, line) if mesh else ""
-        return Document(scene, _scene(scene, own).start, mesh=own)
+        return Document(scene, _load(scene, mesh=own).start, mesh=own)
 
     def _read(self, state: State) -> Document:
         path = self._beside(state.document, state.document_line)

@@ -46,8 +46,6 @@ AddFault: TypeAlias = Callable[[Refusal], object]
 
 @dataclass(unsafe_hash=True)
 class Step(StepContent):
-    """One step: its title, and its texts and blocks in order."""
-
     name: str
     title: str
     line: int

@@ -241,10 +241,11 @@ class Player:
     def is_last(self) -> bool:
         return self.place + 1 == len(self.lesson.steps)
 
-    def leave(self, left: int) -> None:
-        """Take leave of a step, once another one is shown."""
-        self._reached[left], self.revealed = self.revealed, 0
-        self.blocks, self._rest, self.posed = [], [], None
+    def turn_to(self, place: int) -> None:
+        """Leave the step for another one."""
+        if place != self.place:
+            self._reached[self.place], self.revealed, self.place = self.revealed, 0, place
+            self.blocks, self._rest, self.posed = [], [], None
 
     def read_again(self, course: Course, place: int) -> "Player":
         """Return the player of the changed file, with what the window shows beside its steps."""

@@ -270,7 +270,6 @@ class Quantities:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Return every name available with this scene and lens."""
         settings = [f"settings_{name}" for name in self.document.settings]
         probes = [f"{space}_{part}" for space, parts in _SPACES.items() for part in parts]
         readings = [f"reading_{name}" for name in self.readings]

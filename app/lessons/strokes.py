@@ -27,7 +27,6 @@ class Stroke(NamedTuple):
 
 
 def path_beside(talk: Path) -> Path:
-    """Return the file that keeps the strokes of a talk."""
     return talk.with_suffix(".strokes.json")
 
 

@@ -160,7 +160,6 @@ def bargain(trade: Trade, choice: ChartPoint) -> str:
 
 
 def _price(trade: Trade, choice: ChartPoint) -> str:
-    """Write a choice's time and bytes."""
     prices = {trade.cost_unit: choice.cost, "B": choice.bytes}
     return ", ".join(f"{_plain(price)} {unit}" for unit, price in prices.items() if price)
 

@@ -114,7 +114,6 @@ def machine(opengl: str) -> dict[str, str]:
 
 
 def versions() -> dict[str, str]:
-    """Return the versions of the programs and libraries that measure."""
     return {
         "frustum-lab": __version__,
         "python": platform.python_version(),

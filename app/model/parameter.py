@@ -221,7 +221,6 @@ def section_of(name: str, sections: Mapping[str, ContentSection]) -> tuple[str, 
 
 
 def worded(parameter: Parameter, sections: Mapping[str, ContentSection]) -> Parameter:
-    """Return a parameter with the texts below its heading."""
     title, section = section_of(parameter.name, sections)
     items = section.named
     own: dict[str, Any] = {name: items[name] for name in _OWN if name in items}

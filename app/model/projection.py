@@ -234,19 +234,11 @@ class Projection(Pipeline):
     def with_intrinsics(self, intrinsics: ArrayLike) -> Projection:
         """Return the same camera with the lens of a calibrated camera, in pixels of this image.
 
-        Parameters
-        ----------
-        intrinsics : (4,) or (3, 3) array_like
-            fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel; or K.
-
-        Returns
-        -------
-        Projection
-            Its lens is a `Perspective` if the pixels are square and the axis is in the middle of
-            the image, and a `Frustum` otherwise. Near and far stay.
-
-        Raises a `Refusal` for a focal length that is not above 0, a number that is not finite, a K
-        with skew, and a window that a `Frustum` refuses.
+        `intrinsics` are fx, fy, cx, cy as OpenCV counts them, from the centre of the first pixel,
+        or K, (3, 3). The lens is a `Perspective` if the pixels are square and the axis is in the
+        middle of the image, and a `Frustum` otherwise. Near and far stay. Raises a `Refusal` for a
+        focal length that is not above 0, a number that is not finite, a K with skew, and a window
+        that a `Frustum` refuses.
         """
         fx, fy, cx, cy = checked_intrinsics(intrinsics, self.image_size)
         width, height = self.image_size

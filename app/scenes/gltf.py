@@ -276,7 +276,6 @@ class _Gltf:
     def _primitive(
         self, primitive: dict[str, Any], weights: Iterable[float], joints: Floats | None
     ) -> Mesh:
-        """Return the triangles, lines or points of a primitive."""
         position = primitive["attributes"]["POSITION"]
         count = self._data.count(position)
         used: Any = slice(None)

@@ -80,7 +80,6 @@ class Mesh:
 
     @property
     def _named(self) -> dict[str, Ints]:
-        """The points that faces, lines and dots name."""
         return {"faces": self.corners, "lines": self.lines.ravel(), "dots": self.dots}
 
     def _line_of(self, kind: str, place: int) -> int:

@@ -115,6 +115,13 @@ def test_a_halo_surrounds_the_letters() -> None:
     assert (middle[inked.max() + round(HALO_EM * em) + 3 :, 3] == 0).all()
 
 
+def test_no_line_shows_between_the_words_of_a_label() -> None:
+    em = 60.0
+    pixels = drawn("all n = all", em, INK, PAPER)
+    low = pixels[len(pixels) - rim_px(em) - round(0.2 * em), :, 3]
+    assert low[rim_px(em) : -rim_px(em)].min() > 200
+
+
 @pytest.mark.parametrize("style", [LIGHT, DARK])
 def test_every_tone_can_be_read(style: Style) -> None:
     for field in fields(style):

@@ -43,7 +43,8 @@ def body(*shapes: Shape, title: str = "t") -> list[str]:
 def said(text: str, *, plain: bool = False) -> str:
     contour, line = body(label(text, plain=plain))
     letters = line[line.index("{") + 1 : line.rindex("}")]
-    assert contour.endswith(rf" {{\halo{{{letters}}}}};")
+    halo = contour.replace(r"\gap{} ", " ").replace(r"\gap\ ", r"\ ")
+    assert halo.endswith(rf" {{\halo{{{letters}}}}};")
     return letters
 
 
@@ -97,6 +98,11 @@ def test_a_label_stays_at_its_anchor_and_has_the_size_that_was_asked_for() -> No
     assert (middle - left, right - left) == pytest.approx((width / 2.0, width), abs=0.01)
     text = tikz([label("eye")], SIZE, "t")[0].decode()
     assert r"font=\fontsize{10}{10}\selectfont\nulldelimiterspace0pt,scale=0.6022" in text
+
+
+def test_a_halo_has_no_gap_between_words() -> None:
+    assert r"{\halo{the\gap{} eye\gap{} \$$1$}}" in body(label("the eye $1"))[0]
+    assert r"{\halo{far\gap{} $-1\gap\ 2$}}" in body(label("far \u22121 2"))[0]
 
 
 def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None:

@@ -28,7 +28,7 @@ from app.drawings.side_by_side import panes_in
 from app.drawings.style import LIGHT
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, shapes_of
-from app.lecture.typesetting import line_of, pieces_of
+from app.lecture.typesetting import line_of, piece_of, pieces_of
 from app.lessons.course import scene_of
 from app.model.refusal import Cancelled, Refusal
 from app.scenes.scene import load
@@ -281,6 +281,24 @@ def test_no_half_of_an_images_pane_is_empty() -> None:
     assert panes_in((600, 1200), [None, 2.0], column=True) == [(0, 0, 600, 771), (0, 771, 600, 429)]
     # The pane beside it keeps three quarters of an equal share.
     assert panes_in((800, 800), [None, 2.0]) == [(0, 0, 300, 800), (300, 0, 500, 800)]
+
+
+def test_no_line_shows_between_the_words_of_a_figure(qapp: Any) -> None:
+    line = LineShape([(0.0, 54.0), (100.0, 54.0)], (0.0, 0.0, 0.0), 1.0, 4.0)
+    moves = []
+    for text in ("ill lie", "illlie"):
+        pieces = line_of(text).pieces
+        widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
+        written = vectors.LabelText(
+            text, pieces, widths, (0.0, 0.0), 0.0, 20.0, "#ffffff", "#ffffff", 1.0, False
+        )
+        shapes = [line, TextShape(written, (10.0, 60.0), 20.0)]
+        if text != "illlie":
+            under = raster(svg(shapes, (100, 100), "t").decode(), (100, 100))[54, :, 0]
+            assert under[5] == 0.0 and under[10 : 10 + round(20.0 * sum(widths))].min() > 200.0
+        drawn = b"".join(streams_of(pdf(shapes, (100, 100), "t")))
+        moves.append(len(re.findall(rb"[\d.]+ m\n", drawn)))
+    assert moves[0] == moves[1] + 2, "lines in the space have a halo"
 
 
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:

@@ -84,12 +84,6 @@ def player_at(place: int, text: str = LESSON, answers: Mapping[str, str] | None 
     return begun(player)
 
 
-def go(player: Player, place: int) -> None:
-    """Go to a step, as the window does."""
-    left, player.place = player.place, place
-    player.leave(left)
-
-
 def begun(player: Player) -> Player:
     attempts: list[Attempt] = []
     player.log = attempts.append
@@ -291,7 +285,7 @@ def test_a_test_is_handed_in_and_marked_at_its_end() -> None:
     again = Player(player.course)
     again.progress = player.progress
     assert begun(again).blocks[0].answer == "1", "it is gone on with"
-    go(player, 1)
+    player.turn_to(1)
     player.begin_page()
     shown(player)
     (task,) = player.blocks
@@ -327,7 +321,7 @@ def test_what_is_left_to_do_is_known_and_can_be_begun_again() -> None:
     assert player.left == [0, 1, 2, 3] and not player.is_last
     player.blocks[0].submit("2")
     assert (saved[-1].done, saved[-1].of) == (1, 4)
-    go(player, 3)
+    player.turn_to(3)
     assert player.is_last and player.blocks == []
     player.finish()
     assert player.left == [1, 2] and saved[-1].step == "" and saved[-1].done == 2
@@ -342,7 +336,7 @@ def test_every_lesson_can_be_played_to_its_end(path: Path) -> None:
         return  # its tasks are done with the window
     player = Player(Course(read(path)))
     for place in range(len(player.lesson.steps)):
-        go(player, place)
+        player.turn_to(place)
         begun(player)
         for block in player.blocks:  # which grow
             solve(player, block)
@@ -390,9 +384,9 @@ def test_a_class_is_asked_and_told_and_the_step_comes_back_as_it_was_left() -> N
     assert player.reveal() and said(player) == "Half?" and player.told_state is state
     assert player.reveal() and "0.5" in said(player) and player.told_state is state
     assert not player.reveal() and player.unrevealed == 0
-    go(player, 2)
+    player.turn_to(2)
     assert player.revealed == 0 and not player.reveal()
-    go(player, 1)
+    player.turn_to(1)
     assert said(player) == "" and player.told_state is None
     player.reach_again()
     assert player.revealed == 4 and player.told_state is state
@@ -402,7 +396,7 @@ def test_a_talk_is_late_from_the_first_whole_minute() -> None:
     player = Player(course_of(TALK))
     planned, late = [], []
     for place in range(3):
-        go(player, place)
+        player.turn_to(place)
         planned.append(player.planned)
         late.append([player.minutes_late(seconds) for seconds in (0, 179, 180, 270, 900)])
     assert planned == [(0.0, 2.0), (2.0, 1.5), (3.5, 0.0)]
@@ -425,7 +419,7 @@ def test_a_step_knows_whether_the_window_still_shows_it() -> None:
     posed = set_values(document, ["lens.near=1"])
     player.posed = posed
     assert player.shown_at(2).document == posed and player.shown_at(1).document != posed
-    go(player, 1)
+    player.turn_to(1)
     assert player.posed is None
 
 

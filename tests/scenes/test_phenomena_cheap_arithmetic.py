@@ -129,6 +129,7 @@ def test_the_arrows_are_the_errors_enlarged_as_they_say() -> None:
         longest = np.linalg.norm(tips - starts, axis=1).max()
         assert longest <= 0.12 * 240.0
         (text,) = shown.image.texts
+        assert not ((tips[:, 0] > text.point[0]) & (tips[:, 1] < text.point[1])).any()
         assert text.text == f"{factor:,.0f} ×".replace(",", " ")
 
 

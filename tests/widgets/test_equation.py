@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QRect
+from PySide6.QtCore import QRect, QRectF
 
 from app.document.settings import set_values
 from app.drawings.style import LIGHT
@@ -71,6 +71,12 @@ def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
     assert found.left() > 0 and found.right() < equation.width() - 1
     assert found.width() >= 0.75 * window.width()
     assert found.height() >= 4 * LEAST_CELL * window.height()
+    sides = [edge for side in equation.brackets for edge in (side.left(), side.right())]
+    assert min(sides) <= found.left() + 1 and max(sides) >= found.right() - 1
+    assert len(equation.brackets) == 8 and max(each.width() for each in equation.brackets) < 40.0
+    *_, (_, hidden_px) = window.slide.named()
+    box = QRectF(equation.brackets[0]).getCoords()
+    assert hidden_px(np.array([box, (0.0, 0.0, 5.0, 5.0)])).astype(bool).tolist() == [True, False]
     assert equation.em_in(equation.width(), equation.height()) >= 0.6 * LEAST_EM * window.height()
 
 

@@ -30,7 +30,9 @@ from PySide6.QtWidgets import (
 )
 from pytestqt.qtbot import QtBot
 
+from app.document.document import Document
 from app.document.settings import set_values
+from app.drawings import labels
 from app.lessons.blocks import KINDS
 from app.lessons.blocks.block import REVEALED, Asked, Here, Verdict
 from app.lessons.blocks.task import DONE
@@ -87,9 +89,7 @@ def test_a_sign_grows_with_the_letters_beside_it(qtbot: QtBot) -> None:
     row.setLayout(in_row(sign))
     row.show()
     for size_px in (12, 40):
-        font = QFont(row.font())
-        font.setPixelSize(size_px)
-        row.setFont(font)
+        row.setStyleSheet(f"* {{ font-size: {size_px}px }}")
         settle()
         assert sign.height() == sign.width() >= sign.fontMetrics().height() > size_px
 
@@ -558,6 +558,28 @@ def test_an_exercise_is_practised_by_keyboard_alone(window: MainWindow, tmp_path
     view, task = card.page.blocks
     assert view.played.answer == REVEALED and view.seed.text() == "77"
     assert window.store.document == task.played.here.document, "beside its text"
+
+
+def test_a_step_with_an_exercise_is_shown_at_once_with_its_numbers(
+    window: MainWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "practise.md"
+    path.write_text(EXERCISE.replace("# W", "# First\nText.\n\n---\n# W", 1), encoding="utf-8")
+    window.settings.reduce_motion = True
+    activate(window)
+    window.lesson_card.open(path)
+    settle()
+    shown, placed, place = list[Document](), list[object](), labels.place
+    window.store.changed.connect(shown.append)
+    monkeypatch.setattr(
+        labels, "place", lambda *args, **kw: placed.append(args) or place(*args, **kw)
+    )
+    assert window.lessons.next()
+    played = window.lesson_card.page.blocks[0].played
+    assert shown == [played.here.document] == [window.store.document]
+    assert len(placed) <= len(window.panes), "once in each pane"
+    window.menus.undo.trigger()
+    assert window.store.document == shown[0], "undo does not leave the step"
 
 
 @pytest.mark.undrawn

@@ -24,6 +24,7 @@ from PySide6.QtWidgets import QApplication, QWidget
 from app.lecture.typesetting import outline
 from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, in_line, plain_of, readable
 from tests.support.window import LEFT, NO_KEY, rgb_of
+from widgets.parts import lesson_text
 from widgets.parts.lesson_text import MAY_BREAK, NO_BREAK, SPACIOUS, LessonText, set_text
 
 
@@ -292,3 +293,13 @@ def test_what_follows_a_formula_is_no_larger_on_paper(qapp: object) -> None:
         painter.end()
         inks.append(rgb_of(image).mean(axis=2) < 128)
     assert inks[0].any() and np.array_equal(*inks)
+
+
+def test_a_text_is_laid_out_once_for_all_its_formulas(
+    qapp: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = list[str]()
+    monkeypatch.setattr(lesson_text, "outline", lambda tex: asked.append(tex) or outline(tex))
+    text = LessonText(" and ".join(f"$a_{number}$" for number in range(8)))
+    assert len(asked) == 2 * 8, "whether it can be set, and its size; not again for each of them"
+    assert text.heightForWidth(300) and len(asked) == 4 * 8, "for this width, and back"

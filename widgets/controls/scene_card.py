@@ -275,7 +275,6 @@ class SceneCard(QWidget, RowHolder):
             self.comparisons.append(button)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the rows and readings about what is highlighted."""
         for setting in () if self._phenomenon is None else self._phenomenon.settings:
             if setting.name in self.rows:  # there are no rows while the scene changes
                 self.rows[setting.name].set_marked(setting.path in highlighted)

@@ -458,7 +458,6 @@ class MatrixView(QWidget):
             self.highlighted.emit(highlighted)
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Mark the cells that contain a highlighted quantity."""
         if highlighted != self._highlight:
             self._highlight = highlighted
             self.update()

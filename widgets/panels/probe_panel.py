@@ -130,7 +130,6 @@ class ProbePanel(ReadablePanel):
         self._put(Probe(number, point))
 
     def choose(self, number: int) -> None:
-        """Choose the probe that fields and buttons change."""
         self._chosen = number
         self._show_choice()
 

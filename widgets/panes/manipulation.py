@@ -12,11 +12,12 @@ window's message bar would move the panes away from the mouse.
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
 import numpy as np
 from PySide6.QtCore import QObject, QPointF, Qt, QTimer, Signal
+from PySide6.QtGui import QCursor, QPainter, QPen, QPixmap, QPolygonF
 
 from app.drawings.drawing import Taken
 from app.languages import listed
@@ -29,7 +30,6 @@ from app.picking import handles
 from app.picking.handles import Change, Handle, Spot, changed, way
 from app.picking.sight import Sight, heading
 from app.scenes.phenomena.marks import Grip
-from widgets.panes.arrow_cursor import arrow_cursor
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
 from widgets.panes.pane import Pane, named_on
 from widgets.parts import messages
@@ -146,7 +146,7 @@ class Manipulation(Gestures, QObject):
             pane.canvas.setCursor(Qt.CursorShape.SizeAllCursor)
         else:
             right, down = drawing.sight.way_px(taken.point, along)
-            pane.canvas.setCursor(arrow_cursor(right, down, pane.devicePixelRatioF()))
+            pane.canvas.setCursor(_arrow_cursor(right, down, pane.devicePixelRatioF()))
 
     def _describe(self) -> None:
         """Say what a drag of a handle does, and the present value."""
@@ -426,3 +426,33 @@ def _shown(value: Any) -> str:
     if isinstance(value, tuple):
         return f"({listed(map(messages.read_text, value))})"
     return messages.read_text(value)
+
+
+# -- the mouse pointer over a handle that can be dragged along one line
+
+_SIDE, _STEP_DEG = 32, 5
+_HALF = (13.0, 0.0), (7.0, -5.5), (7.0, -1.4), (-7.0, -1.4), (-7.0, -5.5), (-13.0, 0.0)
+_ARROW = [QPointF(*end) for end in (*_HALF, *((x, -y) for x, y in _HALF[::-1]))]
+
+
+def _arrow_cursor(right: float, down: float, ratio: float) -> QCursor:
+    """A double arrow along a direction of the screen; upright for none."""
+    is_seen = math.isfinite(right + down) and (right, down) != (0.0, 0.0)
+    turn_deg = math.degrees(math.atan2(down, right)) if is_seen else 90.0
+    return _turned(round(turn_deg / _STEP_DEG) * _STEP_DEG % 180, ratio)
+
+
+@lru_cache(maxsize=64)
+def _turned(turn_deg: int, ratio: float) -> QCursor:
+    pixmap = QPixmap(round(_SIDE * ratio), round(_SIDE * ratio))
+    pixmap.setDevicePixelRatio(ratio)
+    pixmap.fill(Qt.GlobalColor.transparent)
+    painter = QPainter(pixmap)
+    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.translate(_SIDE / 2.0, _SIDE / 2.0)
+    painter.rotate(turn_deg)
+    painter.setPen(QPen(Qt.GlobalColor.white, 1.5))
+    painter.setBrush(Qt.GlobalColor.black)
+    painter.drawPolygon(QPolygonF(_ARROW))
+    painter.end()
+    return QCursor(pixmap)

@@ -260,7 +260,6 @@ class Pane(QFrame):
         return marked
 
     def show_highlight(self, highlighted: Highlight) -> None:
-        """Highlight these things, and nothing else."""
         self.requested["highlight"] = highlighted
         is_old = self._waits or self._to_build is not None
         if not self.isVisible() or is_old or self.drawing is None:

@@ -8,7 +8,7 @@ import re
 from functools import partial
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
 from app.languages import with_comma
@@ -29,7 +29,7 @@ from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.gestures import HeldSlider
-from widgets.parts.layouts import discard, in_column, in_row, tool_button
+from widgets.parts.layouts import FittedWidget, discard, in_column, in_row, tool_button
 from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
@@ -67,7 +67,7 @@ class _StopsSlider(HeldSlider):
         super().mousePressEvent(event)
 
 
-class StageStrip(QWidget, Playing):
+class StageStrip(FittedWidget, QWidget, Playing):
     """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
@@ -84,7 +84,7 @@ class StageStrip(QWidget, Playing):
         self._parallel = self._free = False
         self._emitted = ("", "")
         self._rest_s = 0.0
-        self._at = self._before = float(NDC)
+        self.position = self._before = float(NDC)  # 0 to 5, whole at `stages.STOPS`
         self._clock = Clock(self, self.advance)
         self.first = WORLD  # the first stop: below 0, one for each of the object's moves
         self._tiles: tuple[Tile, ...] = ()  # the moves in the order in which they are made
@@ -117,19 +117,14 @@ class StageStrip(QWidget, Playing):
     # -- where it is
 
     @property
-    def position(self) -> float:
-        """0 to 5, whole at `stages.STOPS`."""
-        return self._at
-
-    @property
     def stop(self) -> int:
         """The nearest stop, whose axes and letters are shown."""
-        return math.floor(self._at + 0.5)
+        return math.floor(self.position + 0.5)
 
     def go_to(self, position: float) -> None:
         """Go to a position, 0 to 5, as if the slider had been moved there."""
         self.pause()
-        if position != self._at:
+        if position != self.position:
             self._stand_at(position)
 
     def take(self, shown: ShownData, changed: Changed) -> None:
@@ -143,7 +138,7 @@ class StageStrip(QWidget, Playing):
         if parallel != self._parallel or tiles != self._tiles:
             self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
             self._make_stops()
-            if self._at < self.first:
+            if self.position < self.first:
                 self._stand_at(float(self.first))
         self._emit_title()
 
@@ -166,7 +161,7 @@ class StageStrip(QWidget, Playing):
                 self._below.setColumnStretch(half, int(half < 2 * count))
             with QSignalBlocker(self.slider):
                 self.slider.setRange(self.first * STEPS, IMAGE * STEPS)
-                self.slider.setValue(round(self._at * STEPS))
+                self.slider.setValue(round(self.position * STEPS))
             self._rows = 0
             self._stagger(1)
             if self.isVisible():
@@ -213,11 +208,11 @@ class StageStrip(QWidget, Playing):
             CANONICAL_PERSPECTIVE: parallel if self._parallel else WORDS.say("perspective"),
             CANONICAL_PARALLEL: parallel, NDC: WORDS.say("cube"),
         }  # fmt: skip
-        if self._free and VIEW < self._at < NDC:
+        if self._free and VIEW < self.position < NDC:
             return f"{self._names[VIEW][0]} → {self._names[NDC][0]}"
-        if self._at == self.stop:
+        if self.position == self.stop:
             return titles.get(self.stop, self._name(self.stop)[0])
-        before = math.floor(self._at)
+        before = math.floor(self.position)
         if self._parallel and before == CANONICAL_PERSPECTIVE:  # where nothing moves
             return parallel
         if self._parallel and before == CANONICAL_PARALLEL:
@@ -227,7 +222,7 @@ class StageStrip(QWidget, Playing):
     def _words(self, projection: Projection) -> str:
         """Return axes and limits at this position, in few words."""
         stop, lens = self.stop, projection.lens
-        if self._at < WORLD and stop < WORLD:
+        if self.position < WORLD and stop < WORLD:
             text = self._name(stop)[1]
         elif stop == WORLD:
             text = WORDS.say("world")
@@ -239,7 +234,7 @@ class StageStrip(QWidget, Playing):
             text = WORDS.say("ndc", *(f"{z:g}" for z in projection.depth_range))
         elif stop == IMAGE:
             text = WORDS.say("image", *projection.image_size)
-        elif self._parallel and CANONICAL_PERSPECTIVE <= self._at <= CANONICAL_PARALLEL:
+        elif self._parallel and CANONICAL_PERSPECTIVE <= self.position <= CANONICAL_PARALLEL:
             text = WORDS.say("is-identity")
         elif self._parallel or stop == CANONICAL_PARALLEL:
             text = WORDS.say("box")
@@ -258,7 +253,7 @@ class StageStrip(QWidget, Playing):
         if self.playing or self.isHidden():
             return
         self._set_playing(True)
-        if self._at >= IMAGE:
+        if self.position >= IMAGE:
             self._stand_at(float(self.first))
         self._rest_s = 0.0
 
@@ -270,10 +265,10 @@ class StageStrip(QWidget, Playing):
             seconds -= rest
             if seconds <= 0.0:
                 return
-            stop = math.floor(self._at) + 1
-            needed = (stop - self._at) * STEP_S
+            stop = math.floor(self.position) + 1
+            needed = (stop - self.position) * STEP_S
             if needed > seconds:
-                self._stand_at(self._at + seconds / STEP_S)
+                self._stand_at(self.position + seconds / STEP_S)
                 return
             seconds -= needed
             self._stand_at(float(stop))
@@ -285,7 +280,7 @@ class StageStrip(QWidget, Playing):
 
     def _stand_at(self, position: float) -> None:
         """Go to any position, also between the slider's steps."""
-        self._at = position
+        self.position = position
         with QSignalBlocker(self.slider):
             self.slider.setValue(round(position * STEPS))
         self._show_stop()
@@ -297,13 +292,13 @@ class StageStrip(QWidget, Playing):
         if self.slider.isSliderDown() and 0 < abs(value - stop) <= CATCH:
             self.slider.setValue(stop)  # calls this method again
             return
-        if value != self._at * STEPS:
-            self._at = value / STEPS
+        if value != self.position * STEPS:
+            self.position = value / STEPS
             self._show_stop()
-            self.moved.emit(self._at)
+            self.moved.emit(self.position)
 
     def _grasped(self) -> None:
-        self._before = self._at
+        self._before = self.position
 
     def _pressed(self) -> None:
         self.pause()
@@ -311,15 +306,11 @@ class StageStrip(QWidget, Playing):
 
     def _show_stop(self) -> None:
         for stop, button in enumerate(self.stops, self.first):
-            button.setChecked(stop == self._at)
+            button.setChecked(stop == self.position)
         self._emit_title()
 
     def _show_state(self) -> None:
         self._name_button(*map(WORDS.say, ("name", "play", "pause")))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

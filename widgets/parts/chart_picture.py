@@ -122,7 +122,6 @@ def picture(
 
 
 def _size(paper: Paper, per_inch: float, charts: int) -> QSizeF:
-    """The picture's size in pixels of the layout."""
     rows = -(-charts // 2)
     usual = ONE_PX if charts == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
     if paper.size is not None:

@@ -87,12 +87,13 @@ def set_text(
     line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
     document.setDefaultStyleSheet(STYLE.substitute(line=line))
     document.setDocumentMargin(0.0)
-    document.setIndentWidth(LIST_EM * 2.0 * _em(document, QTextCharFormat()))
+    document.setIndentWidth(LIST_EM * 2.0 * em_px(document.defaultFont()))
     document.setHtml(html)
     layout = document.documentLayout()
     layout.unregisterHandler(_KIND)  # otherwise the handler would be connected again
     layout.registerHandler(_KIND, _formulas())
     cursor = QTextCursor(document)
+    cursor.beginEditBlock()  # so that it is laid out once
     for tex in formulas:
         cursor = document.find(_PLACE, cursor)
         is_displayed = cursor.selectedText() == DISPLAYED
@@ -122,6 +123,7 @@ def set_text(
     end = last.blockFormat()
     end.setBottomMargin(0.0)
     last.setBlockFormat(end)
+    last.endEditBlock()
 
 
 def _tail(document: QTextDocument, place: int) -> str:
@@ -144,22 +146,20 @@ def _at(document: QTextDocument, place: int) -> str:
     return str(cast(Any, document).characterAt(place))
 
 
-def _em(document: QTextDocument, character: QTextCharFormat) -> float:
-    return em_px(character.font().resolve(document.defaultFont()))
-
-
 class _Formulas(QPyTextObject):
     """Lays out and draws the formulas of documents, in the colour of the text around them.
 
     Letters may have colours of their own, by the document's property `INKS`.
     """
 
-    def _set(self, document: QTextDocument, form: QTextFormat) -> tuple[str, Outline, float, float]:
-        """Return TeX, outline, em in pixels, and the height with which Qt centres the formula."""
-        tail = _tail_width(document, form)
-        character = form.toCharFormat()
-        tex = str(form.property(_TEX))
-        em = LARGER * _em(document, character)
+    def _set(
+        self, document: QTextDocument, form: QTextFormat
+    ) -> tuple[str, Outline, float, QSizeF]:
+        """Return TeX, outline, em in pixels, and the size with which Qt centres the formula."""
+        font = _font(document, form)
+        tail = QFontMetricsF(font).horizontalAdvance(form.stringProperty(_TAIL))
+        tex = form.stringProperty(_TEX)
+        em = LARGER * em_px(font)
         if document.property(SPACIOUS):
             tex = readable(tex)
             em *= DISPLAYED_LARGER if form.property(_IS_DISPLAYED) else 1.0
@@ -168,13 +168,12 @@ class _Formulas(QPyTextObject):
         if 0.0 < widest < shape.width * em:
             em = widest / shape.width
         # Qt centres an object a quarter of the letters' x-height above the line.
-        half = QFontMetrics(character.font()).xHeight() / 2.0
+        half = QFontMetrics(form.toCharFormat().font()).xHeight() / 2.0
         height = max(2.0 * shape.ascent * em - half, 2.0 * shape.descent * em + half)
-        return tex, shape, em, height
+        return tex, shape, em, QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
 
     def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
-        _, shape, em, height = self._set(document, form)
-        return QSizeF((shape.width + 2.0 * ROOM_EM) * em + _tail_width(document, form), height)
+        return self._set(document, form)[3]
 
     def drawObject(
         self,
@@ -208,10 +207,6 @@ class _Formulas(QPyTextObject):
 
 def _font(document: QTextDocument, form: QTextFormat) -> QFont:
     return form.toCharFormat().font().resolve(document.defaultFont())
-
-
-def _tail_width(document: QTextDocument, form: QTextFormat) -> float:
-    return QFontMetricsF(_font(document, form)).horizontalAdvance(form.stringProperty(_TAIL))
 
 
 @lru_cache(maxsize=1)

@@ -49,15 +49,9 @@ BRACKET_PT = 4.0
 
 
 class Numbered(NamedTuple):
-    """An exercise of a test, with the title of its lesson, and its numbers."""
-
     title: str
     placed: PlacedExercise
     variant: Variant
-
-    @property
-    def question(self) -> Asked:
-        return self.variant.question
 
     @property
     def is_sketch(self) -> bool:
@@ -72,8 +66,8 @@ class Numbered(NamedTuple):
     @property
     def panes(self) -> list[str]:
         """The panes to draw: that of the click, or those of the state that are not hidden."""
-        if self.question.pane:
-            return [self.question.pane]
+        if self.variant.question.pane:
+            return [self.variant.question.pane]
         hides = self.placed.exercise.hides
         seen = [pane for pane in panes_of(self.drawn) if pane not in hides]
         return seen or [pane for pane in PANES if pane not in hides][:1]
@@ -152,7 +146,7 @@ def key(
 
 def _answer(number: int, exercise: Numbered, width: float) -> Iterator[PageBlock]:
     """Yield the answer of an exercise and the way to it; a place is marked in its picture."""
-    question, here = exercise.question, exercise.variant.here
+    question, here = exercise.variant.question, exercise.variant.here
     answer = answer_of(question, here)
     parts = [f"**{number}.** {question.with_answer(answer, others=False)}"]
     place = question.marked_place(here)
@@ -211,7 +205,7 @@ def paged(
         least = [part.height + first * (number == 0) for number, part in enumerate(parts)]
         longest = max(range(len(parts)), key=least.__getitem__)
         if least[longest] > height:
-            raise refused(exercises[longest].question.line, REFUSALS["exam-too-long"])
+            raise refused(exercises[longest].variant.question.line, REFUSALS["exam-too-long"])
         count = len(_ends(least, height))
         low, high = least[longest], height
         for _ in range(20):  # the least height with which they need no more pages
@@ -235,7 +229,7 @@ def _ends(heights: Sequence[float], height: float) -> list[int]:
 
 def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBlock:
     """An exercise of the least height: title, text and picture, room to write, and the answer."""
-    question = exercise.question
+    question = exercise.variant.question
     title = paper.text(f"{number}. {exercise.title}", width, 1.1 * TEXT_PT, title=True)
     figure = None
     if exercise.panes:

@@ -43,8 +43,6 @@ def _changed_by(path: str) -> tuple[str, ...]:
 
 
 class EquationSlide(QWidget):
-    """Paints an equation as large as there is room for."""
-
     concerns = PROJECTION | {"view", "settings"}
     filled = Signal()  # the equation, or its size, may be another one
 
@@ -60,7 +58,8 @@ class EquationSlide(QWidget):
         self._hues = dict[str, str]()  # of letters with the colour of what the picture names so
         self._screen_px = 1.0
         self._is_slide = False
-        self.cells: list[QRectF] = []  # where cells and names were painted; of a 0 its digit alone
+        self.cells: list[QRectF] = []  # cells and names; of a 0 its digit alone
+        self.brackets: list[QRectF] = []
         self._readable = Readable(self, self._fill, lambda: self._is_slide)
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
@@ -151,7 +150,7 @@ class EquationSlide(QWidget):
     def paintEvent(self, _event: QPaintEvent) -> None:
         painter = QPainter(self)
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        self.cells = []
+        self.cells, self.brackets = [], []
         if self._problem:
             flags = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
             painter.setPen(self.palette().windowText().color())
@@ -224,6 +223,8 @@ class EquationSlide(QWidget):
         right, bottom = place.x() + sum(widths) + 2.0 * bracket, place.y() + sum(heights)
         painter.setPen(QPen(QColor(self._style.ink), max(1.5, 0.045 * em)))
         whole = QRectF(place, QPointF(right, bottom))
+        sides = place.x(), right - bracket
+        self.brackets += [QRectF(x, place.y(), bracket, bottom - place.y()) for x in sides]
         paint_brackets(painter, whole.adjusted(0.05 * em, 0.0, -0.05 * em, 0.0), foot)
         y = place.y()
         for row, height in enumerate(heights):

@@ -102,7 +102,7 @@ class LessonCard(QFrame):
         self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
         lessons.opened.connect(self._open)
-        lessons.stepped.connect(self._step)
+        lessons.entered.connect(self._enter)
         lessons.mistakes_changed.connect(self._show_notice)
         self._calling = QTimer(self, singleShot=True, interval=CALL_MS)
         self._calling.timeout.connect(partial(self.handles_called.emit, frozenset()))
@@ -204,7 +204,7 @@ class LessonCard(QFrame):
             self.is_on = True
             self.toggled.emit(True)
 
-    def _step(self) -> None:
+    def _enter(self) -> None:
         """Show the page of the step, unless it is shown already or the card is hidden."""
         player = self._player
         assert player is not None

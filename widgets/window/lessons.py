@@ -68,6 +68,7 @@ class Lessons(QObject):
     opened = Signal()  # a lesson was opened, read again, or closed: `course` has changed
     mistakes_changed = Signal(str)  # mistakes in the open file, one a line; empty once fixed
     refused = Signal(str)  # why a step cannot be shown; the previous step stays
+    entered = Signal()  # a step begins; what its page poses now is shown as the step's state
     stepped = Signal()  # another step is shown, or the same one again
     arrived = Signal()  # the model has moved to where it goes
 
@@ -161,6 +162,7 @@ class Lessons(QObject):
         if course.file is not None:
             self._watcher.addPaths([str(course.file), str(course.file.parent)])
         self.opened.emit()
+        self.entered.emit()
         self.stepped.emit()
         return True
 
@@ -184,21 +186,26 @@ class Lessons(QObject):
         if player is None or not 0 <= place < len(player.lesson.steps):
             return False
         try:
-            shown = player.shown_at(place)
-            scene = scene_of(shown.document)
+            scene_of(player.shown_at(place).document)
         except Refusal as error:
             self.refused.emit(named(error, player.lesson.path))
             return False
         self._finish()
         self._stand_still()
-        left, player.place = player.place, place
+        left = player.place
+        player.turn_to(place)
+        self._moving = True
+        self.entered.emit()
+        self._moving = False
+        shown = player.shown_at(place)
         is_other = self._is_other(shown.document)
         view = player.view_of(shown, self._store.look(), other_scene=is_other)
-        if not self._move_to(replace(shown.document, view=view), scene):
-            player.place = left
+        if not self._move_to(replace(shown.document, view=view), scene_of(shown.document)):
+            player.turn_to(left)
+            player.reach_again()
+            self.entered.emit()
             return False
         if place != left:
-            player.leave(left)
             self._store.forget_steps()
             player.arrived = self._store.look().panes
         elif self._store.look().panes != player.arrived:
@@ -223,7 +230,7 @@ class Lessons(QObject):
         """Show the state of an exercise as the step's own, until another step is shown."""
         assert self.player is not None
         self.player.posed = document
-        if self.go(self.player.place):
+        if not self._moving and self.go(self.player.place):
             self._store.forget_steps()
 
     def show_predicted(self, state: State) -> None:
@@ -252,7 +259,6 @@ class Lessons(QObject):
         self._finish()
 
     def _is_other(self, document: Document) -> bool:
-        """Whether a document shows another scene."""
         here = self._store.document
         return (here.scene, here.mesh) != (document.scene, document.mesh)
 
@@ -379,6 +385,7 @@ class Lessons(QObject):
         self.player = player.read_again(course, place)
         self.opened.emit()
         if same:
+            self.entered.emit()
             self.stepped.emit()
         else:
             self.go(place)

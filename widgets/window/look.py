@@ -112,7 +112,6 @@ class Look(QObject):
             pane.begin_glide(poses.get(name))
 
     def glide(self, part: float) -> None:
-        """Show a part of the way, 0 to 1."""
         ends, self._glides = part == 1.0 and self._glides, self._glides and part < 1.0
         for pane in self._panes.values():
             pane.glide(part)

@@ -214,7 +214,6 @@ class Practice(QObject):
     # -- what was practised
 
     def show_overview(self) -> None:
-        """Show every topic with its exercises, as they were solved."""
         attempts = self.attempts
         known, problem = standings(attempts), self._record.problem
         waiting = practice.find_waiting(attempts)

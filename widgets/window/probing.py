@@ -130,7 +130,6 @@ class Probing(QObject):
         return () if pixel is None else (Probe(0, pixel=pixel),)
 
     def _follow(self, name: str, place: QPointF) -> None:
-        """Follow the point that was clicked in a pane."""
         chosen, shown = self._panel.chosen, self._shown()
         self._before_click = self._panel.probes, chosen.number if chosen else 0
         phenomenon, self._moved = shown.scene.phenomenon, {}

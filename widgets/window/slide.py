@@ -10,7 +10,7 @@ from PySide6.QtGui import QResizeEvent, QTransform
 from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
-from app.drawings.label_placement import Floats, Ground
+from app.drawings.label_placement import Floats, Ground, overlap
 from widgets.panes.pane import Pane, named_on
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.labels import Title
@@ -23,6 +23,7 @@ from widgets.window.slots import Slots
 EQUATION_SHARE = 0.7  # width of an equation that has a picture beside it
 FRAME_PX = 8.0  # from a picture's frame to what may lie beside it
 FRAME_INK = 3.0  # how much more than other ink a side of the frame counts
+BRACKET_INK = 1e3  # pixels of ink for which a bracket counts
 EQUATION_HEIGHT = 0.45
 """Height of an equation that is too wide for that, above the picture that a step asks for."""
 
@@ -72,8 +73,11 @@ class Slide(QWidget):
         beside = [each for each in (*titles, *self.findChildren(StageStrip)) if each.isVisible()]
         others = [QRectF(each.rect()).translated(each.mapTo(self, QPointF())) for each in beside]
         at = self.equation.mapTo(self, QPointF())
-        others += [cell.translated(at) for cell in self.equation.cells if self.equation.isVisible()]
-        yield others, lambda boxes: np.zeros(len(boxes))
+        has_equation = self.equation.isVisible()
+        others += [cell.translated(at) for cell in self.equation.cells if has_equation]
+        brackets = [each.translated(at) for each in self.equation.brackets if has_equation]
+        ink = np.array([each.getCoords() for each in brackets]).reshape(-1, 4)
+        yield others, lambda boxes: BRACKET_INK * overlap(boxes, ink).sum(axis=1)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)

@@ -1,10 +1,10 @@
 """``matrix:`` in an ``answer``: a matrix or a vector, each of whose numbers is marked by itself."""
 
 import operator
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import combinations
+from itertools import chain, combinations
 from typing import TypeVar
 
 from app.lessons import marking
@@ -107,15 +107,15 @@ class MatrixQuestion(MarkedQuestion):
         """Yield the ways to mix up a matrix: for each cell, whose value it then has."""
         places = self._in_rows(range(self.rows * self.columns))
         if self.rows == self.columns:
-            yield Refusal.saying(REFUSALS["transposed"]), _flat(zip(*places, strict=True))
+            yield Refusal.saying(REFUSALS["transposed"]), [*chain(*zip(*places, strict=True))]
         for one, other in combinations(range(self.rows), 2):
             yield (
                 Refusal.saying(REFUSALS["rows"], one + 1, other + 1),
-                _flat(_swapped(places, one, other)),
+                [*chain(*_swapped(places, one, other))],
             )
         for one, other in combinations(range(self.columns), 2):
             swapped = (_swapped(row, one, other) for row in places)
-            yield Refusal.saying(REFUSALS["columns"], one + 1, other + 1), _flat(swapped)
+            yield Refusal.saying(REFUSALS["columns"], one + 1, other + 1), [*chain(*swapped)]
 
     def solution(self, here: Here) -> str:
         """Return a line for each number that has letters; the numbers are in `answer_text`."""
@@ -176,10 +176,6 @@ def _first(items: Items) -> tuple[int, ...]:
     if len(parts) != 2:
         raise refused(item.line, REFUSALS["a-cell"], value=item.text[:60])
     return tuple(int(number_in(part.strip(), item.line, 1, MOST)) for part in parts)
-
-
-def _flat(rows: Iterable[Sequence[int]]) -> list[int]:
-    return [place for row in rows for place in row]
 
 
 def _swapped(parts: Sequence[Part], one: int, other: int) -> list[Part]:

@@ -215,13 +215,14 @@ def _arrows(starts: Array, steps: Array, across: Array) -> Array:
 
 
 def _marked(arrows: Array, factor: float, name: str) -> Marks:
-    """Arrows (k, 5, 2 or 3); the longest is labelled with their enlargement."""
+    """Arrows (k, 5, 2 or 3); the highest, in a picture to the right, has their enlargement."""
     if not len(arrows):
         return Marks()
-    longest = arrows[np.linalg.norm(arrows[:, 1] - arrows[:, 0], axis=1).argmax(), 1]
+    tips = arrows[:, 1]
+    highest = tips[(tips @ ((0.5, -1.0) if arrows.shape[2] == 2 else (0.0, 1.0, 0.0))).argmax()]
     return Marks.of(
         *(Polyline(arrow, "accent", 1.5, (), name) for arrow in arrows),
-        Text(name, longest, "accent", text=times_text(factor)),
+        Text(name, highest, "accent", (), tips.mean(axis=0), times_text(factor)),
     )
 
 
