@@ -566,6 +566,20 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
 # --------------------------------------------------------------------------- the speaker's window
 
 
+def test_the_speaker_sees_that_the_screen_is_black(window: MainWindow, qtbot: Any) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+
+    def middle() -> str:
+        image = speaker.now.pixmap().toImage()
+        return "" if image.isNull() else image.pixelColor(image.rect().center()).name()
+
+    for is_black in (False, True, False):
+        qtbot.waitUntil(lambda black=is_black: middle() != "" and (middle() == "#000000") is black)
+        window.present.blank()
+
+
 @pytest.mark.undrawn
 def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
