@@ -53,6 +53,7 @@ in the window, would be 3); other figures look alike."""
 CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
+_HIGH = 0.7  # of its width: a pane in a column, three of which of 84 mm go into a page of a book
 _TRIES, _NEAR_PX, _FITS = 6, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
@@ -159,8 +160,11 @@ class Figure:
             wide, high = self.document.projection.image_size
             return Size(self.width or wide, (self.width or wide) * high / wide)
         count = len(self.panes)
-        side = PANE_PX if self.width is None else self.width / (1 if self.column else count)
-        return Size(side, count * side) if self.column else Size(count * side, side)
+        if not self.column:
+            side = self.width / count if self.width else PANE_PX
+            return Size(count * side, side)
+        side = self.width or PANE_PX
+        return Size(side, count * side * (1.0 if self.width is None else _HIGH))
 
     @property
     def _side(self) -> float:
@@ -224,10 +228,29 @@ class Figure:
             whole = replace(figure, scale=self.scale)._whole(watch, seen)
         return self._cropped(whole) if self._is_cropped else whole
 
-    def boxed(self) -> Figure:
-        """Return it in a box in which what is seen is as wide as asked for."""
-        figure = replace(self, size=None)
-        return replace(figure._as_wide(_Watch(None, len(self.panes)))[0], scale=self.scale)
+    def boxed(self, other: Figure | None = None) -> Figure:
+        """Return it in a box in which what is seen is as wide as asked for, or in a smaller other.
+
+        Most frames of a film are narrower than the widest one: they are drawn once.
+        """
+        figure, watch = replace(self, size=None), _Watch(None, len(self.panes))
+        if self.width is None or self._has_own_size:
+            return figure
+        if other is not None:
+            tried = replace(figure._drawn_once, size=other.size, text_pt=other.text_pt)
+            if self.width - tried._wide(tried._whole(watch)) > _NEAR_PX:
+                return other
+        own = replace(figure._as_wide(watch)[0], scale=self.scale)
+        return min(other or own, own, key=lambda each: each.full_size.px)
+
+    @property
+    def _drawn_once(self) -> Figure:
+        """All formats have the same box: it is found at scale 1, where that has enough pixels."""
+        return replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
+
+    def _wide(self, whole: Pixels) -> float:
+        """How wide what is seen in a picture is, at scale 1."""
+        return float(np.ptp(self._seen(whole)[0])) / self.scale
 
     @property
     def _is_cropped(self) -> bool:
@@ -259,12 +282,11 @@ class Figure:
         """Draw it in a box in which what is seen is as wide as asked for; return both."""
         if self.size or self.width is None or self._has_own_size:
             return self, self._whole(watch, seen)
-        # All formats have the same box: it is found at scale 1, where that has enough pixels.
-        figure = replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
+        figure = self._drawn_once
         tries: list[tuple[tuple[bool, float], Figure, Pixels]] = []
         while len(tries) <= _TRIES:
             drawn = figure._whole(watch, seen)
-            wide = float(np.ptp(self._seen(drawn)[0])) / figure.scale or self.width
+            wide = figure._wide(drawn) or self.width
             missing = self.width - wide
             tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
             if abs(missing) <= _NEAR_PX:
