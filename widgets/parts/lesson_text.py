@@ -206,7 +206,10 @@ class _Formulas(QPyTextObject):
 
 
 def _font(document: QTextDocument, form: QTextFormat) -> QFont:
-    return form.toCharFormat().font().resolve(document.defaultFont())
+    font = form.toCharFormat().font().resolve(document.defaultFont())
+    if form.intProperty(QTextFormat.Property.FontSizeAdjustment) == 1:  # of a title: `font-size`
+        font.setPixelSize(round(1.2 * em_px(font)))
+    return font
 
 
 @lru_cache(maxsize=1)

@@ -5,6 +5,7 @@ left to the speaker's notes; of a text of which no part fits, the beginning
 is shown.
 """
 
+import math
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
@@ -34,7 +35,7 @@ TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
 GAP_SHARE = 0.0075
 """Free between the title and the line, in heights of the screen: a fraction fills the line."""
-TITLES = (0.044, 0.04, 0.036, 0.0305)
+TITLES = (0.036, 0.033, 0.0305)
 LINES = (0.036, 0.033, 0.0305)
 """Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
 smallest are 2.2 % high."""
@@ -121,7 +122,7 @@ class TalkBand(QFrame):
 
     def _fit(self) -> None:
         """Take the first of the texts that fits, in the largest letters that do."""
-        room, title_px = self._room, TITLE_SHARE * self._screen_px
+        room, title_px = self._room, math.ceil((TITLE_SHARE + GAP_SHARE) * self._screen_px)
         number_px = 5.0 * NUMBER_SHARE * self._screen_px
         set_text(self._title, self._step, title=True, palette=self.palette())
         for share in TITLES:
