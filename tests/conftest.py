@@ -189,15 +189,17 @@ def make_window(
     """Open main windows; after the test all are closed and no interactor survives.
 
     Edges stay as they are while one drags, and labels do not fade, unless a test is marked as
-    `smooth`: then windows are smaller.
+    `smooth`: then windows are smaller. Panes stay empty for a test that is `undrawn`. Folded panels
+    are prepared when a test says so, however slow the machine is.
     """
     from app.document.document import Document
     from app.scenes.scene import load
     from tests.support.opened import close, opened
     from widgets.panes import adaptive
-    from widgets.window import main_window
+    from widgets.window import drawer, main_window
     from widgets.window.settings import Settings
 
+    monkeypatch.setattr(drawer, "IDLE_MS", 10 * PATIENCE_MS)
     is_smooth = request.node.get_closest_marker("smooth") is not None
     if is_smooth:  # quickly drawn
         monkeypatch.setattr(main_window, "AT_FIRST_PX", (main_window.FOLDS_BELOW_PX, 560))
@@ -207,6 +209,7 @@ def make_window(
 
     def make(document: Document | None = None, **options: Any) -> Any:
         options.setdefault("settings", Settings(own_home / "settings.ini"))
+        options.setdefault("drawn", request.node.get_closest_marker("undrawn") is None)
         document = document or Document("letter-f", load("letter-f").start)
         windows.append(opened(document, **options))
         for pane in windows[-1].panes.values() if not is_smooth else ():
@@ -241,10 +244,10 @@ def talk(request: pytest.FixtureRequest, tmp_path: Path) -> Path:
 
 @pytest.fixture
 def window(request: pytest.FixtureRequest, make_window: Callable[..., Any]) -> Iterator[Any]:
-    """A window on the letter F as it opens, at rest; empty panes for a test that is `undrawn`."""
+    """A window on the letter F as it opens, at rest."""
     from tests.support.window import settle
 
-    window = make_window(drawn=request.node.get_closest_marker("undrawn") is None)
+    window = make_window()
     settle()
     yield window
     request.node.funcargs.clear()  # pytest's hold on it, before survivors are sought

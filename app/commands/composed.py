@@ -87,7 +87,7 @@ def faults_in(picture: "ComposedPicture", screen_px: int | None) -> Iterator[tup
 
     for one, other in picture.overlaps:
         yield "overlap", said("“{0}” overlaps “{1}”.", one, other)
-    if picture.is_crowded:
+    if len(picture.labels) > MOST_LABELS:
         yield (
             "crowded",
             said("{0}; at most {1}.", counted(len(picture.labels), "label"), MOST_LABELS),

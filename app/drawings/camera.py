@@ -134,27 +134,18 @@ class CameraDrawing(Layer):
             self._show_parts()
 
     def _show_parts(self) -> None:
-        for axis, shaft in self.shafts.items():
-            self._canvas.set_visible(self._shows(axis), shaft, self._heads[axis])
-        self._canvas.set_visible(self.shows_target, *self._target_parts, self._sight)
-
-    def _shows(self, axis: str) -> bool:
         step = self._state.step
-        return axis in self._named if step is None else frame.is_built(axis, step)
-
-    @property
-    def shows_target(self) -> bool:
-        return "target" in self._named or frame.is_built("look", self._state.step)
+        for axis, shaft in self.shafts.items():
+            is_seen = axis in self._named if step is None else frame.is_built(axis, step)
+            self._canvas.set_visible(is_seen, shaft, self._heads[axis])
+        shows_target = "target" in self._named or frame.is_built("look", step)
+        self._canvas.set_visible(shows_target, *self._target_parts, self._sight)
 
     @property
     def arrows(self) -> tuple[tuple[str, ...], Array]:
         """The names of the visible arrows, and the vectors from the eye to their tips."""
         directions = np.array(list(self._tips.values())).reshape(-1, 3)
         return tuple(self._tips), self.axes_size * directions @ self._state.standing.camera.frame
-
-    @property
-    def has_arrows(self) -> bool:
-        return bool(self._tips)
 
     @property
     def _tips(self) -> dict[str, tuple[float, float, float]]:
@@ -258,7 +249,7 @@ class CameraDrawing(Layer):
         if "camera" in state.hidden_now or state.own.fixed == "eye":
             return {}
         inside = {"target": at.target[None]} if state.names.wants("target") else {}
-        if state.projection.lens.central or state.names.wants("eye") or self.has_arrows:
+        if state.projection.lens.central or state.names.wants("eye") or self._tips:
             inside["eye"] = at.eye[None]
         return inside
 

@@ -113,10 +113,6 @@ class ComposedPicture(NamedTuple):
         ]
 
     @property
-    def is_crowded(self) -> bool:
-        return len(self.labels) > MOST_LABELS
-
-    @property
     def is_empty(self) -> bool:
         longest, area = max(self.fill), self.fill[0] * self.fill[1]
         is_thin = self.needs_area and longest < FULL and area < LEAST_AREA

@@ -197,7 +197,7 @@ def test_no_answer_can_be_measured_on_paper() -> None:
             each = Numbered("", found, found.with_numbers(1))
             is_measured = found.exercise.name in MEASURED.get(course.name, ())
             assert each.is_sketch == is_measured, found.key
-            assert not (is_measured and isinstance(each.question, Click)), found.key
+            assert not (is_measured and isinstance(each.variant.question, Click)), found.key
 
 
 def drawn(block: paper.PageBlock) -> np.ndarray[Any, Any]:

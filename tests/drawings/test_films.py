@@ -61,7 +61,7 @@ def test_of_a_round_film_the_first_frame_follows_the_last() -> None:
 
 def test_where_words_would_cover_something_in_many_frames_their_letter_stands_alone() -> None:
     figures = [
-        Figure(state, load("letter-f"), ("world", "image"), width=992.0, text_pt=8.0)
+        Figure(state, load("letter-f"), ("world", "image"), width=330.0, text_pt=8.0 / 3.0)
         for state in (
             set_values(Document(), values)
             for values in swept(parse_sweeps(["lens.fov_y_deg=20:60"]), Document(), 6)

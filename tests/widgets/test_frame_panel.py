@@ -205,6 +205,7 @@ def test_four_digits_are_read_and_all_by_the_switch(window: MainWindow) -> None:
     assert few != whole
 
 
+@pytest.mark.undrawn
 def test_folded_it_computes_nothing_and_opens_with_the_present_camera(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -323,6 +324,7 @@ def test_one_step_is_one_repaint_of_the_world_and_idle_is_none(window: MainWindo
         assert counts == {"world": 2, "ndc": 1, "image": 1}
 
 
+@pytest.mark.undrawn
 def test_figures_show_the_step_while_its_panel_is_open(make_window: MakeWindow) -> None:
     window = make_window()
     settle()

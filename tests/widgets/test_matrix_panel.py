@@ -797,6 +797,7 @@ def test_no_formula_is_cut_and_fractions_are_stacked(panel: MatrixPanel) -> None
                 assert "/" not in re.sub(r"\w+\([^()]*\)", "", text), text
 
 
+@pytest.mark.undrawn
 def test_a_held_cell_is_silent_after_its_matrix_was_removed(
     window: MainWindow, qtbot: QtBot
 ) -> None:
@@ -1120,6 +1121,7 @@ def test_both_matrices_of_another_program_give_our_picture(
     assert np.abs(pixels - OFF_AXIS.trace(points).image).max() < 1e-9
 
 
+@pytest.mark.undrawn
 def test_formulas_and_boxes_are_ready_before_the_panel_opens(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: QtBot
 ) -> None:

@@ -120,6 +120,7 @@ def is_presenting(window: MainWindow) -> bool:
 # -- what a class sees
 
 
+@pytest.mark.undrawn
 def test_one_picture_is_the_slide(window: MainWindow) -> None:
     for scene, leading in (("letter-f", "world"), ("clipping", "ndc"), ("depth-buffer", "image")):
         window.guide.choose(scene)
@@ -234,6 +235,7 @@ def test_a_row_that_comes_into_the_strip_has_the_value_of_the_document(window: M
     assert row.isVisible() and row.value() == "box"
 
 
+@pytest.mark.undrawn
 def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
     window: MainWindow,
 ) -> None:
@@ -379,6 +381,7 @@ def test_an_offer_waits_until_presenting_ends(window: MainWindow) -> None:
     assert bar.isVisible()
 
 
+@pytest.mark.undrawn
 def test_no_last_word_stands_alone(window: MainWindow) -> None:
     """Of each thing to try, the last line is at least half as long as the longest."""
     window.guide.choose("off-axis-window")
@@ -623,6 +626,7 @@ def test_a_window_that_was_maximised_is_so_again(window: MainWindow) -> None:
     assert window.isMaximized() and not window.isFullScreen()
 
 
+@pytest.mark.undrawn
 def test_closed_while_presenting_it_opens_as_an_ordinary_window(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:

@@ -147,6 +147,7 @@ def test_a_drag_repaints_once_a_step_and_without_a_gpu_once_to_refine(
     assert counts == dict.fromkeys(window.panes, 4 if software else 1)
 
 
+@pytest.mark.undrawn
 def test_a_change_reaches_only_the_listeners_that_it_concerns(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -181,6 +182,7 @@ def test_a_change_reaches_only_the_listeners_that_it_concerns(
     assert told == {"FramePanel"}
 
 
+@pytest.mark.undrawn
 def test_the_cube_says_its_limits_from_the_start(window: MainWindow) -> None:
     assert window.panes["ndc"].header.note.text() == "x, y ±1, z −1 … 1"
 
@@ -1091,6 +1093,7 @@ def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
 # -- scenes
 
 
+@pytest.mark.undrawn
 def test_a_window_of_a_missing_screen_opens_on_an_existing_one(make_window: MakeWindow) -> None:
     window, settings = make_window(), Settings(None)
     screen = window.screen().geometry()
@@ -1102,6 +1105,7 @@ def test_a_window_of_a_missing_screen_opens_on_an_existing_one(make_window: Make
     assert screen.contains(again.frameGeometry()) and again.size().toTuple() == (900, 650)
 
 
+@pytest.mark.undrawn
 def test_damaged_geometry_of_the_window_is_ignored(make_window: MakeWindow) -> None:
     whole, settings = make_window(shown=False), Settings(None)
     for geometry in (b"\x00", b"x" * 70, bytes(range(256))):
@@ -1266,6 +1270,7 @@ def test_a_control_is_found_by_a_key_wherever_the_focus_is(window: MainWindow) -
     assert window.controls.isVisible() and window.menus.controls.isChecked() and search.hasFocus()
 
 
+@pytest.mark.undrawn
 def test_all_digits_are_a_setting_of_the_view_menu(make_window: MakeWindow) -> None:
     settings = Settings(None)
     window = make_window(settings=settings)
@@ -1359,6 +1364,7 @@ def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainW
     assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
 
 
+@pytest.mark.undrawn
 def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     make_window: MakeWindow, everything: Document
 ) -> None:
@@ -1376,6 +1382,7 @@ def test_a_play_is_one_step_of_undo_and_ends_with_the_scene(
     assert not player.playing and not window.store.in_gesture
 
 
+@pytest.mark.undrawn
 def test_a_reset_while_the_camera_walks_puts_all_back_and_keeps_the_mesh(
     make_window: MakeWindow, tmp_path: Path
 ) -> None:
@@ -1401,6 +1408,7 @@ def tetrahedron(folder: Path) -> Path:
     return mesh
 
 
+@pytest.mark.undrawn
 def test_a_picture_asks_for_a_mesh_that_is_not_beside_it(
     make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -1531,6 +1539,7 @@ def test_in_letters_for_a_class_no_text_in_a_picture_hides_another(window: MainW
     assert seen > 20
 
 
+@pytest.mark.undrawn
 def test_full_hd_at_a_screen_scale_of_two_holds_the_window_that_presents(
     window: MainWindow,
 ) -> None:
@@ -1611,6 +1620,7 @@ def test_lines_are_drawn_with_another_form_of_their_shader_declaration(
     assert np.array_equal(*pictures)
 
 
+@pytest.mark.undrawn
 def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(window: MainWindow) -> None:
     note = window.panes["ndc"].note
     text = "u, v, n in world units, as the camera has them"
@@ -1630,6 +1640,7 @@ def test_a_cut_note_beside_a_panes_title_ends_in_an_ellipsis(window: MainWindow)
     assert QLabel.text(note) == ""
 
 
+@pytest.mark.undrawn
 def test_the_note_of_a_pane_is_cut_before_its_title(window: MainWindow) -> None:
     pane = window.panes["image"]
     title, note = pane.title, pane.note
@@ -1677,6 +1688,7 @@ def test_both_panes_share_what_float64_has_projected(window: MainWindow) -> None
     assert [points() for points in made] == [None, None] and shared() == own
 
 
+@pytest.mark.undrawn
 def test_esc_puts_back_what_a_slider_has_dragged(window: MainWindow) -> None:
     for key in ["fov_x_deg", "far", "azimuth_deg"]:
         window.probe_panel.follow(point=(0.0, 0.0, 0.0))  # which Esc would remove otherwise

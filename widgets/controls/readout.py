@@ -13,7 +13,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.scenes.phenomena.words import Reading
 from widgets.parts.icons import show_icon
 from widgets.parts.labels import Balanced
-from widgets.parts.layouts import in_column, tool_button
+from widgets.parts.layouts import LetteredWidget, in_column, tool_button
 from widgets.parts.messages import all_digits, lettering, number_text, of_phenomena, read_text
 from widgets.parts.plain import PlainLabel, set_tip, subscripts
 from widgets.parts.typeset import TypesetLabel, in_line, matrix
@@ -65,7 +65,7 @@ class _Value(TypesetLabel):
         self.setAlignment(Qt.AlignmentFlag.AlignRight | Qt.AlignmentFlag.AlignVCenter)
 
 
-class Readout(QWidget):
+class Readout(LetteredWidget, QWidget):
     """Label, value and unit of each reading of the scene.
 
     The first readings are always visible; the others are folded, and not written until they are
@@ -82,7 +82,7 @@ class Readout(QWidget):
         self._first = 0
         self._why_closed = ""
         self._grid = QGridLayout()
-        self._dress()
+        self._fit()
         self._grid.setContentsMargins(0, 0, 0, 0)
         self._grid.setHorizontalSpacing(4)
         self._grid.setColumnStretch(0, 1)
@@ -208,7 +208,7 @@ class Readout(QWidget):
         natural = label.fontMetrics().horizontalAdvance(label.text()) + 4
         label.setMinimumWidth(min(natural, LABEL_EM * self.fontMetrics().height()))
 
-    def _dress(self) -> None:
+    def _fit(self) -> None:
         """Set the size of numbers with a style sheet, because a theme would reset a font."""
         size = self.font().pointSizeF()
         self._grid.setVerticalSpacing(round(BETWEEN_EM * self.fontMetrics().height()))
@@ -218,8 +218,3 @@ class Readout(QWidget):
             for label, value, _ in self.lines:
                 value.setMinimumWidth(0)
                 self._widen(label)
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._dress()

@@ -32,7 +32,7 @@ from app.model.parameters import tidy
 from app.model.projection import Camera, Projection
 from app.model.refusal import Refusal, format_value
 from widgets.parts.labels import WarningLabel
-from widgets.parts.layouts import FREE, in_column, in_row, push_button, scrolled
+from widgets.parts.layouts import FREE, LetteredWidget, in_column, in_row, push_button, scrolled
 from widgets.parts.messages import all_digits, lettering, read_text, sentence, translated
 from widgets.parts.number_rows import NumberRow
 from widgets.parts.panel import PROJECTION, Changed, Panel, ShownData
@@ -65,7 +65,7 @@ class _FrameStep(NamedTuple):
     sentence: str
 
 
-class FramePanel(Panel):
+class FramePanel(LetteredWidget, Panel):
     concerns = PROJECTION
     step_changed = Signal(object)  # the step to draw; None while the panel is folded
 
@@ -152,7 +152,7 @@ class FramePanel(Panel):
         self.nudge = push_button(WORDS.say("nudge", NUDGE_DEG), tip, self._nudge, name=tip)
         self.warning = WarningLabel()
 
-    def _set_fonts(self) -> None:
+    def _fit(self) -> None:
         self.formula.setFont(resized(self.font(), 1.25))
 
     def _lay_out(self) -> None:
@@ -306,14 +306,9 @@ class FramePanel(Panel):
             self.highlighted.emit(NOTHING)
         return False
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._set_fonts()
-
     def showEvent(self, event: QShowEvent) -> None:
         super().showEvent(event)
-        self._set_fonts()  # the first polish of a style sheet resets fonts that were set before
+        self._fit()  # the first polish of a style sheet resets fonts that were set before
         self._refresh()
         self.step_changed.emit(self.step)
 

@@ -26,7 +26,7 @@ from app.lecture.kinds import KINDS, ProjectionKind, kind_of, path, scale_factor
 from app.model.projection import Array, Camera, Perspective, Projection
 from app.model.refusal import Refusal
 from app.scenes.shapes import box_faces
-from widgets.parts.layouts import RING_PX, in_column
+from widgets.parts.layouts import RING_PX, LetteredWidget, in_column
 from widgets.parts.messages import of_phenomena, read_text, sentence
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData, faded
 from widgets.parts.plain import PlainLabel
@@ -230,7 +230,7 @@ class _Tree(QWidget):
         painter.end()
 
 
-class KindsPanel(ReadablePanel):
+class KindsPanel(LetteredWidget, ReadablePanel):
     """The tree, and below it the condition and the scale factors of a kind."""
 
     concerns = PROJECTION | {"scene", "settings"}
@@ -253,11 +253,6 @@ class KindsPanel(ReadablePanel):
         """Reserve two lines under the tree, so that it does not jump."""
         self.condition.setFixedHeight(2 * self.fontMetrics().lineSpacing() + 2)
         self._tree.place()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._fit()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._shown = shown

@@ -13,7 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette, QResizeEvent
+from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QFileDialog,
@@ -51,7 +51,7 @@ from app.scenes.phenomena.words import Diagram
 from widgets.panels.diagram_panel import DiagramPanel
 from widgets.panels.measuring import Measuring
 from widgets.parts.icons import icon
-from widgets.parts.layouts import FREE, FocusRing, in_column, in_row
+from widgets.parts.layouts import FREE, FittedWidget, FocusRing, in_column, in_row
 from widgets.parts.messages import all_digits, sentence
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import PlainLabel, set_tip
@@ -64,7 +64,7 @@ _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accen
 _NAME = Qt.ItemDataRole.UserRole
 
 
-class _ResultsTable(QTableWidget):
+class _ResultsTable(FittedWidget, QTableWidget):
     """A table of whole rows, whose last column, the notes, has the remaining width."""
 
     def __init__(self) -> None:
@@ -76,7 +76,7 @@ class _ResultsTable(QTableWidget):
         self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
         self.verticalHeader().hide()
         self.setMinimumSize(200, 40)
-        self.horizontalHeader().sectionResized.connect(self._fit_notes)
+        self.horizontalHeader().sectionResized.connect(self._fit)
 
     def fit_columns(self) -> None:
         header = self.horizontalHeader()
@@ -87,19 +87,15 @@ class _ResultsTable(QTableWidget):
             words = self.fontMetrics().averageCharWidth() * NOTE_LETTERS
             self._least_notes = min(words, header.sectionSize(header.count() - 1))
             header.resizeSection(header.count() - 1, self._least_notes)
-        self._fit_notes()
+        self._fit()
 
-    def _fit_notes(self) -> None:
+    def _fit(self) -> None:
         header = self.horizontalHeader()
         last = header.count() - 1
         if self._least_notes and last >= 0:
             room = self.viewport().width() - header.sectionPosition(last)
             header.resizeSection(last, max(room, self._least_notes))
         self.resizeRowsToContents()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit_notes()
 
 
 class MeasurePanel(DiagramPanel):

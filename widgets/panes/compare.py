@@ -19,7 +19,6 @@ from PySide6.QtGui import (
     QPaintEvent,
     QPalette,
     QPolygonF,
-    QResizeEvent,
 )
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -32,7 +31,7 @@ from app.scenes.phenomena import PHENOMENA
 from widgets.panes.canvas import ARROWS, RasterCanvas
 from widgets.panes.pane import Pane
 from widgets.parts.labels import Title
-from widgets.parts.layouts import FocusRing, in_row, tool_button
+from widgets.parts.layouts import FittedWidget, FocusRing, in_row, tool_button
 from widgets.parts.messages import field_name, of_phenomena, read_text, sentence
 from widgets.parts.palette import LABEL_SHARE
 from widgets.parts.panel import PROJECTION, ShownData
@@ -171,7 +170,7 @@ class _Other(QWidget):
         self.setVisible(not cut.isEmpty())
 
 
-class _TwoLineLabel(PlainLabel):
+class _TwoLineLabel(FittedWidget, PlainLabel):
     """Two lines for as much text as fits; the tooltip has all of it."""
 
     def __init__(self) -> None:
@@ -194,10 +193,6 @@ class _TwoLineLabel(PlainLabel):
     def heightForWidth(self, _width: int) -> int:
         """The same height, where Qt would take that of the text."""
         return self.sizeHint().height()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

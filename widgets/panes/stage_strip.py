@@ -8,7 +8,7 @@ import re
 from functools import partial
 
 from PySide6.QtCore import QEvent, QSignalBlocker, QSize, Qt, Signal
-from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent, QResizeEvent
+from PySide6.QtGui import QHideEvent, QKeyEvent, QMouseEvent
 from PySide6.QtWidgets import QGridLayout, QSizePolicy, QSlider, QToolButton, QWidget
 
 from app.languages import with_comma
@@ -29,7 +29,7 @@ from app.model.projection import Projection
 from app.scenes.phenomena.words import digits_apart
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.gestures import HeldSlider
-from widgets.parts.layouts import discard, in_column, in_row, tool_button
+from widgets.parts.layouts import FittedWidget, discard, in_column, in_row, tool_button
 from widgets.parts.messages import lettering
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import set_tip
@@ -67,7 +67,7 @@ class _StopsSlider(HeldSlider):
         super().mousePressEvent(event)
 
 
-class StageStrip(QWidget, Playing):
+class StageStrip(FittedWidget, QWidget, Playing):
     """A slider through all stages, which starts at NDC, a name under each stop, and play."""
 
     concerns = PROJECTION - {"camera"}
@@ -311,10 +311,6 @@ class StageStrip(QWidget, Playing):
 
     def _show_state(self) -> None:
         self._name_button(*map(WORDS.say, ("name", "play", "pause")))
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

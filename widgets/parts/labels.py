@@ -2,36 +2,32 @@
 
 from bisect import bisect_left
 
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QSize, Qt
-from PySide6.QtGui import QPainter, QPaintEvent, QPalette, QResizeEvent
+from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
 from widgets.parts.icons import paint_icon
+from widgets.parts.layouts import FittedWidget, LetteredWidget
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
 
 SIGN = 1.25  # width of a warning sign and the gap after it, in line heights
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
 
-class WarningLabel(PlainLabel):
+class WarningLabel(LetteredWidget, PlainLabel):
     """Plain text after a warning sign; an empty text has no sign."""
 
     def __init__(self) -> None:
         super().__init__(wordWrap=True)
         self.is_warning = True  # whether the text is a warning
-        self._fit_sign()
+        self._fit()
 
     def set_is_warning(self, warns: bool) -> None:
         """Set whether the next text is a warning."""
         self.is_warning = warns
-        self._fit_sign()
+        self._fit()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._fit_sign()
-
-    def _fit_sign(self) -> None:
+    def _fit(self) -> None:
         self.setIndent(round(SIGN * self.fontMetrics().height()) if self.is_warning else 0)
 
     def paintEvent(self, event: QPaintEvent) -> None:
@@ -62,7 +58,7 @@ class RefusalLabel(WarningLabel):
             self.setVisible(bool(text))
 
 
-class NoteLabel(PlainLabel):
+class NoteLabel(FittedWidget, LetteredWidget, PlainLabel):
     """A line of text that is elided if there is no room; the tooltip has all of it."""
 
     def __init__(self) -> None:
@@ -76,7 +72,7 @@ class NoteLabel(PlainLabel):
         self._whole = text
         set_tip(self, text)
         self.setAccessibleDescription(text)
-        self._elide()
+        self._fit()
 
     def text(self) -> str:
         return self._whole
@@ -85,16 +81,7 @@ class NoteLabel(PlainLabel):
         """Request no width: the note takes the remaining space."""
         return QSize(0, super().sizeHint().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._elide()
-
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self._elide()
-
-    def _elide(self) -> None:
+    def _fit(self) -> None:
         shown = self.fontMetrics().elidedText(
             self._whole, Qt.TextElideMode.ElideRight, self.width()
         )
@@ -122,8 +109,8 @@ class Title(NoteLabel):
     def minimumSizeHint(self) -> QSize:
         return QSize(0, super().minimumSizeHint().height())
 
-    def _elide(self) -> None:
-        super()._elide()
+    def _fit(self) -> None:
+        super()._fit()
         set_tip(self, "" if PlainLabel.text(self) == self.text() else self.text())
 
 

@@ -6,11 +6,12 @@ from the panel. The order here is that of the layouts, which the user sees.
 
 import re
 import sys
+from abc import abstractmethod
 from collections.abc import Iterable, Iterator
-from typing import TypeAlias, TypeVar, cast
+from typing import TYPE_CHECKING, TypeAlias, TypeVar, cast
 
 from PySide6.QtCore import QCoreApplication, QEvent, QObject, Qt
-from PySide6.QtGui import QKeySequence, QPainter, QPaintEvent, QPen
+from PySide6.QtGui import QKeySequence, QPainter, QPaintEvent, QPen, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractButton,
     QApplication,
@@ -31,7 +32,35 @@ from PySide6.QtWidgets import (
 from widgets.parts.icons import show_icon
 from widgets.parts.plain import set_tip
 
+if TYPE_CHECKING:
+    OfWidget = QWidget
+else:
+    OfWidget = object  # the class is a QWidget already
+
 RING_PX = 2  # width of the frame, visible from the back row
+
+
+class FittedWidget(OfWidget):
+    """A widget that fits its content again after each change of its size."""
+
+    @abstractmethod
+    def _fit(self) -> None: ...
+
+    def resizeEvent(self, event: QResizeEvent) -> None:
+        super().resizeEvent(event)
+        self._fit()
+
+
+class LetteredWidget(OfWidget):
+    """A widget that fits its content again after each change of its font."""
+
+    @abstractmethod
+    def _fit(self) -> None: ...
+
+    def changeEvent(self, event: QEvent) -> None:
+        super().changeEvent(event)
+        if event.type() == QEvent.Type.FontChange:
+            self._fit()
 
 
 def focus_next(window: QWidget, forwards: bool) -> bool:

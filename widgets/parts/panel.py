@@ -20,7 +20,7 @@ from abc import abstractmethod
 from collections.abc import Callable, Hashable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol, TypeAlias
+from typing import Protocol, TypeAlias
 
 from PySide6.QtCore import QObject, QRectF, QTimer, Signal
 from PySide6.QtGui import QColor, QImage, QPainter, QPaintEvent, QPen, QShowEvent
@@ -34,13 +34,9 @@ from app.model.projection import Projection
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.scene import Scene
 from widgets.parts.gestures import Gestures
+from widgets.parts.layouts import OfWidget
 from widgets.parts.messages import all_digits
 from widgets.parts.plain import PlainLabel
-
-if TYPE_CHECKING:
-    OfWidget = QWidget
-else:
-    OfWidget = object  # the class is a QWidget already
 
 
 class Highlighter(QObject):

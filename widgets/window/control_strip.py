@@ -6,7 +6,7 @@ The rows are those of the dock, which lends them while the strip is shown.
 from collections.abc import Collection
 
 from PySide6.QtCore import QEvent, QObject, Qt, Signal
-from PySide6.QtGui import QFont, QResizeEvent
+from PySide6.QtGui import QFont
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy, QWidget
 
 from app.document.view import MOST_ON_SLIDE, STRIP
@@ -14,7 +14,7 @@ from app.model.parameters import FOV_Y, NEAR
 from widgets.controls.controls import Controls
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.fields import Row
-from widgets.parts.layouts import in_row
+from widgets.parts.layouts import FittedWidget, in_row
 from widgets.parts.panel import Changed, ShownData
 
 LETTERS_SHARE = 0.021  # height of the letters, in heights of the screen: the speaker reads them
@@ -23,7 +23,7 @@ ROW_SHARE = 0.42  # width of a row, in widths of the strip
 USUAL = (FOV_Y.path, NEAR.path)  # the controls of a scene that has none of its own
 
 
-class ControlStrip(QFrame):
+class ControlStrip(FittedWidget, QFrame):
     """The controls of a slide; hidden unless a step names them, or the speaker asks for them."""
 
     concerns = frozenset({"scene", "view"})
@@ -98,14 +98,10 @@ class ControlStrip(QFrame):
             row.setHidden(row.isHidden() and is_left_out)
             for part in (row, *row.findChildren(QWidget)):
                 part.installEventFilter(self)
-        self._share_out()
+        self._fit()
         self.setVisible(bool(self.rows))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._share_out()
-
-    def _share_out(self) -> None:
+    def _fit(self) -> None:
         """Leave the sides free beside a single row."""
         wanted = ROW_SHARE * self.width() * max(1, len(self.rows))
         side = max(24, round((self.width() - wanted) / 2.0))

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from contextlib import suppress
 
 from PySide6.QtCore import QSize, Qt, QTime, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QFont, QImage, QPixmap
 from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QWidget
 
 from app.document.document import Document
@@ -19,7 +19,7 @@ from app.lessons.text import in_line
 from app.model.refusal import Refusal
 from widgets.panes.canvas import release_context
 from widgets.parts import palette
-from widgets.parts.layouts import TOP, in_column, in_row, push_button
+from widgets.parts.layouts import TOP, FittedWidget, in_column, in_row, push_button
 from widgets.parts.lesson_text import answer_of, set_text
 from widgets.parts.plain import PlainLabel, ReadText, set_tip
 from widgets.window.pictures import image_of
@@ -66,7 +66,7 @@ class TalkClock:
             self._since = self._now()
 
 
-class _PictureLabel(PlainLabel):
+class _PictureLabel(FittedWidget, PlainLabel):
     """A picture, as large as there is room for."""
 
     def __init__(self, name: str) -> None:
@@ -78,10 +78,6 @@ class _PictureLabel(PlainLabel):
     def show_image(self, image: QImage) -> None:
         """Show an image; an empty one hides it."""
         self._image = image
-        self._fit()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
         self._fit()
 
     def _fit(self) -> None:

@@ -16,7 +16,6 @@ from PySide6.QtGui import (
     QPainter,
     QPaintEvent,
     QPalette,
-    QResizeEvent,
     QTextBlockFormat,
     QTextCursor,
     QTextDocument,
@@ -26,6 +25,7 @@ from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 from app.drawings.style import LIGHT, Style, tone
 from app.lessons.lesson import Step
 from app.lessons.text import spoken_text
+from widgets.parts.layouts import FittedWidget
 from widgets.parts.lesson_text import INKS, set_text
 from widgets.parts.panel import Changed, ShownData
 from widgets.parts.plain import TextDocument
@@ -47,7 +47,7 @@ _PIECE = re.compile(r"\$\$.+?\$\$|\$.+?\$\S*|\S+", re.DOTALL)
 """A word, or a formula with what follows it directly."""
 
 
-class TalkBand(QFrame):
+class TalkBand(FittedWidget, QFrame):
     """A step's title and what it says in two lines at the most.
 
     The speaker says the words that are `left_out`. It `is_cut` if no part of them fits: smaller
@@ -105,10 +105,6 @@ class TalkBand(QFrame):
         """Show a message below the number of the step; an empty one hides it."""
         self.message = note
         self.update()
-
-    def resizeEvent(self, event: QResizeEvent) -> None:
-        super().resizeEvent(event)
-        self._fit()
 
     def changeEvent(self, event: QEvent) -> None:
         super().changeEvent(event)

@@ -53,11 +53,6 @@ def beside(here: Here, own: Document, name: str, wrong: float) -> Document | Non
     return replace(own, view=replace(own.view, compare=pictures, dividers=(), large="image"))
 
 
-def is_set(own: Document, name: str) -> bool:
-    """Whether a number has values of its own."""
-    return bool(_change(own, name, 1.0))
-
-
 def _change(own: Document, name: str, value: float) -> str:
     """Return the assignment that gives a number a value; empty if there is none."""
     if name in _OF_WIDTH:
@@ -226,7 +221,7 @@ class Question(Asked):
             with on_line(line, "number"):
                 held = known.value(parse(self.number))
             is_held = math.isclose(value[0], held, rel_tol=1e-9)
-            if not is_held or not is_set(known.document, self.number):
+            if not is_held or not _change(known.document, self.number, 1.0):
                 raise refused(line, REFUSALS["other-number"], f"{held:.6g}", value=self.number)
 
     def check_values(self, here: Here) -> None:
