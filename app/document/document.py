@@ -222,6 +222,7 @@ NAMES = FieldKind(lambda text: [name.strip() for name in text.split(",") if name
 
 # --------------------------------------------------------------------------- the table
 
+# The types are texts, as `from __future__ import annotations` leaves them in each module.
 _BY_TYPE = {"float": NUMBER, "Vector": VECTOR, "Cells": MATRIX}
 _KINDS = {bool: SWITCH, str: TEXT, tuple: VECTOR}
 

@@ -53,6 +53,7 @@ in the window, would be 3); other figures look alike."""
 CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
+_HIGH = 0.7  # of its width: a pane in a column, three of which of 84 mm go into a page of a book
 _TRIES, _NEAR_PX, _FITS = 6, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
@@ -159,8 +160,11 @@ class Figure:
             wide, high = self.document.projection.image_size
             return Size(self.width or wide, (self.width or wide) * high / wide)
         count = len(self.panes)
-        side = PANE_PX if self.width is None else self.width / (1 if self.column else count)
-        return Size(side, count * side) if self.column else Size(count * side, side)
+        if not self.column:
+            side = self.width / count if self.width else PANE_PX
+            return Size(count * side, side)
+        side = self.width or PANE_PX
+        return Size(side, count * side * (1.0 if self.width is None else _HIGH))
 
     @property
     def _side(self) -> float:

@@ -61,6 +61,10 @@ class Places(NamedTuple):
     leads: bool = True  # whether a leader may join a place that is far away
     brief: NDArray[np.bool_] | None = None  # (n,), where the letter stands alone; None: nowhere
 
+    def part(self, which: slice) -> Places:
+        at = self.centres[which], self.turns[which], self.anchors[which], self.away[which]
+        return Places(*at, self.leads)
+
 
 NOWHERE = Places(np.empty((0, 2)), np.empty(0), np.empty((0, 2)), np.empty(0))
 
@@ -99,6 +103,8 @@ class Wish(NamedTuple):
             )
             far = places.away[:, None] > LEADER_FROM_EM * ground.em
             slides = far & (np.abs(centres - places.anchors) < 1e-6).any(axis=1, keepdims=True)
+            beside = np.abs(inside - places.anchors) >= half  # not over its own mark
+            slides &= beside.any(axis=1, keepdims=True)
             places = places._replace(centres=np.where(slides, inside, centres))
         return self, places
 
@@ -183,7 +189,8 @@ def along(
 ) -> Places:
     """Outside an area along its edges, (n, 2, 2), turned with them up to 30 degrees, else level.
 
-    `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last.
+    `body` has the corners, (m, 2), of what the area bounds: edges beyond which it lies come last,
+    after the places diagonally from the others.
     """
     ends = np.reshape(np.asarray(edges, dtype=np.float64), (-1, 2, 2))
     spans, mids = ends[:, 1] - ends[:, 0], ends.mean(axis=1)
@@ -198,6 +205,8 @@ def along(
     is_before = gaps.max(axis=1) < math.pi  # corners are all round that place
     order = np.lexsort((-(mids[:, 1] - middle[1] + 0.1 * lengths), is_before))
     round_mids = around(mids[order], size, em)  # also of a plane that is seen as a point
+    good = order[~is_before[order]]
+    diagonal = around(mids[good], size, em).part(slice(4 * len(good)))
     order = order[lengths[order] >= 1.0]
     turns = np.arctan2(across[:, 1], across[:, 0])
     turns -= math.pi * np.round(turns / math.pi)
@@ -209,7 +218,8 @@ def along(
     centres = anchors + np.repeat((away[:, None] * outward)[order], len(_ALONG), axis=0)
     turns = np.repeat(np.where(is_turned, turns, 0.0)[order], len(_ALONG))
     places = Places(centres, turns, anchors, np.full(len(anchors), 0.35 * em))
-    return joined(places, round_mids)
+    first = len(_ALONG) * int((~is_before[order]).sum())
+    return joined(places.part(slice(first)), diagonal, places.part(slice(first, None)), round_mids)
 
 
 def flanking(
@@ -321,14 +331,6 @@ class Ground:
             at = parts[which, 0] + part[:, None] * (parts[which, 1] - parts[which, 0])
             columns, rows = np.floor(at / self._square).astype(np.int64).T
             held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
-        self.ink(held)
-
-    def ink_points(self, points: Floats) -> None:
-        """Count the squares of points, (n, 2), as ink."""
-        held = np.zeros(self.shape, dtype=np.bool_)
-        points = points[np.isfinite(points).all(axis=1)] / self._square
-        columns, rows = points[((points >= 0.0) & (points < self.shape)).all(axis=1)].astype(int).T
-        held[columns, rows] = True
         self.ink(held)
 
     def hidden(self, boxes: Floats) -> Floats:
@@ -631,12 +633,17 @@ def placed_label(wish: Wish, places: Places, number: int, em: float) -> PlacedLa
     return PlacedLabel((x, y), turn, leader, kept)
 
 
-def _leader(spot: Spot, centre: Spot, size: tuple[float, float], em: float) -> tuple[Spot, Spot]:
-    """From the rim of a mark to the box of its label."""
+def _leader(
+    spot: Spot, centre: Spot, size: tuple[float, float], em: float
+) -> tuple[Spot, Spot] | None:
+    """From the rim of a mark to the box of its label, if that is far: no stub is drawn."""
     (x, y), (middle_x, middle_y) = spot, centre
     end_x = min(max(x, middle_x - size[0] / 2.0), middle_x + size[0] / 2.0)
     end_y = min(max(y, middle_y - size[1] / 2.0), middle_y + size[1] / 2.0)
-    part = min(0.5, _RIM_EM * em / max(math.hypot(end_x - x, end_y - y), 1e-9))
+    away = math.hypot(end_x - x, end_y - y)
+    if away <= LEADER_FROM_EM * em:
+        return None
+    part = _RIM_EM * em / away
     return (x + part * (end_x - x), y + part * (end_y - y)), (end_x, end_y)
 
 

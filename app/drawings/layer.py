@@ -19,6 +19,7 @@ from functools import cache
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from app.document.naming import named_in
 from app.drawings.actors import Detail, SceneActors
@@ -63,18 +64,34 @@ class Silhouette:
             points = points[:: max(1, -(-len(points) // _MOST_POINTS))]
             self.triangles = points.astype(np.float64)[:, None]
 
-    def ink_under(self, ground: Ground, rows: Array) -> None:
+    def ink_under(self, ground: Ground, rows: Array, volume: Array | None = None) -> None:
         """`ink` under rows that give x w, y w and w in pixels, (3, 4)."""
         with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
             x, y, w = np.moveaxis(self.triangles @ rows[:, :3].T + rows[:, 3], -1, 0)
             spots = np.stack([x, y], axis=-1) / np.where(w > 0.0, w, np.nan)[..., None]
-        self.ink(ground, spots)
+        self.ink(ground, spots, volume)
 
-    def ink(self, ground: Ground, spots: Array) -> None:
-        """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind."""
-        if spots.shape[1] == 1:
-            ground.ink_points(spots[:, 0])
-            return
+    def ink(self, ground: Ground, spots: Array, volume: Array | None = None) -> None:
+        """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind.
+
+        Of a `volume` with corners, (m, 2), in which nothing of them was cut away.
+        """
+        held = self._held(ground, spots)
+        if volume is not None and np.isfinite(volume).all():
+            between = volume - volume[:, None]
+            across = np.stack([-between[..., 1], between[..., 0]], axis=-1)
+            least = (across * volume[:, None]).sum(axis=-1)
+            is_side = between.any(axis=-1) & (across @ volume.T >= least[..., None] - 1e-6).all(
+                axis=-1
+            )
+            middles = (np.indices(ground.shape) + 0.5) * self._square_px
+            sides, first = across[is_side], least[is_side]
+            held &= (np.tensordot(sides, middles, 1) >= first[:, None, None]).all(axis=0)
+        ground.ink(held)
+
+    def _held(self, ground: Ground, spots: Array) -> NDArray[np.bool_]:
+        """The squares, (columns, rows), of triangles or points."""
+        spots = spots if spots.shape[1] == 3 else np.repeat(spots, 3, axis=1)
         columns, rows = (side + 2 for side in ground.shape)  # with a rim that takes what is outside
         limit = np.array([[columns - 1.0], [rows - 1.0]])
         held = np.zeros(columns * rows, dtype=np.bool_)
@@ -93,7 +110,7 @@ class Silhouette:
                 spread = _lattice(count) @ np.moveaxis(corners[:, :, steps == count], 1, 0)
                 x, y = np.clip(spread, 0.0, limit[:, None]).astype(np.int64)
                 held[x * rows + y] = True
-        ground.ink(held.reshape(columns, rows)[1:-1, 1:-1])
+        return held.reshape(columns, rows)[1:-1, 1:-1]
 
 
 @cache

@@ -22,6 +22,7 @@ import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any, Literal
 
 import numpy as np
@@ -38,8 +39,8 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.label_placement import Ground
-from app.drawings.labels import DOT_EM, SCENE
+from app.drawings.label_placement import Ground, on
+from app.drawings.labels import DOT_EM, MARGIN_EM, SCENE
 from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing, together
 from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.style import mixed, rgb
@@ -86,8 +87,8 @@ class MarksDrawing(Layer):
         self._dots: list[_Batch] = []
         self._faces: _Batch | None = None
         self._board, self._names = state.board, state.names
-        self._texts: list[tuple[tuple[str, str, int], tuple[str, ...]]] = []
-        """The key of each text on the board, and what it is about."""
+        self._texts: list[tuple[tuple[str, str, int], Text]] = []
+        """Each text, and its key on the board."""
         self._copies: list[_CopyActors] = []
         self._colours: dict[tuple[str, int, bool], NDArray[np.uint8]] = {}
         self._text_points = self._dot_points = self._away_points = NO_POINTS
@@ -166,8 +167,8 @@ class MarksDrawing(Layer):
         return True
 
     def _underline_texts(self) -> None:
-        for key, about in self._texts:
-            lit = bool(self._highlighted.intersection(about))
+        for key, text in self._texts:
+            lit = bool(self._highlighted.intersection(text.about))
             self._board.label(key).set_underlined(lit)
 
     def _show_lines(self, lines: Sequence[Polyline], placing: Placing) -> Array:
@@ -254,7 +255,7 @@ class MarksDrawing(Layer):
             label = self._board.label(key)
             label.set_colour(self._named(text.colour or "ink"))
             label.set_text(self._state.words.get(text.text, text.text))
-            self._texts.append((key, text.about))
+            self._texts.append((key, text))
         self._underline_texts()
 
     def want(self, ground: Ground) -> None:
@@ -267,10 +268,15 @@ class MarksDrawing(Layer):
         dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
         ground.keep(dots, DOT_EM * board.em)
         written = self._state.written
-        for place, (key, _) in enumerate(self._texts):
+        for place, (key, text) in enumerate(self._texts):
             if key[1] in written:
                 continue
             spot, away = spots[place], spots[count + place]
+            if text.is_title:
+                (x, y, _), high = spot, board.label(key).size_px[1]
+                below = partial(on, (x, y - high / 2.0 - 1.1 * MARGIN_EM * board.em))
+                board.want(key, [(x, y)], below, SCENE + place / 100.0)
+                continue
             way = spot[0] - away[0], spot[1] - away[1]
             board.want_beside(key, spot, SCENE + place / 100.0, way if any(way) else None)
 
@@ -279,6 +285,14 @@ class MarksDrawing(Layer):
             seen = self._state.seen(self._segments)
             spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen])
             ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
+        if self._shown:
+            state, triangles = self._state, self._state.silhouette.triangles
+            shown = np.eye(4) if state.pane == "world" else state.copies_from_local(0.0)
+            x, y, z, w = shown @ self._copied(triangles.reshape(-1, 3)).T
+            w = np.where(w > 0.0, w, np.nan)
+            spots = np.array(state.seen(np.column_stack([x / w, y / w, z / w])))
+            spots[~(spots[:, 2] > 0.0)] = np.nan
+            state.silhouette.ink(ground, spots[:, :2].reshape(-1, *triangles.shape[1:2], 2))
 
     def reach(self) -> Array:
         """The marked points and the copies of the objects, of those that are not too far away."""

@@ -102,6 +102,10 @@ class OwnView(PaneCamera):
         self._heading_deg = 0.0  # the azimuth of the model's camera when the picture opened
         self._was_shifted = False
         self._fixed_at: _Fixed | None = None
+        self.placed_px = 0, 0  # the pane's size when it was placed
+        self._rested = 0  # what was framed when it was placed, or at the last rest
+        self._left: dict[int, tuple[_Fixed | None, tuple[float, ...]]] = {}
+        """Where it stood, by what was framed, before an edit made it look from elsewhere."""
         self.depths: tuple[float, float] = self._camera.GetClippingRange()
         self.look()
 
@@ -138,7 +142,8 @@ class OwnView(PaneCamera):
 
         A fixed view that was shifted stays.
         """
-        before = self._now
+        before, self.placed_px = self._now, self.size_px
+        self._left, self._rested = {}, self._key(framed)
         if self.fixed:
             if not self._was_shifted:
                 self._fixed_at = None
@@ -147,6 +152,26 @@ class OwnView(PaneCamera):
             self._stand_freely(*self._stand(self._shot_axes(framed.shot), [framed], [np.eye(3)]))
             self._placed = self._now
         return self._now != before
+
+    def rest(self, framed: Framed, *, is_cut: bool) -> bool:
+        """`place` it if something is cut; stand where it did if what led to that is undone."""
+        before, here = self._now, self._key(framed)
+        if here in self._left and not self._was_shifted:
+            self._fixed_at, stood = self._left[here]
+            if self.fixed:
+                self.follow(framed)
+            else:
+                self._stand_freely(np.array(stood[:3]), np.array(stood[3:6]))
+                self._placed = self._now
+        elif is_cut:
+            left = self._left | {self._rested: (self._fixed_at, before)}
+            self.place(framed)
+            self._left = left
+        self._rested = here
+        return self._now != before
+
+    def _key(self, framed: Framed) -> int:
+        return hash((self.fixed, *self.size_px, framed.points.tobytes()))
 
     def _stand_freely(self, *place: Any) -> None:
         self._look_through(_HALF)

@@ -91,7 +91,7 @@ class SceneAtStage(FacesLayer):
         state = self._state
         shown = state.own.pane_from_display @ state.display_from_object
         rows = np.stack([shown[0], state.size_px[1] * shown[3] - shown[1], shown[3]])
-        state.silhouette.ink_under(ground, rows)
+        state.silhouette.ink_under(ground, rows, state.volume_seen())
 
 
 class StageDrawing(Drawing):

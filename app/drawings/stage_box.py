@@ -104,6 +104,19 @@ class StageState(PaneState):
             self._morph = morph_of(self.projection, origin, corners, self.from_left)
         return self._morph
 
+    def in_box(self, points: object) -> Array:
+        """Where points of the volume's cube are shown, in display space."""
+        box, points = self.display_from_box, np.asarray(points, dtype=np.float64)
+        homogeneous = points @ box[:, :3].T + box[:, 3]
+        return np.asarray(homogeneous[..., :3] / homogeneous[..., 3:])
+
+    def volume_seen(self) -> Array:
+        """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
+        with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
+            corners = self.in_box(CUBE)
+        seen = self.seen(np.where(np.isfinite(corners), corners, np.nan))
+        return np.asarray(np.array(seen)[:, :2])
+
     @property
     def marked(self) -> Illustration | None:
         return self.illustration if self.position == NDC else None
@@ -277,14 +290,14 @@ class StageBox(Layer):
         """Put axes and letters where the nearest stop has them."""
         self._camera_at = NO_POINTS
         if stop == NDC:  # along the edges at a corner of near, z the way it grows
-            starts, ends = np.moveaxis(self._shown(_AT_CORNER), 1, 0)
+            starts, ends = np.moveaxis(self._state.in_box(_AT_CORNER), 1, 0)
             tips = starts + _SHORT * (ends - starts)
             z_near, z_far = self._limits(morph)
             if z_near > z_far:
                 tips[2] = 2.0 * starts[2] - tips[2]
             inner = starts
         elif stop == IMAGE:  # along the picture's, y down
-            start, corner = self._shown([(-1, 1, 1), (1, -1, 1)])
+            start, corner = self._state.in_box([(-1, 1, 1), (1, -1, 1)])
             axes = np.diag([1.0, -1.0, 1.0])
             inner = start + np.abs(corner - start)[:, None] * axes
             starts, tips = np.tile(start, (3, 1)), inner + OVERSHOOT * axes
@@ -337,12 +350,6 @@ class StageBox(Layer):
         is_turned = self._words.get("{near_in_cube}") == "1" and near == -far
         return (far, near) if is_turned else (near, far)
 
-    def _shown(self, points: object) -> Array:
-        points = np.asarray(points, dtype=np.float64)
-        box = self._state.display_from_box
-        homogeneous = points @ box[:, :3].T + box[:, 3]
-        return np.asarray(homogeneous[..., :3] / homogeneous[..., 3:])
-
     def _place_words(self, morph: Morph, stop: int) -> None:
         """Put near, far and the ends of the axes at the corners of the view volume."""
         box, lens, words = self._state.display_from_box, morph.projection.lens, self._words
@@ -392,7 +399,7 @@ class StageBox(Layer):
             x, y, _ = np.array(seen(self._camera_at)).T
             ground.keep_box(x.min(), y.min(), x.max(), y.max())
         spots = dict(zip(self._at, seen(np.array(list(self._at.values()))), strict=True))
-        corners = self._corners_seen()
+        corners = self._state.volume_seen()
         middle = np.nanmean(corners[:, :2], axis=0) if np.isfinite(corners).any() else np.zeros(2)
         body = [(x, y, 1.0) for x, y in corners.tolist()]
         for label, face in ((self.near, slice(4)), (self.far, slice(4, 8))):
@@ -416,16 +423,9 @@ class StageBox(Layer):
 
     def ink(self, ground: Ground) -> None:
         edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
-        ground.ink_lines(self._corners_seen()[edges])
+        ground.ink_lines(self._state.volume_seen()[edges])
         axes = self._state.seen(self.axes[:, ::2].reshape(-1, 3))
         ground.ink_lines(np.array(axes)[:, :2].reshape(-1, 2, 2))
-
-    def _corners_seen(self) -> Array:
-        """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
-        with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
-            corners = self._shown(CUBE)
-        seen = self._state.seen(np.where(np.isfinite(corners), corners, np.nan))
-        return np.asarray(np.array(seen)[:, :2])
 
 
 def _signed(z: float) -> str:

@@ -43,6 +43,7 @@ _FRAME = np.array(  # near, far, left, right, bottom and top of clip space; posi
     [(0, 0, 1, 1), (0, 0, -1, 1), (1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, 1), (0, -1, 0, 1)],
     dtype=np.float64,
 )
+_CIRCLE = np.exp(np.arange(48) * math.tau * 1j / 48.0).view(np.float64).reshape(-1, 2)
 
 
 class Area(NamedTuple):
@@ -464,8 +465,21 @@ class _VectorPane:
             )
         for point in points:
             if not hiding.hides(point):
-                (centre,) = self._placed(point.points[:1].tolist())
-                yield Disc(centre, point.width / 2.0 / self._finer, point.colour, point.opacity)
+                yield self._disc(point)
+
+    def _disc(self, point: ScreenCell) -> Disc | Area:
+        """A dot; at the border of a picture in its pane, the part of it that lies inside."""
+        radius, high = point.width / 2.0, np.array([self._wide, self._high])
+        at = point.points[0, :2] - (self._left, self._low)
+        is_whole = high[1] == self._height or ((at >= radius) & (at <= high - radius)).all()
+        if is_whole:
+            (centre,) = self._placed(point.points[:1].tolist())
+            return Disc(centre, radius / self._finer, point.colour, point.opacity)
+        ring = np.column_stack([at + radius * _CIRCLE, np.ones(len(_CIRCLE))])
+        for side in ((1, 0, 0), (0, 1, 0), (-1, 0, self._wide), (0, -1, self._high)):
+            ring = cut(ring, np.array(side), True)
+        ring = ring[:, :2] + (self._left, self._low)
+        return Area([self._placed(ring.tolist())], point.colour, point.opacity)
 
     def _behind(self, hiding: Occlusion, lines: list[ScreenCell]) -> Iterator[LineShape]:
         """The hidden parts of lines, except a ground's, which would cover the objects."""

@@ -345,7 +345,7 @@ class WorldDrawing(Drawing):
         return {name: px for name, px in outside.items() if px > _ROUNDING_PX}
 
     def refit(self) -> bool:
-        if not self.own.was_moved and self.cut() and self.own.place(self._framed()):
+        if not self.own.was_moved and self.own.rest(self._framed(), is_cut=bool(self.cut())):
             self.reset_clipping_range()
             return True
         return self.layers.place_labels(at_rest=True)
@@ -367,8 +367,9 @@ class WorldDrawing(Drawing):
         self.reset_clipping_range(afresh=part == 1.0)
 
     def _lay_out(self, _width_px: int, _height_px: int) -> None:
-        """Fit a view that nobody has moved into a window of another size."""
-        if not (self.own.was_moved or self.own.is_turned):
+        """Fit a view that nobody has moved into a window of another size, or round new names."""
+        is_held = bool(self.handles.held) and self.own.placed_px == self.own.size_px
+        if not (is_held or self.own.was_moved or self.own.is_turned):
             self.own.place(self._goes_to or self._framed())
             self.own.keep_goal()
         self.reset_clipping_range()

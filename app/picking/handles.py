@@ -106,8 +106,9 @@ def shown(
     """Return the handles that fit into a pane, with their positions.
 
     The order is grips, object, eye, target, up, sides, near, far, corners. A plane's handle is
-    `apart_px` from the others, if it can be. There are corners of the far face, and of the near
-    face unless that is small, then also sides of a window that is given in numbers.
+    `apart_px` from the others, and out of the title, if it can be. There are corners of the far
+    face, and of the near face unless that is small, then also sides of a window that is given in
+    numbers.
 
     Near and far are drawn at the distances `drawn`. The `kept` handle is being dragged. `grips` are
     world points of the scene's settings, by name. Handles with a name in `without` are omitted. The
@@ -135,7 +136,8 @@ def shown(
 
     def take(handle: Handle, least_px: float = 0.0) -> bool:
         x, y = spot = spots[handle]
-        if not (0.0 <= x < width_px and 0.0 <= y < height_px):  # nor NaN, behind the pane's camera
+        rim_px = 2.0 * least_px  # nor NaN, behind the pane's camera
+        if not (rim_px <= x < width_px - rim_px and rim_px <= y < height_px - rim_px):
             return False
         if any(math.dist(spot, other) < least_px for other in visible.values()):
             return False

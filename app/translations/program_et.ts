@@ -3144,8 +3144,8 @@
         <translation>Lohistage ülesvektori otsa</translation>
     </message>
     <message>
-        <source>Drag this corner (Shift: both sides)</source>
-        <translation>Lohistage seda nurka (Shift: mõlemad küljed)</translation>
+        <source>Drag the window&apos;s edge (Shift: both sides)</source>
+        <translation>Lohistage akna serva (Shift: mõlemad küljed)</translation>
     </message>
     <message>
         <source>Drag to change the field of view</source>

@@ -3159,8 +3159,8 @@
         <translation>Povucite vrh vektora prema gore</translation>
     </message>
     <message>
-        <source>Drag this corner (Shift: both sides)</source>
-        <translation>Povucite ovaj kut prozora (Shift: obje strane)</translation>
+        <source>Drag the window&apos;s edge (Shift: both sides)</source>
+        <translation>Povucite rub prozora (Shift: obje strane)</translation>
     </message>
     <message>
         <source>Drag to change the field of view</source>

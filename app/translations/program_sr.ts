@@ -3159,8 +3159,8 @@
         <translation>Превуците врх вектора нагоре</translation>
     </message>
     <message>
-        <source>Drag this corner (Shift: both sides)</source>
-        <translation>Превуците овај угао прозора (Shift: обе стране)</translation>
+        <source>Drag the window&apos;s edge (Shift: both sides)</source>
+        <translation>Превуците ивицу прозора (Shift: обе стране)</translation>
     </message>
     <message>
         <source>Drag to change the field of view</source>

@@ -31,7 +31,14 @@ from app import languages
 from app.bootstrap import ROOT
 from app.document import codec, files
 from app.document.codec import SHORTEST, parse, to_json, to_tree
-from app.document.document import MESH_ENDINGS, Document, is_mesh
+from app.document.document import (
+    MESH_ENDINGS,
+    NUMBER,
+    NUMBER_OR_WORD,
+    Document,
+    is_mesh,
+    lens_fields,
+)
 from app.document.files import (
     extract,
     holds_document,
@@ -1525,3 +1532,11 @@ def test_the_camera_follows_a_setting_unless_it_is_set_too(everything: Document)
     )
     said = sentence(set_values, at_target, ["settings.light=1,7,3"])
     assert said.startswith("camera.target = [5.5, 7, 9.5]: must differ from the eye")
+
+
+@pytest.mark.parametrize("kind", LENSES)
+def test_every_number_of_a_lens_is_read_as_a_number(kind: str) -> None:
+    """Its kind follows from its annotation, which has to be a text."""
+    numbers = {each.name for each in lens_fields(kind) if each.kind in (NUMBER, NUMBER_OR_WORD)}
+    values = vars(Projection().with_lens(kind).lens)
+    assert numbers >= {name for name, value in values.items() if isinstance(value, float)}

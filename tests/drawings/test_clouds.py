@@ -14,7 +14,7 @@ from app.drawings.picture_frame import UNFRAMED
 from app.drawings.probes import next_vertex, pick_in, vertex_of
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT
-from app.drawings.vectors import Disc, LineShape, Shape, shapes_of
+from app.drawings.vectors import Area, Disc, LineShape, Shape, shapes_of
 from app.drawings.world import WorldDrawing
 from app.model.chain import FiveTiles
 from app.model.projection import Array, Camera, Perspective, Projection
@@ -43,6 +43,22 @@ def discs(found: list[Shape]) -> Array:
 
 def blue_strokes(found: list[Shape]) -> list[Array]:
     return [np.array(s.points) for s in found if isinstance(s, LineShape) and s.colour == BLUE]
+
+
+def test_no_dot_stands_out_of_the_frame_of_its_picture(scattered: tuple[Scene, Array]) -> None:
+    """A dot at the frame is cut by it, as it is in pixels."""
+    scene, large = replace(scattered[0], dot_widths=20.0), {"text_pt": 4.0, "palette": "print"}
+    _, found = figure_of(scene, CAMERA, ["world", "image"], (600, 300), **large).shapes()
+    areas, paper = [shape for shape in found if isinstance(shape, Area)], (1.0, 1.0, 1.0)
+    rings = [np.array(ring) for area in areas for ring in area.rings]
+    grounds = [np.array(area.rings[0]) for area in areas if area.colour == paper]
+    picture = min(grounds, key=lambda ring: np.ptp(ring[:, 1]))
+    left, low = picture.min(axis=0), picture.max(axis=0)
+    parts = [ring for ring in rings if len(ring) > 12]
+    assert len(parts) > 3, "of dots at the frame"
+    assert all((ring >= left - 1e-6).all() and (ring <= low + 1e-6).all() for ring in parts)
+    for dot in (each for each in found if isinstance(each, Disc) and each.centre[0] > left[0]):
+        assert (np.abs(dot.centre - (left + low) / 2.0) + dot.radius <= (low - left) / 2.0).all()
 
 
 def _on_near(points: Array) -> Array:

@@ -11,6 +11,8 @@ from hypothesis import strategies as st
 
 from app.drawings.curve_names import beside, beside_curve
 from app.drawings.label_placement import (
+    LEADER_FROM_EM,
+    SQUARE_EM,
     Ground,
     PlacedLabel,
     Places,
@@ -23,6 +25,7 @@ from app.drawings.label_placement import (
     flanking,
     on,
     place,
+    placed_label,
 )
 from app.drawings.labels import room
 from app.drawings.layer import Silhouette
@@ -205,9 +208,9 @@ def test_a_plane_is_named_first_at_edges_behind_which_its_volume_is_not() -> Non
     edges = np.stack([far, np.roll(far, -1, axis=0)], axis=1)
     near = far + np.array((300.0, 60.0))  # to the right
     places = along(edges, (200.0, 180.0), (80.0, 14.0), EM, np.concatenate([far, near]))
-    x, y = places.centres[:12].T
+    x, y = places.centres[:24].T
     assert (y[:3] > 220.0 + 0.2 * (x[:3] - 100.0)).all()  # all places of an edge before another's
-    assert (x[:9] < 300.0).all() and (x[9:] > 300.0).all()
+    assert (x[:9] < 300.0).all() and (x[21:] > 300.0).all(), "after those diagonally from others"
     # Near is in front, far shows above it and to its right: the left and the lower edge are clear.
     behind = np.concatenate([far, far + np.array((60.0, 40.0))])
     x, y = along(edges, (200.0, 180.0), (80.0, 14.0), EM, behind).centres[:12].T
@@ -252,6 +255,39 @@ def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
     assert ground.hidden(boxes).tolist() == [1.0, 0.0, 0.0]
 
 
+def test_the_name_of_a_far_side_stands_at_its_corner_rather_than_on_the_near_one() -> None:
+    """There is no room above its upper edge, which is steeper than a level name is high."""
+    em, size = 100.0, (271.0, 81.0)
+    far = np.array([(404.0, 307.0), (805.0, 244.0), (805.0, 672.0), (404.0, 735.0)])
+    body = np.concatenate([far, far - (200.0, 122.0)])
+    edges = np.stack([far, np.roll(far, -1, axis=0)], axis=1)
+    wish = Wish("far", size, [(605.0, 490.0)], lambda: along(edges, (605.0, 490.0), size, em, body))
+    (placed,) = place([wish], Ground((30.0, 30.0, 975.0, 825.0), em)).values()
+    assert placed.centre[1] > 735.0 and placed.turn == 0.0
+
+
+def test_what_is_cut_away_beyond_a_volume_is_no_ink() -> None:
+    silhouette, ground = Silhouette(load("letter-f"), EM), Ground(FRAME, EM)
+    board = np.array([[(0.0, 0.0), (400.0, 0.0), (0.0, 300.0)]])
+    volume = np.array([(0.0, 0.0), (100.0, 0.0), (20.0, 20.0), (0.0, 100.0), (0.0, 0.0)])
+    silhouette.ink(ground, board, volume)
+    boxes = np.array([(5.0, 5.0, 30.0, 30.0), (110.0, 5.0, 140.0, 35.0)])
+    assert ground.hidden(boxes).tolist() == [1.0, 0.0]
+
+
+def test_no_stub_leads_to_a_label_that_slid_beside_its_mark() -> None:
+    size, frame = (60.0, EM), room(480.0, 320.0, EM)
+    left, right = ((spot, around(spot, size, EM)) for spot in ((12.0, 100.0), (200.0, 100.0)))
+    for spot, places in (left, right):
+        for number in range(len(places.centres)):
+            wish = Wish("P", size, [spot], lambda places=places: places)  # type: ignore[misc]
+            placed = placed_label(*wish.choices(Ground(frame, EM)), number, EM)
+            apart = np.abs(np.array(placed.centre) - spot) - np.array(size) / 2.0
+            assert (apart >= -1e-9).any(), "a label that slides does not hide its own mark"
+            is_far = np.hypot(*np.maximum(apart, 0.0)) > LEADER_FROM_EM * EM
+            assert (placed.leader is not None) == (is_far and places.away[number] > 1.2 * EM)
+
+
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
 def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, float]]) -> None:
     parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)
@@ -266,7 +302,9 @@ def test_a_wide_label_near_the_border_slides_into_the_frame_below_what_it_would_
     """A board covers all but a strip at the bottom; the point is at the board's left edge."""
     left, low, right, high = room(16.0 * em, 8.0 * em, em)
     ground = Ground((left, low, right, high), em)
-    ground.ink_points(np.mgrid[0 : 16 * em, 3.0 * em : 8 * em].reshape(2, -1).T)
+    board = np.zeros(ground.shape, dtype=np.bool_)
+    board[:, int(3.0 / SQUARE_EM) :] = True
+    ground.ink(board)
     spot, size = (1.5 * em, 6.0 * em), (8.0 * em, em)
     wide = Wish("P", size, [spot], lambda: around(spot, size, em))
     (label,) = place([wide], ground).values()

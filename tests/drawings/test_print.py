@@ -8,13 +8,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from matplotlib.path import Path as Polygon
 
 from app.document.document import Document
 from app.document.lengths import DPI, Size
 from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
 from app.drawings.style import PALETTES, rgb
-from app.drawings.vectors import LineShape, PixelShape, TextShape, box_of
+from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -181,3 +182,57 @@ def test_the_dashes_of_far_are_apart_in_a_column() -> None:
     apart = np.linalg.norm(begins - ends[:, None], axis=2)
     gaps = apart[apart > TOUCHING_PX]  # not the parts of a dash
     assert len(far) > 12 and gaps.min() > 1.25 * far[0].width
+
+
+def places_mm(shown: Figure) -> tuple[tuple[float, float], dict[str, tuple[float, float]]]:
+    """The size of a figure, and the middles of its labels by their texts."""
+    (width, height), shapes = shown.shapes()
+    boxes = {s.written.text: box_of([s], "") for s in shapes if isinstance(s, TextShape)}
+    middles = {
+        text: ((box[0] + box[2]) / 2.0 / DPI * 25.4, (box[1] + box[3]) / 2.0 / DPI * 25.4)
+        for text, box in boxes.items()
+        if box is not None
+    }
+    return (width / DPI * 25.4, height / DPI * 25.4), middles
+
+
+@pytest.mark.parametrize("width_mm", [36.0, 84.0])
+def test_both_pictures_of_two_eyes_have_their_titles_in_their_middles(width_mm: float) -> None:
+    """36 mm is what the image has in three panes of a column."""
+    shown = figure("two-eyes", "image", (), size=None, width=width_mm / 25.4 * DPI)
+    _, at = places_mm(shown)
+    for name, share in (("left eye", 0.25), ("right eye", 0.75)):
+        assert at[name][0] == pytest.approx(share * width_mm, abs=0.3)
+        assert at[name][1] < 4.0
+
+
+@pytest.mark.parametrize("scene", ["focus", "eye-plane", "vertex-depth"])
+def test_near_is_named_below_its_plane_where_what_lay_before_it_was_cut_away(scene: str) -> None:
+    (_, high), at = places_mm(
+        figure(scene, "world,ndc,image", (), size=None, width=174 * DPI / 25.4)
+    )
+    texts = {name: y for name, (_, y) in at.items() if name.endswith("1")}
+    near, far = (
+        next(y for name, y in texts.items() if name.startswith(each)) for each in ("near", "far")
+    )
+    assert far < 0.2 * high and near > 0.8 * high
+
+
+def test_a_column_of_three_panes_goes_into_a_page_of_a_book() -> None:
+    (width, height), _ = places_mm(
+        figure("letter-f", "world/ndc/image", (), size=None, width=84.0 / 25.4 * DPI)
+    )
+    assert width == pytest.approx(84.0) and height < 180.0
+
+
+@pytest.mark.parametrize(("scene", "name"), [("planar-shadow", "P'"), ("camera-obscura", "h'")])
+def test_no_letter_lies_on_a_shadow_or_on_what_a_film_shows(scene: str, name: str) -> None:
+    shown = figure(scene, "world,ndc,image", (), size=None, width=174.0 / 25.4 * DPI)
+    _, shapes = shown.shapes()
+    white = rgb(PALETTES["print"].background)
+    areas = [s for s in shapes if isinstance(s, Area) and s.colour != white and s.opacity == 1.0]
+    boxes = [box_of([s], "") for s in shapes if isinstance(s, TextShape) and s.written.text == name]
+    assert boxes
+    for left, top, right, low in filter(None, boxes):
+        middle = [((left + right) / 2.0, (top + low) / 2.0)]
+        assert not any(Polygon(ring).contains_points(middle)[0] for s in areas for ring in s.rings)

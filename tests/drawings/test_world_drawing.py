@@ -34,6 +34,7 @@ from app.model.projection import (
     Perspective,
     Projection,
 )
+from app.picking.handles import EYE
 from app.scenes.scene import Scene, load
 from tests.support.cameras import random_projections
 from tests.support.drawings import (
@@ -816,6 +817,48 @@ def test_refit_leaves_alone_what_is_in_the_picture_or_was_moved(make_view: MakeV
     view.drawing.show_projection(with_lens(fov_y_deg=100.0))
     view.drawing.refit()
     assert not view.drawing.refit() and view.camera.GetPosition() == place
+
+
+def test_a_name_that_appears_while_something_is_held_moves_no_view() -> None:
+    scene, window = load("vanishing-points"), OffScreen(420, 300)
+    drawing = WorldDrawing(window, scene, WORDS, LIGHT, live=True)
+    start, camera = scene.start, window.renderer.GetActiveCamera()
+    away = replace(start, camera=replace(start.camera, eye=(5.338, 1.981, 4.334)))
+    places = []
+    for held, projection in ((None, start), (EYE, start), (EYE, away)):
+        drawing.hold(held)
+        drawing.show_projection(projection, scene.illustration(projection, {}))
+        window.render_window.Render()
+        places.append(camera.GetPosition())
+    assert len(set(places)) == 1
+    drawing.remove()
+    window.close()
+
+
+@pytest.mark.parametrize("fixed", ["", "side"])
+def test_an_edit_that_is_undone_leaves_the_view_where_it_was(
+    make_view: MakeView, fixed: str
+) -> None:
+    view = make_view()
+    view.drawing.show_fixed(fixed)
+    view.pixels()
+    states, stood = [START, *(with_lens(fov_y_deg=fov) for fov in (30.0, 100.0, 140.0))], []
+    for projection in states:
+        view.drawing.show_projection(projection)
+        view.drawing.refit()
+        stood.append(view.camera.GetPosition())
+    assert stood[0] == stood[1] != stood[2] != stood[3]
+    for projection, place in list(zip(states, stood, strict=True))[::-1]:
+        view.drawing.show_projection(projection)
+        view.drawing.refit()
+        assert view.camera.GetPosition() == place and view.drawing.view is None
+    view.camera.Azimuth(20.0)
+    view.drawing.reset_clipping_range()
+    moved = view.camera.GetPosition()
+    for projection in states:
+        view.drawing.show_projection(projection)
+        view.drawing.refit()
+        assert fixed or view.camera.GetPosition() == moved
 
 
 def test_a_frustum_too_wide_to_be_framed_does_not_make_the_scene_tiny(make_view: MakeView) -> None:

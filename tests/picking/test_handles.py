@@ -294,6 +294,20 @@ def test_the_wheel_never_reaches_the_target() -> None:
         changed(projection, dollied(projection, LARGEST))
 
 
+def test_a_plane_s_handle_keeps_off_the_border_where_a_title_may_lie() -> None:
+    projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))
+    pane = Camera((40.0, 30.0, 50.0), (0.0, 0.0, -6.0))
+    sight = Sight.of(Projection(pane, Perspective(50.0, 0.1, 1e5), SIZE))
+
+    def far_at(width_px: int) -> float:
+        found = shown(projection, (1.0, 30.0), sight, (width_px, SIZE[1]), 12.0)
+        return next(x for handle, (x, _) in found if handle.name == "far")
+
+    right = far_at(SIZE[0])
+    assert far_at(round(right) + 30) == right
+    assert far_at(round(right) + 15) < right - 20.0
+
+
 def test_handles_are_inside_the_pane_and_planes_keep_apart_if_they_can() -> None:
     """From far away the near face is a dot, and only the far corners have handles."""
     projection = Projection(Camera((6.0, 5.0, 9.0), (0.0, 2.2, 0.0)), Perspective(45.0, 1.0, 30.0))

@@ -129,6 +129,7 @@ def test_no_key_of_a_dialog_means_two_things(window: MainWindow) -> None:
         dialog.close()
 
 
+@pytest.mark.undrawn
 def test_a_message_is_announced_and_esc_closes_it(
     make_window: MakeWindow, qtbot: QtBot, monkeypatch: pytest.MonkeyPatch
 ) -> None:

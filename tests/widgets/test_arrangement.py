@@ -329,6 +329,7 @@ def test_the_window_exports_what_the_command_line_draws_of_its_document(
     assert 'width="20mm"' in text and "<desc>The eye is at (" in text
 
 
+@pytest.mark.undrawn
 def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: MakeWindow) -> None:
     window = make_window(shown=False)
     titles = {name: pane.accessibleName() for name, pane in window.panes.items()}

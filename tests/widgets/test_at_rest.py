@@ -146,10 +146,9 @@ def test_a_step_that_shows_the_same_is_framed_anew(window: MainWindow, talk: Pat
     own = window.panes["world"].drawing
     assert own is not None and own.own is not None
     begun, projection = own.own.pose, window.store.document.projection
-    window.store.set_projection(replace(projection, lens=replace(projection.lens, fov_y_deg=80.0)))
-    window.look.rest()
-    window.store.set_projection(projection)
-    window.look.rest()
+    for lens in (replace(projection.lens, fov_y_deg=fov) for fov in (80.0, 41.5)):
+        window.store.set_projection(replace(projection, lens=lens))
+        window.look.rest()
     assert not own.own.pose.is_near(begun), "a hand's own framing stays while nothing is cut"
     assert window.lessons.come_back()
     assert not cut_at_rest(window) and own.own.pose.is_near(begun)

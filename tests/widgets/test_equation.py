@@ -94,6 +94,7 @@ def test_a_product_in_a_low_place_is_whole(window: MainWindow) -> None:
     assert -0.01 <= low < high <= equation.height()
 
 
+@pytest.mark.undrawn
 def test_the_cells_that_a_control_changes_light_up(window: MainWindow) -> None:
     window.store.set_view(slide=("equation",), equation="frustum")
     settle()
@@ -118,6 +119,7 @@ def coloured(image: np.ndarray, colour: str) -> int:
     return int((np.abs(image.astype(int) - wanted).max(axis=2) < 6).sum())
 
 
+@pytest.mark.undrawn
 def test_letters_have_the_colours_of_what_the_picture_names(window: MainWindow) -> None:
     window.store.set_view(slide=("equation",), equation="frustum", letters="000", names=("eye",))
     settle()
@@ -132,6 +134,7 @@ def test_letters_have_the_colours_of_what_the_picture_names(window: MainWindow) 
     assert coloured(rgb_of(equation.grab().toImage()), near) == 0
 
 
+@pytest.mark.undrawn
 def test_a_line_of_formula_has_them_too(window: MainWindow) -> None:
     band, shown, document = window.band, window.shown, window.store.document
     band.show()

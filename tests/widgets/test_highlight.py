@@ -174,6 +174,7 @@ def test_rows_show_what_they_are_about(window: MainWindow) -> None:
         assert marked(window) == rows | {row}
 
 
+@pytest.mark.undrawn
 def test_the_keyboard_in_a_row_counts_too(window: MainWindow, highlighted: Highlighted) -> None:
     near, far = window.controls.rows["near"], window.controls.rows["far"]
     near.field.setFocus(Qt.FocusReason.TabFocusReason)
@@ -324,6 +325,7 @@ def test_a_cell_marks_the_rows_that_it_depends_on(
     assert marked(window) == set() and changed(before, pictures(window)) == set()
 
 
+@pytest.mark.undrawn
 def test_a_row_is_repainted_when_marked_and_unmarked(window: MainWindow) -> None:
     row, painted = window.controls.rows["near"], []
 
@@ -341,6 +343,7 @@ def test_a_row_is_repainted_when_marked_and_unmarked(window: MainWindow) -> None
     assert painted == [True, False]
 
 
+@pytest.mark.undrawn
 def test_a_cell_under_the_cursor_counts_and_marks_reach_the_screen(
     window: MainWindow, highlighted: Highlighted
 ) -> None:

@@ -60,12 +60,13 @@ from tests.support.window import (
     settle,
     show_scene,
 )
+from widgets.parts.layouts import in_row
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.progress import ReportProgress
 from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.marked import ClickView, TaskView
-from widgets.window.lesson_blocks.view import BlockView
+from widgets.window.lesson_blocks.view import BlockView, Sign
 from widgets.window.lesson_card import WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
@@ -80,6 +81,17 @@ def lesson(tmp_path: Path) -> Path:
     path = tmp_path / "wide.md"
     path.write_text(LESSON, encoding="utf-8")
     return path
+
+
+def test_a_sign_grows_with_the_letters_beside_it(qtbot: QtBot) -> None:
+    row, sign = QWidget(), Sign("", "")
+    qtbot.addWidget(row)
+    row.setLayout(in_row(sign))
+    row.show()
+    for size_px in (12, 40):
+        row.setStyleSheet(f"* {{ font-size: {size_px}px }}")
+        settle()
+        assert sign.height() == sign.width() >= sign.fontMetrics().height() > size_px
 
 
 def texts(widget: QWidget) -> str:

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
 from PySide6.QtGui import QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
@@ -41,6 +41,7 @@ from tests.support.window import (
     show_scene,
 )
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
+from widgets.panes.pane import named_on
 from widgets.window.main_window import MainWindow
 
 NONE = Qt.KeyboardModifier.NoModifier
@@ -325,6 +326,35 @@ def test_a_value_that_is_written_at_the_thing_is_not_written_twice(
     world(window).board.label(label).shorten(True)
     assert not world(window).board.writes_value(label)
     release(window, "world", at + QPoint(-12, 4))
+
+
+def hidden_names(window: MainWindow) -> list[QRectF]:
+    """The names in the world pane on which the line lies."""
+    boxes, _ = named_on(window.panes["world"].canvas, window.panes["world"])
+    names = boxes[: len(boxes) - len(world(window).board.points)]
+    return [box for box in names if box.intersects(held_line(window).geometry().toRectF())]
+
+
+def test_the_line_hides_no_name(window: MainWindow) -> None:
+    window.slots.go_back()
+    for scene, setting in POINTS:
+        show_scene(window, scene)
+        settle()
+        at = point_of(grip(window, setting)[1])
+        press(window, "world", at)
+        for way in ((14, -9), (20, 5), (-14, 9)):
+            move(window, "world", at + QPoint(*way))
+            assert held_line(window).isVisible() and not hidden_names(window), (scene, setting)
+        release(window, "world", at + QPoint(-14, 9))
+        window.store.undo()
+    show_scene(window, "letter-f")
+    settle()
+    handle, spot = mark(window, "far")
+    before = along(window, handle, far=model(window).lens.near + 0.01)
+    press(window, "world", point_of(spot))
+    move(window, "world", point_of(spot) + 2 * QPoint(*before))
+    assert "must" in held_line(window).text() and not hidden_names(window)
+    release(window, "world", point_of(spot) + 2 * QPoint(*before))
 
 
 @pytest.mark.parametrize("change", ["scene", "style"])

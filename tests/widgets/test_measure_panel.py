@@ -149,7 +149,11 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert "on another machine" in panel.sentence.text() and not panel.export_button.isEnabled()
     fractions = QSignalSpy(panel.measuring.progressed)
     panel.choose("depth")
+    settle()
+    cancel = panel.cancel_button.geometry()
     panel.run()
+    settle()
+    assert panel.cancel_button.geometry() == cancel, "nothing moves under the pointer"
     file = process_of(panel).arguments()[-1]
     assert os.path.exists(file) and panel.cancel_button.isEnabled()
     assert not panel.run_button.isEnabled() and panel.progress.isVisible()

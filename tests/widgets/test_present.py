@@ -32,6 +32,7 @@ from app.document.settings import set_values
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import NOTHING
+from app.lessons.text import html_of
 from tests.support.drawings import labels_of, lit_at
 from tests.support.layout import cut
 from tests.support.window import (
@@ -47,6 +48,7 @@ from tests.support.window import (
     settle,
 )
 from tests.support.window import enter as enter_text
+from widgets.parts import lesson_text
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings
 
@@ -245,6 +247,16 @@ def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
     window.store.set_view(controls=("stage",))
     settle()
     assert window.strip.isVisible() and window.control_strip.isHidden()
+
+
+def test_no_markdown_is_read_without_a_talk(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    read = list[str]()
+    monkeypatch.setattr(lesson_text, "html_of", lambda text: read.append(text) or html_of(text))
+    begin(window)
+    press(window, Qt.Key.Key_Escape)
+    assert not window.isFullScreen() and not read
 
 
 def test_a_class_sees_no_tooltips(window: MainWindow) -> None:

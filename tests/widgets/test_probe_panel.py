@@ -755,6 +755,7 @@ def test_a_double_click_there_leaves_the_point_where_it_was(window: MainWindow) 
     assert window.store.document.settings["point"] == before
 
 
+@pytest.mark.undrawn
 def test_a_distance_of_a_chart_opens_the_depth_buffer_there(window: MainWindow) -> None:
     window.quality.use(
         {

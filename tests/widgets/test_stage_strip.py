@@ -345,6 +345,7 @@ def test_escape_puts_the_slider_back_and_removes_no_probe(window: MainWindow) ->
     assert window.probe_panel.probes == ()  # the slider is let go of
 
 
+@pytest.mark.undrawn
 def test_a_name_goes_to_its_stop_and_the_header_says_so(window: MainWindow) -> None:
     pane, wanted = window.panes["ndc"], {
         0: ("World", "x, y, z in world units"),
@@ -393,6 +394,7 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
     assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
 
 
+@pytest.mark.undrawn
 def test_the_text_about_a_stage_is_fully_visible_and_moves_nothing(window: MainWindow) -> None:
     window.resize(1366, 768)
     start, words, heights = window.store.document.projection, window.panes["ndc"].note, set()

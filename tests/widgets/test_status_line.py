@@ -166,6 +166,7 @@ def test_the_tolerance_decides_what_draws(qtbot: QtBot, line: StatusLine, scene:
     qtbot.waitUntil(lambda: line.precision.text().startswith("drawn float64"))
 
 
+@pytest.mark.undrawn
 def test_the_tolerance_is_kept_in_the_settings(make_window: MakeWindow) -> None:
     window = make_window(Document())
     window.status.tolerance_edited.emit(0.5)

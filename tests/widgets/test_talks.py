@@ -566,6 +566,20 @@ def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) ->
 # --------------------------------------------------------------------------- the speaker's window
 
 
+def test_the_speaker_sees_that_the_screen_is_black(window: MainWindow, qtbot: Any) -> None:
+    window.talks.open_speaker()
+    speaker = window.talks.speaker
+    assert speaker is not None
+
+    def middle() -> str:
+        image = speaker.now.pixmap().toImage()
+        return "" if image.isNull() else image.pixelColor(image.rect().center()).name()
+
+    for is_black in (False, True, False):
+        qtbot.waitUntil(lambda black=is_black: middle() != "" and (middle() == "#000000") is black)
+        window.present.blank()
+
+
 @pytest.mark.undrawn
 def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
@@ -626,6 +640,7 @@ def test_enlarged_notes_stay_enlarged(window: MainWindow, tmp_path: Path) -> Non
     assert len([*tmp_path.glob("settings*")]) == 1
 
 
+@pytest.mark.undrawn
 def test_it_is_closed_with_the_window(make_window: Callable[..., MainWindow], talk: Path) -> None:
     window = make_window()
     window.lessons.open(talk)
@@ -699,6 +714,7 @@ def test_the_clock_counts_while_a_talk_is_presented(window: MainWindow) -> None:
 # --------------------------------------------------------------------------- files
 
 
+@pytest.mark.undrawn
 def test_a_state_is_added_and_shown_as_a_step(window: MainWindow, talk: Path) -> None:
     tried = replace(window.store.document.projection.lens, near=1.25)
     window.store.set_projection(replace(window.store.document.projection, lens=tried))
@@ -1242,14 +1258,15 @@ def test_what_is_drawn_ahead_is_what_a_fresh_window_shows_and_never_grows(
         qtbot.waitUntil(lambda n=name, p=place: np.array_equal(pixels(fresh, n), seen[p][n]))
 
 
-def test_the_equation_of_the_next_step_is_set_ahead(
+def test_the_equation_of_the_next_step_and_its_names_are_set_ahead(
     window: MainWindow, tmp_path: Path, qtbot: Any
 ) -> None:
     path = tmp_path / "equation.md"
     equation = (
         "scene=letter-f\nlens.kind=oblique\nview.slide=equation\nview.equation=clip_from_view"
     )
-    path.write_text(lesson_of("scene=letter-f", equation), encoding="utf-8")
+    steps = "scene=letter-f", equation, "scene=letter-f\nview.names=l"
+    path.write_text(lesson_of(*steps), encoding="utf-8")
     SET.clear()
     line_of.cache_clear()
     assert window.lessons.open(path)
@@ -1258,9 +1275,11 @@ def test_the_equation_of_the_next_step_is_set_ahead(
     made = set(SET)
     assert window.lessons.go(1)
     assert window.slide.equation.isVisible() and "cot" in window.slide.equation.accessibleName()
-    assert SET.keys() - made <= {"M ="}, "all but what stands before it"
+    assert SET.keys() == made and "l" not in made
+    qtbot.waitUntil(lambda: "l" in SET)
 
 
+@pytest.mark.undrawn
 def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
     window: MainWindow, tmp_path: Path, qtbot: Any
 ) -> None:
@@ -1274,6 +1293,7 @@ def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
     assert window.lessons.place == 0 and len(drawn_in()) == before
 
 
+@pytest.mark.undrawn
 def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: MainWindow) -> None:
     press(window, Qt.Key.Key_Escape)
     go_to(window.lessons, 1)
@@ -1287,6 +1307,7 @@ def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: Main
         press(window, Qt.Key.Key_Escape)
 
 
+@pytest.mark.undrawn
 def test_a_talk_that_is_done_is_presented_from_its_first_step(window: MainWindow) -> None:
     card = window.lesson_card
     go_to(window.lessons, 2)
@@ -1316,6 +1337,7 @@ def test_a_talk_that_is_done_is_presented_from_its_first_step(window: MainWindow
     assert window.present.is_on and window.lessons.player is None  # a closed talk stays closed
 
 
+@pytest.mark.undrawn
 def test_a_talk_that_was_closed_at_its_end_opens_at_the_beginning(
     window: MainWindow, talk: Path
 ) -> None:

@@ -229,6 +229,7 @@ def test_a_held_picture_can_be_left_for_every_view(window: MainWindow) -> None:
     assert lessons.course is None and window.comparing.pictures.is_on
 
 
+@pytest.mark.undrawn
 def test_the_menu_reduces_motion_and_that_is_kept(window: MainWindow) -> None:
     window.menus.view_menu.aboutToShow.emit()
     action = window.menus.reduce_motion

@@ -182,7 +182,6 @@ def test_a_change_reaches_only_the_listeners_that_it_concerns(
     assert told == {"FramePanel"}
 
 
-@pytest.mark.undrawn
 def test_the_cube_says_its_limits_from_the_start(window: MainWindow) -> None:
     assert window.panes["ndc"].header.note.text() == "x, y ±1, z −1 … 1"
 

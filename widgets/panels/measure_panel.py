@@ -160,6 +160,7 @@ class MeasurePanel(DiagramPanel):
         self.progress = QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(WORDS.say("progress"))
+        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
         self.progress.hide()
         self.export_button = WORDS.push("export", self.export_dialog)
         self.load_button = WORDS.push("load", self.load_dialog)
@@ -169,10 +170,9 @@ class MeasurePanel(DiagramPanel):
         self.cost.currentIndexChanged.connect(self._readable.changed)
         buttons = QGridLayout()
         buttons.setSpacing(3)
-        buttons.addWidget(self.progress, 1, 0, 1, 3)
         for row, widgets in (
-            (0, (self.how, self.cancel_button)),
-            (2, (self.export_button, self.load_button, self.forget_button)),
+            (0, (self.how, self.cancel_button, self.progress)),
+            (1, (self.export_button, self.load_button, self.forget_button)),
         ):
             for column, widget in enumerate(widgets):
                 buttons.addWidget(widget, row, column)

@@ -31,7 +31,7 @@ from app.picking.handles import Change, Handle, Spot, changed, way
 from app.picking.sight import Sight, heading
 from app.scenes.phenomena.marks import Grip
 from widgets.panes.canvas import ZOOM_PER_WHEEL_STEP
-from widgets.panes.pane import Pane
+from widgets.panes.pane import Pane, named_on
 from widgets.parts import messages
 from widgets.parts.gestures import EscapeKey, Gestures
 from widgets.parts.labels import BesideLabel
@@ -188,7 +188,7 @@ class Manipulation(Gestures, QObject):
             around = (QPointF(*at) / canvas.pixel_ratio).toPoint()
         self.line.setParent(canvas)
         self.line.setText(text)
-        self.line.put_beside(around, _APART_PX, above=True)
+        self.line.put_beside(around, _APART_PX, above=True, off=named_on(canvas, pane)[0])
         self.line.show()
 
     def _is_written(self, handle: Handle, pane: Pane) -> bool:

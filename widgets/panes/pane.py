@@ -13,8 +13,8 @@ from collections.abc import Callable, Sequence
 from functools import partial
 from typing import Any
 
-from PySide6.QtCore import QPointF, Qt, QTimer, Signal
-from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QMoveEvent, QShowEvent
+from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
+from PySide6.QtGui import QCloseEvent, QKeyEvent, QMouseEvent, QMoveEvent, QShowEvent, QTransform
 from PySide6.QtWidgets import QFrame, QGridLayout, QWidget
 
 from app.document.naming import named_in
@@ -514,3 +514,17 @@ class Pane(QFrame):
         elif not self.is_aimed_at:
             self.double_clicked.emit()
             self.reset_view()
+
+
+def named_on(widget: QWidget, pane: Pane) -> tuple[list[QRectF], QTransform]:
+    """Where a pane's names and their points are on a widget that holds it; from their pixels."""
+    canvas, drawing = pane.canvas, pane.drawing
+    if drawing is None:
+        return [], QTransform()
+    right, up = drawing.board.renderer.GetOrigin()  # an image's names are counted from its frame
+    corner = canvas.mapTo(widget, QPointF(0.0, canvas.height()))
+    ratio = canvas.pixel_ratio
+    from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
+    from_pixels.translate(right, up)
+    ends = ((QPointF(*box[:2]), QPointF(*box[2:])) for box in drawing.board.boxes)
+    return [from_pixels.mapRect(QRectF(*each)) for each in ends], from_pixels

@@ -1,8 +1,10 @@
 """Labels that mark, shorten or balance their text."""
 
 from bisect import bisect_left
+from collections.abc import Iterable
+from itertools import product
 
-from PySide6.QtCore import QPoint, QPointF, QRect, QSize, Qt
+from PySide6.QtCore import QPoint, QPointF, QRect, QRectF, QSize, Qt
 from PySide6.QtGui import QPainter, QPaintEvent, QPalette
 from PySide6.QtWidgets import QSizePolicy, QWidget
 
@@ -10,6 +12,7 @@ from widgets.parts.icons import paint_icon
 from widgets.parts.layouts import FittedWidget, LetteredWidget
 from widgets.parts.plain import PlainLabel, TextDocument, set_tip, subscripts
 
+_ON_IT = 100.0  # px² of names that a label may hide rather than move by 1 px onto its own place
 SIGN = 1.25  # width of a warning sign and the gap after it, in line heights
 REFUSAL_SHEET = "QLabel { border: 0px; border-left: 3px solid #d55e00; padding: 1px 0 2px 5px; }"
 
@@ -172,17 +175,22 @@ class BesideLabel(PlainLabel):
         )  # fmt: skip
         self.setAttribute(Qt.WidgetAttribute.WA_TransparentForMouseEvents)
 
-    def put_beside(self, around: QPoint, apart: int, *, above: bool = False) -> None:
-        """Lie beside a place, below or above it, and inside the parent."""
+    def put_beside(
+        self, around: QPoint, apart: int, *, above: bool = False, off: Iterable[QRectF] = ()
+    ) -> None:
+        """Lie beside a place, below or above it, inside the parent and off boxes if it can."""
         room = self.parentWidget() or self.window()
         frame = 2 * self.margin() + 2
         width = min(self.fontMetrics().horizontalAdvance(self.text()) + frame, room.width())
         height = self.heightForWidth(width)
-        x, y = around.x() + apart, around.y() + apart
-        if x + width > room.width():
-            x = max(0, min(around.x() - apart, room.width()) - width)
-        higher = around.y() - apart - height
-        if y + height > room.height() or (above and higher >= 0):
-            y = min(higher, room.height() - height)
-        self.setGeometry(max(0, x), max(0, y), width, height)
+        boxes, costs = list(off), dict[tuple[int, int], float]()
+        for away, high, left in product((apart, 2 * apart), (above, not above), (False, True)):
+            x = around.x() + (-away - width if left else away)
+            y = around.y() + (-away - height if high else away)
+            at_x = max(0, min(x, room.width() - width))
+            at_y = max(0, min(y, room.height() - height))
+            meets = [QRectF(at_x, at_y, width, height).intersected(box) for box in boxes]
+            hidden = sum(each.width() * each.height() for each in meets)
+            costs.setdefault((at_x, at_y), hidden + abs(x - at_x) + _ON_IT * abs(y - at_y))
+        self.setGeometry(*min(costs, key=costs.__getitem__), width, height)
         self.raise_()

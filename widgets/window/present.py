@@ -57,6 +57,7 @@ class Present(QObject):
 
     switched = Signal(bool)  # presenting began or ended: text and lines change their size
     moved = Signal()  # the class sees another screen
+    blanked = Signal()  # the screen has become black, or is no longer
     one_screen = Signal()  # there is no other screen to swap with
 
     def __init__(
@@ -177,6 +178,8 @@ class Present(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kind = event.type()
         if watched is self._blank:
+            if kind in (QEvent.Type.Show, QEvent.Type.Hide):
+                self.blanked.emit()
             if kind == QEvent.Type.MouseButtonPress:
                 self._blank.hide()
                 return True

@@ -11,7 +11,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
 from app.drawings.label_placement import Floats, Ground, overlap
-from widgets.panes.pane import Pane
+from widgets.panes.pane import Pane, named_on
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.labels import Title
 from widgets.parts.layouts import in_row
@@ -63,18 +63,9 @@ class Slide(QWidget):
     def named(self) -> Iterator[tuple[list[QRectF], HiddenInk]]:
         """Yield names, points, cells and titles, which nothing should hide, and how boxes do it."""
         for pane in self.findChildren(Pane):  # also those that are compared
-            canvas, drawing = pane.canvas, pane.drawing
-            if drawing is None or not canvas.isVisible():
+            drawing, (boxes, from_pixels) = pane.drawing, named_on(self, pane)
+            if drawing is None or not pane.canvas.isVisible():
                 continue
-            board, ratio = drawing.board, canvas.pixel_ratio
-            right, up = board.renderer.GetOrigin()  # an image's names are counted from its frame
-            corner = canvas.mapTo(self, QPointF(0.0, canvas.height()))
-            from_pixels = QTransform(1 / ratio, 0, 0, -1 / ratio, corner.x(), corner.y())
-            from_pixels.translate(right, up)
-            boxes = [
-                from_pixels.mapRect(QRectF(left, low, right - left, high - low))
-                for left, low, right, high in board.boxes
-            ]
             to_pixels, _ = from_pixels.inverted()
             size = drawing.state.size_px if drawing.pane == "image" else (0, 0)
             yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels, size)

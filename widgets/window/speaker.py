@@ -181,6 +181,7 @@ class SpeakerWindow(QWidget):
         self._number.setText(self.tr("step {0} of {1}").format(place + 1, len(steps)))
         self._show_notes(step)
         self.steps.setCurrentRow(place)
+        self.steps.scrollToItem(self.steps.item(place), QListWidget.ScrollHint.PositionAtCenter)
         following = None if player.is_last else steps[place + 1]
         if left:
             text = self.tr("Next: the answer") if left % 2 else self.tr("Next: the question")

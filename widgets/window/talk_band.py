@@ -118,6 +118,8 @@ class TalkBand(FittedWidget, QFrame):
 
     def _fit(self) -> None:
         """Take the first of the texts that fits, in the largest letters that do."""
+        if not self._screen_px:  # no talk: F5 does not wait for the reader of Markdown
+            return
         room, title_px = self._room, math.ceil((TITLE_SHARE + GAP_SHARE) * self._screen_px)
         number_px = 5.0 * NUMBER_SHARE * self._screen_px
         set_text(self._title, self._step, title=True, palette=self.palette())

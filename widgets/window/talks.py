@@ -78,6 +78,7 @@ class Talks(QObject):
             (present.switched, self._show),
             (present.switched, self._open_with_talk),
             (present.moved, self._move),
+            (present.blanked, self.see_later),
             (lessons.opened, self._take_strokes),
             (pen.kept, self.keep_strokes),
             (pen.drawn, self.see_later),
@@ -337,6 +338,8 @@ class Talks(QObject):
         if self.speaker is not None and window is not None:
             self._looks = True  # the panes paint themselves for it
             picture = window.grab().toImage() if self.is_on else QImage()
+            if self._present.is_blank:
+                picture.fill(Qt.GlobalColor.black)
             self._looks = False
             self.speaker.now.show_image(picture)
 

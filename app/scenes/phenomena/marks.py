@@ -61,6 +61,7 @@ class Text:
 
     - `away_from` (2 or 3,): in the world and in NDC the letters are placed away from this point:
       the middle of a figure with an edge here, for example.
+    - `is_title`: the letters stand below this point, which is in the middle of a picture's top.
     """
 
     name: str  # its plain name in ``view.names``: ``y_p``, ``film``
@@ -69,6 +70,7 @@ class Text:
     about: tuple[str, ...] = ()
     away_from: Array | None = None
     text: str = ""  # what is written, as of `app.drawings.label`; by default the name
+    is_title: bool = False
 
     def __post_init__(self) -> None:
         if not self.text:

@@ -150,7 +150,8 @@ def _image_marks(projection: Projection, eyes: Eyes, pixels: Array) -> Marks:
     each = zip(_NAMES, _IMAGES, _COLOURS, places, middles, inside, strict=True)
     for name, image, colour, place, middle, is_seen in each:
         if beside:
-            marks.append(Text(name, np.array([middle, 0.0]), colour, text=WORDS[name]))
+            top = np.array([middle, 0.0])
+            marks.append(Text(name, top, colour, text=WORDS[name], is_title=True))
         if is_seen:
             marks.append(named(image, place, colour))
     return Marks.of(*marks)

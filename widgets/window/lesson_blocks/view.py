@@ -12,7 +12,7 @@
 from collections.abc import Callable
 from functools import partial
 
-from PySide6.QtCore import QRect, Signal
+from PySide6.QtCore import QRect, QSize, Signal
 from PySide6.QtGui import QAccessible, QAccessibleAnnouncementEvent, QPainter, QPaintEvent, QPen
 from PySide6.QtWidgets import QAbstractButton, QFrame, QLineEdit, QPushButton, QSizePolicy, QWidget
 
@@ -37,8 +37,11 @@ class Sign(QWidget):
         super().__init__()
         self.icon = ""
         self.show_icon(icon, said)
+        self.setSizePolicy(QSizePolicy.Policy.Fixed, QSizePolicy.Policy.Fixed)
+
+    def sizeHint(self) -> QSize:
         side = round(SIGN_EM * self.fontMetrics().height())
-        self.setFixedSize(side, side)
+        return QSize(side, side)
 
     def show_icon(self, icon: str, said: str) -> None:
         """Show another icon; empty for the box."""
