@@ -91,11 +91,14 @@ def beside_curve(
     lines: Floats,
     foreign: Floats,
     kept: Floats | None = None,
-) -> Floats:
+    *,
+    strict: bool = False,
+) -> Floats | None:
     """Place a curve's name beside the curve, free of other names and of curves, if possible, and
     nearer to its curve than to a foreign one.
 
-    Without a free place the name goes into a list at the top left.
+    Without a free place the name goes into a list at the top left; if `strict`, it has none unless
+    it hides no curve and is nearest to its own.
 
     - `frame` (4,): left, top, right, bottom: where names may be; so are all boxes.
     - `along` (n, 2): places along the curve, which is `half` pixels wide on either side.
@@ -116,11 +119,17 @@ def beside_curve(
     boxes = np.hstack([corners, corners + size])
     costs = overlap(boxes, lines).sum(axis=1).astype(np.float64)
     if len(foreign) and len(boxes):
-        costs += 3.0 * np.clip(1.0 - _apart(boxes, foreign).min(axis=1) / height, 0.0, 1.0)
+        apart = _apart(boxes, foreign).min(axis=1)
+        costs += 3.0 * np.clip(1.0 - apart / height, 0.0, 1.0)
+        near = apart < _apart(boxes, along).min(axis=1) + height / 4.0
+        costs[strict & near] = np.inf
+    costs[strict & overlap(boxes, lines).any(axis=1)] = np.inf
     inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf
     if len(costs) and costs.min() < np.inf:
         return np.asarray(boxes[int(costs.argmin())])
+    if strict:
+        return None
     left, top = frame[:2] + GAP_PX
     box = np.array([left, top, left + width, top + height])
     while overlap(box[None], taken).any() and box[3] < frame[3]:

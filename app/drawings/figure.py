@@ -228,10 +228,29 @@ class Figure:
             whole = replace(figure, scale=self.scale)._whole(watch, seen)
         return self._cropped(whole) if self._is_cropped else whole
 
-    def boxed(self) -> Figure:
-        """Return it in a box in which what is seen is as wide as asked for."""
-        figure = replace(self, size=None)
-        return replace(figure._as_wide(_Watch(None, len(self.panes)))[0], scale=self.scale)
+    def boxed(self, other: Figure | None = None) -> Figure:
+        """Return it in a box in which what is seen is as wide as asked for, or in a smaller other.
+
+        Most frames of a film are narrower than the widest one: they are drawn once.
+        """
+        figure, watch = replace(self, size=None), _Watch(None, len(self.panes))
+        if self.width is None or self._has_own_size:
+            return figure
+        if other is not None:
+            tried = replace(figure._drawn_once, size=other.size, text_pt=other.text_pt)
+            if self.width - tried._wide(tried._whole(watch)) > _NEAR_PX:
+                return other
+        own = replace(figure._as_wide(watch)[0], scale=self.scale)
+        return min(other or own, own, key=lambda each: each.full_size.px)
+
+    @property
+    def _drawn_once(self) -> Figure:
+        """All formats have the same box: it is found at scale 1, where that has enough pixels."""
+        return replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
+
+    def _wide(self, whole: Pixels) -> float:
+        """How wide what is seen in a picture is, at scale 1."""
+        return float(np.ptp(self._seen(whole)[0])) / self.scale
 
     @property
     def _is_cropped(self) -> bool:
@@ -263,12 +282,11 @@ class Figure:
         """Draw it in a box in which what is seen is as wide as asked for; return both."""
         if self.size or self.width is None or self._has_own_size:
             return self, self._whole(watch, seen)
-        # All formats have the same box: it is found at scale 1, where that has enough pixels.
-        figure = replace(self, scale=1.0 if self._side >= SMALLEST_PANE_PX else self.scale)
+        figure = self._drawn_once
         tries: list[tuple[tuple[bool, float], Figure, Pixels]] = []
         while len(tries) <= _TRIES:
             drawn = figure._whole(watch, seen)
-            wide = float(np.ptp(self._seen(drawn)[0])) / figure.scale or self.width
+            wide = figure._wide(drawn) or self.width
             missing = self.width - wide
             tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
             if abs(missing) <= _NEAR_PX:

@@ -98,7 +98,8 @@ def steady(
 
 def _in_one_box(figures: Sequence[Figure]) -> list[Figure]:
     """Return frames of a width in the smallest box of any of them: nothing grows or shrinks."""
-    least = min((each.boxed() for each in figures), key=lambda each: each.full_size.px)
+    first, *others = [*figures[:: len(figures) - 1], *figures[1:-1]]  # the ends are the widest
+    least = reduce(lambda box, each: each.boxed(box), others, first.boxed())
     return [replace(each, size=least.size, text_pt=least.text_pt) for each in figures]
 
 

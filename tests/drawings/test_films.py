@@ -169,6 +169,29 @@ def test_frames_of_a_width_have_one_scale() -> None:
     assert len(widths) == 6 and min(widths) > 900.0 and max(widths) == pytest.approx(992.0, abs=1.0)
 
 
+def test_no_label_jumps_in_frames_of_a_width_over_the_field_of_view() -> None:
+    """Without fading, by less than an em, with letters as large as in a column of 84 mm."""
+    values = swept(parse_sweeps(["lens.fov_y_deg=20:60"]), Document(), 24)
+    states = [set_values(Document(), each) for each in values]
+    figures = [Figure(state, load("letter-f"), ("world",), width=300.0, text_pt=2.42)
+               for state in states]  # fmt: skip
+    places: list[dict[Any, tuple[float, float, float]]] = []
+    for each in steady(still(figures)):
+        (part,) = each.pictures()
+        wanted, here = part.wanted(), dict[Any, tuple[float, float, float]]()
+        for wish, _ in wanted.wishes:
+            if wish.key in part.labels:
+                kept, light = part.labels[wish.key]
+                x, y = np.add(wish.spots[kept.spot], kept.offset) / wanted.ground.em
+                here[wish.key] = x, y, light
+        places.append(here)
+    assert all(place.keys() >= {"near", "far"} for place in places)
+    for one, other in pairwise(places):
+        for key in one.keys() & other.keys():
+            if min(one[key][2], other[key][2]) == 1.0:
+                assert math.dist(one[key][:2], other[key][:2]) < 1.0, key
+
+
 def test_values_change_together_in_steps_ratios_or_slowly() -> None:
     document = Document()
     both = parse_sweeps(["lens.near=0.5:8", "camera.eye=6,5,9:-6,5,9"])

@@ -18,7 +18,7 @@ from PySide6.QtGui import QColor, QImage, QPainter
 import app.measure.run
 from app.document.lengths import parse_length
 from app.drawings.curve_names import beside
-from app.drawings.style import LIGHT
+from app.drawings.style import LIGHT, PALETTES
 from app.measure import chart, measuring, results
 from app.measure.meaning import USUAL, boldest, meaning
 from app.measure.measuring import TRADES
@@ -447,6 +447,47 @@ def test_curves_are_told_apart_without_their_colours() -> None:
     blue = [QColor(image.pixel(x, y)).blue() for y in range(300) for x in range(400)]
     rows = np.reshape(blue, (300, 400))
     assert (np.diff((rows[60:240, 60:380].min(axis=0) > 200).astype(int)) == 1).sum() > 8, "gaps"
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("letters", [7.0, 8.0])
+def test_a_chart_for_print_has_every_name_in_the_diagram_or_in_its_key(letters: float) -> None:
+    """Points in a crowd have numbers, and curves that lie close together pieces of them."""
+    crowd = [choice(f"one of many ways {k}", 4.0, 10.0 ** (-k / 8.0)) for k in range(12)]
+    trade = replace(TRADE, choices=(*TRADE.choices[:3], *crowd))
+    lines = {f"way {k}": curve((1e-3 * 1.1**k, 1e-3 * 1.1**k), ("", "")) for k in range(5)}
+    paper = Paper(width=parse_length("84mm"), text_pt=letters, palette="print")
+    near = sweep("near", (1.0, 2.0), lines)
+    for trades, sweeps in (((trade,), ()), ((), (near,))):
+        one = replace(RESULTS, trades=trades, sweeps=sweeps)
+        svg = picture(one, "a.svg", paper=paper).decode()
+        drawn = " / ".join(re.findall(r"<text[^>]*>([^<]*)", svg)).split(" / ")
+        names = [each.name for each in crowd] if trades else lines
+        assert {*names} <= {*map(str.strip, drawn)}
+
+
+@pytest.mark.usefixtures("qapp")
+def test_no_name_of_a_chart_for_print_touches_the_frame_or_is_nearer_to_another_curve() -> None:
+    ways = {"float32": curve((1e-3, 1e-3), ("", "")), "exact": curve((1e-9, 1.2e-9), ("", "")),
+            "float64": curve((1.1e-9, 1.1e-9), ("", ""))}  # fmt: skip
+    (diagram,) = chart.diagrams(sweep("near", (1.0, 2.0), ways))
+    painter = DiagramPainter(diagram, QSizeF(400.0, 250.0), words_font(), LIGHT, one_size=True)
+    left, top, right, bottom = painter.names["float32"].tolist()
+    frame = painter.frame
+    assert min(left - frame.left(), top - frame.top()) >= 2.0
+    assert min(frame.right() - right, frame.bottom() - bottom) >= 2.0
+    assert "float32" in painter.names and painter.keyed > 0.0
+    assert len({"exact", "float64"} & painter.names.keys()) < 2, "they lie on each other"
+
+
+@pytest.mark.usefixtures("qapp")
+@pytest.mark.parametrize("palette", ["print", "dark"])
+def test_a_chart_in_vectors_has_a_ground_as_other_figures_have(palette: str) -> None:
+    paper = Paper(width=parse_length("84mm"), palette=palette)
+    svg = picture(replace(RESULTS, trades=()), "a.svg", paper=paper).decode()
+    colour = PALETTES[palette].background
+    ground = re.search(rf'fill="{colour}"[^<]*<rect x="0" y="0" width=', svg, re.DOTALL)
+    assert ground is not None and ground.start() < svg.index("<text")
 
 
 def test_a_chart_names_machine_versions_scene_camera_and_date() -> None:

@@ -81,7 +81,8 @@ def picture(
     per_inch = PX_PER_INCH
     if paper.is_sized:  # then the letters' size is a whole number of pixels
         per_inch, lines = FONT_PX * 72.0 / (paper.text_pt or TEXT_PT), []
-    size, style = _size(paper, per_inch, len(shown)), PALETTES[paper.palette]
+    style = PALETTES[paper.palette]
+    size = _size(paper, per_inch, shown, font, style)
     draw = partial(
         _paint, size=size, font=font, shown=shown, lines=lines, style=style, sized=paper.is_sized
     )
@@ -91,7 +92,6 @@ def picture(
         image.setDotsPerMeterX(round(per_inch * finer / 0.0254))
         image.setDotsPerMeterY(round(per_inch * finer / 0.0254))
         image.setText("Description", about)
-        image.fill(style.background)
         draw(image, finer)
         return png_of(image)
     buffer = QBuffer()
@@ -121,7 +121,10 @@ def picture(
     return re.sub(_BOX, lambda old: old[1] + box.ljust(len(old[2])), file_bytes)
 
 
-def _size(paper: Paper, per_inch: float, charts: int) -> QSizeF:
+def _size(
+    paper: Paper, per_inch: float, shown: list[Diagram | str], font: QFont, style: Style
+) -> QSizeF:
+    charts = len(shown)
     rows = -(-charts // 2)
     usual = ONE_PX if charts == 1 else QSizeF(2.0 * COLUMN_PX, ROW_PX * rows + 40.0)
     if paper.size is not None:
@@ -130,7 +133,12 @@ def _size(paper: Paper, per_inch: float, charts: int) -> QSizeF:
         return usual
     width = paper.width * per_inch / DPI
     columns = _columns(charts, width)
-    return QSizeF(width, width / columns * ROW_PX / COLUMN_PX * -(-charts // columns))
+    high = width / columns * ROW_PX / COLUMN_PX
+    inside = QSizeF(width / columns - 2.0 * GAP_PX, high - GAP_PX)
+    charts_alone = [each for each in shown if isinstance(each, Diagram)]
+    painters = [DiagramPainter(each, inside, font, style, one_size=True) for each in charts_alone]
+    high += max((painter.keyed for painter in painters), default=0.0)
+    return QSizeF(width, high * -(-charts // columns))
 
 
 def _columns(charts: int, width: float) -> int:
@@ -155,6 +163,7 @@ def _paint(
     columns = _columns(len(shown), width)
     notes = [n for line in lines for n in textwrap.wrap(line, round(NOTE_LETTERS * width))]
     painter.setFont(font if sized else resized(font, SMALL))
+    painter.fillRect(QRectF(QPointF(), size), QColor(style.background))
     painter.setPen(QColor(style.muted))
     height = painter.fontMetrics().height() * len(notes) + GAP_PX if notes else 0.0
     top = size.height() - height

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
-from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen
+from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPicture
 
 from app.drawings.curve_names import GAP_PX, beside, beside_curve
 from app.drawings.style import LIGHT, Style
@@ -17,7 +17,7 @@ from app.scenes.phenomena.words import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
 from widgets.parts.messages import figure_text, of_phenomena
 from widgets.parts.panel import faded
-from widgets.parts.typeset import resized, words
+from widgets.parts.typeset import Typeset, resized, words
 
 TICK_PX = 4.0
 _LINE = 0.75  # width relative to a line in a pane, which has no antialiasing
@@ -25,6 +25,8 @@ DOT_PX = 3.0  # radius of a dot at the ordinary line width
 SMALL = 0.85  # size of names and numbers, relative to the axes' labels
 _LINES_ACROSS, _LINES_DOWN = 12.0, 8.0  # lines of names for which a small diagram has room
 _LEAST_NAME = 0.7  # least size of names, relative to the ordinary size
+_SAMPLE_EM = 1.8  # length of a piece of a curve in a key, in heights of a line
+_TRIES = 4  # until a key has room
 _CENTRED = Qt.AlignmentFlag.AlignHCenter
 
 
@@ -32,8 +34,9 @@ class DiagramPainter:
     """Lays out a diagram in a size, and paints it there.
 
     `frame` is the place of the diagram's window. `names` are the places of the curves' names (left,
-    top, right, bottom), kept where possible; `spot_names` are those of the spots. In `one_size` all
-    letters have that of the font.
+    top, right, bottom), kept where possible; `spot_names` are those of the spots. On paper, in
+    `one_size`, all letters have that of the font; names without a good place are in a key below the
+    diagram, which is `keyed` pixels high: beside a piece of their curve, or the number of a spot.
     """
 
     def __init__(
@@ -59,13 +62,23 @@ class DiagramPainter:
         x_ticks, y_ticks = (None if t is None else list(map(float, t)) for t in ticks)
         self._across = DiagramAxis(diagram.left, diagram.right, diagram.x_log, x_ticks)
         self._up = DiagramAxis(diagram.bottom, diagram.top, diagram.y_log, y_ticks)
+        self.keyed, self._key = 0.0, list[tuple[Curve | int, Typeset]]()
         self.frame = self._frame(QFontMetricsF(self._small), QFontMetricsF(font).height())
+        for _ in range(_TRIES if one_size else 0):  # a longer key makes the diagram smaller
+            blank = QPicture()
+            with QPainter(blank) as painter:
+                self.paint(painter)
+            lines = 1 + max((line for line, _ in self._key_places()), default=-1)
+            if (high := lines * QFontMetricsF(font).height()) <= self.keyed:
+                break
+            self.keyed = high + GAP_PX
+            self.frame = self._frame(QFontMetricsF(self._small), QFontMetricsF(font).height())
 
     def _frame(self, small: QFontMetricsF, label: float) -> QRectF:
         diagram, line = self._diagram, small.height()
         top = label + GAP_PX if diagram.title else 0.0
         top += 0.0 if self._is_picture else line / 2.0
-        bottom = GAP_PX if self._is_picture else line + TICK_PX + GAP_PX
+        bottom = self.keyed + GAP_PX if self._is_picture else self.keyed + line + TICK_PX + GAP_PX
         bottom += label if diagram.x_label else 0.0
         marks = self._marks(self._up, self._size.height() - top - bottom, 1.6 * line)
         widest = max((small.horizontalAdvance(text) for _, text in marks), default=0.0)
@@ -109,12 +122,16 @@ class DiagramPainter:
 
     @property
     def _bounds(self) -> Floats:
-        frame = self.frame
-        return np.array([frame.left(), frame.top(), frame.right(), frame.bottom()])
+        """Where names may be; on paper they do not touch the frame."""
+        frame, room = self.frame, GAP_PX if self._one_size else 0.0
+        sides = frame.adjusted(room, room, -room, -room)
+        return np.array([sides.left(), sides.top(), sides.right(), sides.bottom()])
 
     # -- painting
 
     def paint(self, painter: QPainter) -> None:
+        self._key.clear()
+        self.spot_names.clear()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_labels(painter)
         if not self.frame.isValid():
@@ -132,6 +149,7 @@ class DiagramPainter:
             self._paint_names(painter, curves, along)
             painter.restore()
             self._paint_spots(painter, along)
+            self._paint_key(painter)
         painter.setPen(self._pen("muted", 0.7))
         painter.setBrush(Qt.BrushStyle.NoBrush)
         painter.drawRect(self.frame)
@@ -215,6 +233,39 @@ class DiagramPainter:
         for y in (frame.bottom() - place * frame.height() for place in up):
             painter.drawLine(QLineF(frame.left(), y, frame.right(), y))
 
+    def _key_places(self) -> list[tuple[int, float]]:
+        """Return the line of each name of the key, and how far from the left its sample begins."""
+        places, line, left = list[tuple[int, float]](), 0, 0.0
+        sample = QFontMetricsF(self._font).height() * _SAMPLE_EM
+        for _, text in self._key:
+            if left > 0.0 and left + sample + text.width > self._size.width():
+                line, left = line + 1, 0.0
+            places.append((line, left))
+            left += text.width + 1.5 * sample
+        return places
+
+    def _paint_key(self, painter: QPainter) -> None:
+        high = QFontMetricsF(self._font).height()
+        sample, top = high * _SAMPLE_EM, self._size.height() - self.keyed + GAP_PX
+        for (what, text), (line, left) in zip(self._key, self._key_places(), strict=True):
+            middle = top + (line + 0.5) * high
+            if isinstance(what, int):
+                painter.setPen(QColor(self._style.ink))
+                box = QRectF(left, middle - high / 2.0, sample - GAP_PX, high)
+                painter.drawText(box, Qt.AlignmentFlag.AlignRight, str(what))
+            else:
+                painter.setPen(self._curve_pen(what))
+                painter.drawLine(QLineF(left, middle, left + sample - 2.0 * GAP_PX, middle))
+            painter.setPen(QColor(self._style.ink))
+            text.paint(painter, left + sample, middle + text.below_middle)
+
+    def _curve_pen(self, curve: Curve) -> QPen:
+        pen = self._pen(curve.colour, curve.width)
+        if curve.dash:
+            pen.setCapStyle(Qt.PenCapStyle.FlatCap)
+            pen.setDashPattern(curve.dash)
+        return pen
+
     def _paint_curve(self, painter: QPainter, curve: Curve, parts: Floats) -> None:
         if curve.dots:
             radius = curve.width * self._radius
@@ -223,14 +274,11 @@ class DiagramPainter:
             for x, y in self._places(parts).tolist():
                 painter.drawEllipse(QPointF(x, y), radius, radius)
             return
-        pen, places = self._pen(curve.colour, curve.width), self._places(parts).reshape(-1, 2, 2)
+        places = self._places(parts).reshape(-1, 2, 2)
+        painter.setPen(self._curve_pen(curve))
         if not curve.dash:
-            painter.setPen(pen)
             painter.drawLines([QLineF(*ends) for ends in places.reshape(-1, 4).tolist()])
             return
-        pen.setCapStyle(Qt.PenCapStyle.FlatCap)
-        pen.setDashPattern(curve.dash)
-        painter.setPen(pen)
         ends = np.flatnonzero((places[1:, 0] != places[:-1, 1]).any(axis=1)) + 1
         for chain in np.split(places, ends):
             points = [*chain[:, 0].tolist(), *chain[-1:, 1].tolist()]
@@ -271,8 +319,14 @@ class DiagramPainter:
                 continue
             foreign = np.concatenate([np.empty((0, 2)), *along[:i], *along[i + 1 :]])
             text = words(of_phenomena(curve.label), font)
-            size, kept = (text.width + 2.0 * GAP_PX, height), self.names.get(curve.label)
-            place = beside_curve(self._bounds, places, half, size, taken, covered, foreign, kept)
+            size, kept = (text.width + 2.0 * GAP_PX, height), self.names.pop(curve.label, None)
+            place = beside_curve(
+                self._bounds, places, half, size, taken, covered, foreign,
+                None if self._one_size else kept, strict=self._one_size,
+            )  # fmt: skip
+            if place is None:
+                self._key.append((curve, text))
+                continue
             self.names[curve.label] = place
             taken = np.vstack([taken, place])
             left, top, right, bottom = place.tolist()
@@ -300,11 +354,29 @@ class DiagramPainter:
         sizes = np.array([(width + 2.0 if width else 0.0, metrics.height()) for width in widths])
         sizes[~shown, 0] = 0.0
         gaps = radius + GAP_PX + np.array([1.5 * radius if spot.marked else 0.0 for spot in spots])
-        named = [self.names[curve.label] for curve in self._diagram.curves if curve.label]
+        labels = [curve.label for curve in self._diagram.curves]
+        named = [self.names[label] for label in labels if label in self.names]
         taken = np.vstack([np.empty((0, 4)), *named])
         curves_px = np.concatenate([np.empty((0, 2)), *along])
         names = beside(np.nan_to_num(points), sizes, self._bounds, curves_px, gaps, taken)
-        for spot, place, box in zip(spots, points, names, strict=True):
+        texts = [of_phenomena(spot.name) for spot in spots]
+        lost = [i for i, box in enumerate(names) if box is None and sizes[i, 0] > 0.0]
+        if self._one_size and lost:
+            taken = np.vstack([taken, *(box for box in names if box is not None)])
+            sizes[:, 0] = 0.0
+            sizes[lost, 0] = metrics.horizontalAdvance(str(len(lost))) + 2.0
+            again = beside(np.nan_to_num(points), sizes, self._bounds, curves_px, gaps, taken)
+            shared = [i for i in lost if again[i] is not None] or lost[:1]
+            apart = np.linalg.norm(points[lost][:, None] - points[shared], axis=2).argmin(axis=1)
+            for number, i in enumerate(shared, 1):  # in a crowd several have one
+                near = [j for j, k in zip(lost, apart.tolist(), strict=True) if shared[k] == i]
+                near.sort(key=lambda j: float(points[j, 1]))
+                text = " / ".join(texts[j] for j in near)
+                self._key.append((number, words(text, self._small)))
+                names[i] = again[i]
+            for number, i in enumerate(shared, 1):
+                texts[i] = str(number)
+        for spot, text, place, box in zip(spots, texts, points, names, strict=True):
             if box is None:
                 continue
             left, top, right, bottom = box.tolist()
@@ -314,9 +386,7 @@ class DiagramPainter:
                 painter.setPen(self._pen("muted", 0.4))
                 painter.drawLine(QLineF(*place.tolist(), *nearest.tolist()))
             painter.setPen(self._colour("muted" if spot.faded else "ink"))
-            painter.drawText(
-                self.spot_names[spot.name], Qt.AlignmentFlag.AlignCenter, of_phenomena(spot.name)
-            )
+            painter.drawText(self.spot_names[spot.name], Qt.AlignmentFlag.AlignCenter, text)
         for spot, (x, y) in zip(reversed(spots), points[::-1].tolist(), strict=True):
             if not math.isfinite(x + y):
                 continue
