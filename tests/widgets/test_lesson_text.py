@@ -92,6 +92,15 @@ def test_fractions_are_readable_and_displayed_formulas_are_large(qapp: Any) -> N
     )
 
 
+def test_a_formula_of_a_title_is_as_large_as_its_words(qapp: Any) -> None:
+    widths = []
+    for title in (True, False):
+        document = QTextDocument()
+        set_text(document, "$-A - B/z$", title=title)
+        widths.append(document.idealWidth())
+    assert widths[0] == pytest.approx(1.2 * widths[1], rel=0.05)
+
+
 def test_a_displayed_formula_stands_on_a_line_of_its_own() -> None:
     html, found = html_of("Then $a$ and $$b = 2$$, so *c*:\n$$d$$\nend.\n\n- $$e$$")
     assert found == ("a", "b = 2", "d", "e")

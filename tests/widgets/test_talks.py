@@ -1016,6 +1016,10 @@ def test_no_fraction_touches_the_title(display: Any) -> None:
         band.resize(size[0], band.height())
         for step in read(head.path).steps:
             title = ink_rows(band, step.title, ())
+            if "$" in step.title:
+                assert band.findChildren(QTextDocument)[0].defaultFont().pixelSize() == round(
+                    0.036 * size[1]
+                ), step.title
             if (line := ink_rows(band, "", step.parts)).size:
                 assert line[0] - title[-1] > 0.009 * size[1], (head.path.stem, step.title)
 

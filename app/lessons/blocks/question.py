@@ -69,7 +69,7 @@ def _change(own: Document, name: str, value: float) -> str:
 Value: TypeAlias = tuple[float, ...]  # an answer's numbers: one, a matrix by rows, or coordinates
 
 LETTERS = "ABCDEFGHIJ"  # the letters by which a class names the choices
-RIGHT = " **✓**"  # marks the right answer, in Markdown
+RIGHT = "\N{NO-BREAK SPACE}**✓**"  # marks the right answer, in Markdown
 HIDDEN = ("numbers", "lens", "scale", *PANES)
 """What a question may hide; the scale on paper only, where a ruler would find the answer."""
 CHECKS = ("check", "why", "hint", "hide")  # keys that every question may have
