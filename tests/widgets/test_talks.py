@@ -1272,8 +1272,7 @@ def test_the_equation_of_the_next_step_and_its_names_are_set_ahead(
     SET.clear()
     line_of.cache_clear()
     assert window.lessons.open(path)
-    qtbot.waitUntil(lambda: any("cot" in formula for formula in SET))
-    qtbot.wait(100)
+    qtbot.waitUntil(lambda: "M =" in SET)  # what stands before it comes last
     made = set(SET)
     assert window.lessons.go(1)
     assert window.slide.equation.isVisible() and "cot" in window.slide.equation.accessibleName()
