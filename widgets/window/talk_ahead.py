@@ -7,6 +7,7 @@ from PySide6.QtCore import QObject, QTimer, Signal
 from app.lecture.equation import equation_of
 from app.lecture.equation_form import laid_out
 from app.lecture.notation import matrices
+from app.lecture.typesetting import line_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import set_text
@@ -74,7 +75,10 @@ class StepPreparation(QObject):
                     matrices(projection, view.letters)
                 elif "equation" in view.slide:
                     asked = projection, view.letters, view.equation, document.settings
-                    yield from (None for _ in laid_out(equation_of(*asked)))
+                    laid = laid_out(equation_of(*asked))
+                    yield from (None for matrix in laid if line_of(matrix.lead, formula=1.0))
+                words = self._look.words
+                yield from (None for n in view.names or () if line_of(words.get(f"{{{n}}}", n)))
             except Refusal:
                 continue
             yield
