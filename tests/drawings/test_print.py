@@ -236,3 +236,15 @@ def test_no_letter_lies_on_a_shadow_or_on_what_a_film_shows(scene: str, name: st
     for left, top, right, low in filter(None, boxes):
         middle = [((left + right) / 2.0, (top + low) / 2.0)]
         assert not any(Polygon(ring).contains_points(middle)[0] for s in areas for ring in s.rings)
+
+
+def test_the_names_of_sharpness_stand_beside_the_posts_in_a_column() -> None:
+    shown = figure("focus", "world,image", (), size=None, width=84.0 / 25.4 * DPI)
+    _, shapes = shown.shapes()
+    white = rgb(PALETTES["print"].background)
+    posts = [s for s in shapes if isinstance(s, Area) and s.opacity == 1.0 and s.colour != white]
+    written = [s for s in shapes if isinstance(s, TextShape)]
+    assert {"sharp from", "in focus", "sharp to"} <= {s.written.text for s in written}
+    for left, top, right, low in filter(None, (box_of([s], "") for s in written)):
+        grid = np.mgrid[left:right:1.0, top:low:1.0].reshape(2, -1).T
+        assert not any(Polygon(ring).contains_points(grid).any() for s in posts for ring in s.rings)

@@ -218,7 +218,7 @@ def _planes(projection: Projection, lens: _Focused, subject: Subject) -> Marks:
     return Marks.of(*marks)
 
 
-_NAMED_AT = {"sharp-from": 0, "in-focus": 2, "sharp-to": 3}
+_NAMED_AT = {"sharp-from": 0, "in-focus": 1, "sharp-to": 2}
 """The corner of each plane with its name: the planes are close together, the corners are not."""
 
 
