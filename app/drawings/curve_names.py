@@ -121,8 +121,8 @@ def beside_curve(
     if len(foreign) and len(boxes):
         apart = _apart(boxes, foreign).min(axis=1)
         costs += 3.0 * np.clip(1.0 - apart / height, 0.0, 1.0)
-        near = apart < _apart(boxes, along).min(axis=1) + height / 4.0
-        costs[strict & near] = np.inf
+        is_stray = apart < _apart(boxes, along).min(axis=1) + height / 4.0
+        costs[strict & is_stray] = np.inf
     costs[strict & overlap(boxes, lines).any(axis=1)] = np.inf
     inside = (boxes[:, :2] >= frame[:2]).all(axis=1) & (boxes[:, 2:] <= frame[2:]).all(axis=1)
     costs[~inside | overlap(boxes, taken).any(axis=1)] = np.inf

@@ -24,7 +24,7 @@ from app.document.store import Store
 from app.document.view import AS_EVER
 from app.drawings.off_screen import close_kept
 from app.drawings.world import WorldDrawing
-from app.lecture.typesetting import SET, line_of
+from app.lecture.typesetting import SET, line_of, outline, piece_of
 from app.lessons.contents import CONTENT
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import MOST_STEPS, Step, parse_lesson, read
@@ -1270,7 +1270,8 @@ def test_the_equation_of_the_next_step_and_its_names_are_set_ahead(
     steps = "scene=letter-f", equation, "scene=letter-f\nview.names=l"
     path.write_text(lesson_of(*steps), encoding="utf-8")
     SET.clear()
-    line_of.cache_clear()
+    for setter in (line_of, outline, piece_of):
+        setter.cache_clear()
     assert window.lessons.open(path)
     qtbot.waitUntil(lambda: "M =" in SET)  # what stands before it comes last
     made = set(SET)
