@@ -82,6 +82,18 @@ def _apart(boxes: Floats, points: Floats) -> Floats:
     return np.asarray(np.linalg.norm(nearest - points, axis=2))
 
 
+def stays(
+    kept: Floats, frame: Floats, along: Floats, size: tuple[float, float], taken: Floats
+) -> bool:
+    """Whether a curve's name can keep its place, (4,): it is free, and beside the curve."""
+    if np.abs(kept[2:] - kept[:2] - size).max() >= 1e-3:
+        return False
+    near = kept + size[1] * np.array([-1.0, -1.0, 1.0, 1.0])
+    fits = (kept[:2] >= frame[:2]).all() and (kept[2:] <= frame[2:]).all()
+    is_free = fits and not overlap(kept[None], taken).any()
+    return bool(is_free and overlap(near[None], np.hstack([along, along])).any())
+
+
 def beside_curve(
     frame: Floats,
     along: Floats,
@@ -90,7 +102,6 @@ def beside_curve(
     taken: Floats,
     lines: Floats,
     foreign: Floats,
-    kept: Floats | None = None,
     *,
     strict: bool = False,
 ) -> Floats | None:
@@ -104,15 +115,8 @@ def beside_curve(
     - `along` (n, 2): places along the curve, which is `half` pixels wide on either side.
     - `taken`, `lines` (m, 4) and (k, 4): boxes of other names, and of pieces of all curves.
     - `foreign` (j, 2): places along the other curves.
-    - `kept` (4,): the name's last place, which is kept while it is free and beside its curve.
     """
     width, height = size
-    if kept is not None and np.abs(kept[2:] - kept[:2] - size).max() < 1e-3:
-        near = kept + height * np.array([-1.0, -1.0, 1.0, 1.0])
-        free = not overlap(kept[None], np.vstack([lines, taken])).any()
-        fits = (kept[:2] >= frame[:2]).all() and (kept[2:] <= frame[2:]).all()
-        if free and fits and overlap(near[None], np.hstack([along, along])).any():
-            return kept
     right, left = GAP_PX + half - 1.0, 1.0 - half - width  # a line touches its name, a dot does not
     sides = np.array([(right, -height), (left, -height), (right, 1.0), (left, 1.0)])
     corners = (along[::-1, None, :] + sides).reshape(-1, 2)  # from the right, where curves part

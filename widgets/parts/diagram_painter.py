@@ -11,7 +11,7 @@ import numpy as np
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSizeF, Qt
 from PySide6.QtGui import QColor, QFont, QFontMetricsF, QPainter, QPen, QPicture
 
-from app.drawings.curve_names import GAP_PX, beside, beside_curve
+from app.drawings.curve_names import GAP_PX, beside, beside_curve, stays
 from app.drawings.style import LIGHT, Style
 from app.scenes.phenomena.words import Curve, Diagram
 from widgets.parts.diagram_axis import DiagramAxis, Floats, inside, seen_parts
@@ -320,10 +320,13 @@ class DiagramPainter:
             foreign = np.concatenate([np.empty((0, 2)), *along[:i], *along[i + 1 :]])
             text = words(of_phenomena(curve.label), font)
             size, kept = (text.width + 2.0 * GAP_PX, height), self.names.pop(curve.label, None)
-            place = beside_curve(
-                self._bounds, places, half, size, taken, covered, foreign,
-                None if self._one_size else kept, strict=self._one_size,
-            )  # fmt: skip
+            hidden = np.vstack([covered, taken])
+            place = None if self._one_size else kept
+            if place is None or not stays(place, self._bounds, places, size, hidden):
+                place = beside_curve(
+                    self._bounds, places, half, size, taken, covered, foreign,
+                    strict=self._one_size,
+                )  # fmt: skip
             if place is None:
                 self._key.append((curve, text))
                 continue
