@@ -77,7 +77,7 @@ class Slide(QWidget):
         others += [cell.translated(at) for cell in self.equation.cells if has_equation]
         brackets = [each.translated(at) for each in self.equation.brackets if has_equation]
         ink = np.array([each.getCoords() for each in brackets]).reshape(-1, 4)
-        yield others, lambda boxes: BRACKET_INK * overlap(boxes, ink).sum(axis=1)
+        yield others, lambda boxes: BRACKET_INK * overlap(boxes, ink).sum(axis=1, dtype=np.float64)
 
     def resizeEvent(self, event: QResizeEvent) -> None:
         super().resizeEvent(event)
