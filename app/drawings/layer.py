@@ -74,7 +74,7 @@ class Silhouette:
     def ink(self, ground: Ground, spots: Array, volume: Array | None = None) -> None:
         """Tell the ground where the triangles are: pixels, (n, 3 or 1, 2); NaN behind.
 
-        Of a `volume` with corners, (m, 2), in which nothing of them was cut away.
+        With the corners of a `volume`, (m, 2), only what its outline holds: the rest was cut away.
         """
         held = self._held(ground, spots)
         if volume is not None and np.isfinite(volume).all():
