@@ -129,7 +129,8 @@ class Figure:
             raise Refusal.saying(REFUSALS["scale"], f"{self.scale:g}", LARGEST_PX)
         size, divided = self.full_size, (not self.column, self.column)
         if self.width is not None and not float(self.width).is_integer():  # it was a length
-            size = Size(size.px[0] / PX_PER["mm"], size.px[1] / PX_PER["mm"], "mm")
+            wide, high = (round(side / PX_PER["mm"], 6) for side in size.px)
+            size = Size(wide, high, "mm")
         per_px = PX_PER[size.unit]
         for templates, side, is_divided in zip(_SIDES, size[:2], divided, strict=True):
             smallest = SMALLEST_PANE_PX * (len(self.panes) if is_divided else 1)
