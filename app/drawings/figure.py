@@ -327,12 +327,12 @@ class Figure:
         The size is exactly the one asked for; what lies beyond is for the writer to cut off. A
         `Refusal` for too many shapes, else as for `pixels`.
         """
-        from app.drawings.vectors import Area, box_of, moved
+        from app.drawings.vectors import Area, box_of, moved, tinted
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
         is_boxed = self.size or self.width is None or self._has_own_size
         figure = self if is_boxed else self._as_wide(watch)[0]
-        shapes = [*figure._whole_shapes(watch)]
+        shapes = [*tinted(figure._whole_shapes(watch), background)]
         width, height = self.full_size.px
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:

@@ -43,6 +43,10 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
+_PAPER_INK, _BITES = 40.0, 4.0
+"""On paper, with its halo; and of a halo that hides any ink."""
+_PARTS = (3, 1), (24, 4)  # of a label, along and across it: on a screen, and on paper
+_APART = 2.5  # times as far apart are labels on paper
 _MOVES = 200
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
@@ -283,17 +287,22 @@ class Ground:
     """What labels must not hide: marks never, other ink as little as possible.
 
     Labels stay in the frame: left, low, right, high. `draw` tells this ground where the ink is; it
-    is called only if labels have to be placed anew.
+    is called only if labels have to be placed anew. With a `halo`, of a width on paper, labels stay
+    clear of ink that only their halos would hide, and farther from each other.
     """
 
     def __init__(
-        self, frame: Sequence[float], em: float, draw: Callable[[Ground], None] = lambda _: None
+        self,
+        frame: Sequence[float],
+        em: float,
+        draw: Callable[[Ground], None] = lambda _: None,
+        halo: float = 0.0,
     ) -> None:
         self._draw: Callable[[Ground], None] | None = draw
         left, low, right, high = map(float, frame)
-        self.limits, self.em = (left, low, right, high), em
+        self.limits, self.em, self.halo = (left, low, right, high), em, halo
         self.taken: list[tuple[float, float, float, float]] = []  # boxes that no label may overlap
-        self._square = SQUARE_EM * em
+        self.square = SQUARE_EM * em / (2.0 if halo else 1.0)
         self._ink: NDArray[np.bool_] | None = None
         self._counted: NDArray[np.int64] | None = None
 
@@ -309,7 +318,7 @@ class Ground:
     @property
     def shape(self) -> tuple[int, int]:
         """The columns and rows of the ink's squares."""
-        columns, rows = (max(0, int(side / self._square)) + 2 for side in self.limits[2:])
+        columns, rows = (max(0, int(side / self.square)) + 2 for side in self.limits[2:])
         return columns, rows
 
     def ink(self, held: NDArray[np.bool_]) -> None:
@@ -322,14 +331,14 @@ class Ground:
         held = np.zeros(self.shape, dtype=np.bool_)
         if len(parts):
             steps = np.maximum(
-                1, np.ceil(np.abs(np.diff(parts, axis=1)).max(axis=(1, 2)) / self._square)
+                1, np.ceil(np.abs(np.diff(parts, axis=1)).max(axis=(1, 2)) / self.square)
             )
             steps = steps.astype(np.int64) + 1
             which = np.repeat(np.arange(len(parts)), steps)
             first = np.repeat(np.cumsum(steps) - steps, steps)
             part = (np.arange(len(which)) - first) / (steps[which] - 1)
             at = parts[which, 0] + part[:, None] * (parts[which, 1] - parts[which, 0])
-            columns, rows = np.floor(at / self._square).astype(np.int64).T
+            columns, rows = np.floor(at / self.square).astype(np.int64).T
             held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
         self.ink(held)
 
@@ -345,7 +354,9 @@ class Ground:
             self._counted = np.zeros((columns + 1, rows + 1), dtype=np.int64)
             self._counted[1:, 1:] = self._ink.cumsum(axis=0).cumsum(axis=1)
         limit = np.array(self.shape * 2)
-        cells = np.rint(np.clip(boxes / self._square, -_FAR, _FAR)).astype(np.int64)
+        sides = np.clip(boxes / self.square, -_FAR, _FAR)
+        sides = np.hstack([np.floor(sides[:, :2]), np.ceil(sides[:, 2:])]) if self.halo else sides
+        cells = np.rint(sides).astype(np.int64)
         cells[:, 2:] = np.maximum(cells[:, 2:], cells[:, :2] + 1)
         left, low, right, high = np.clip(cells, 0, limit).T
         counted = self._counted
@@ -389,7 +400,8 @@ def place(
         return stays
     tried, costs, boxes, crossings = _costs(choices, ground, untangled)
     ranks = [wish.rank for wish, _ in choices]
-    chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, ground.em, crossings)
+    em = ground.em * (_APART if ground.halo else 1.0)
+    chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, em, crossings)
     for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
         if which is not None:
             stays[wish.key] = placed_label(wish, places, numbers[which], ground.em)
@@ -472,7 +484,8 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs = _ORDER * np.clip(number, 0.0, 24.0) + np.where(far, away / em, 0.0) + _BRIEF * brief
     costs[~free] = np.inf
     at = np.flatnonzero(free)
-    costs[at] += _INK * _hidden(centres[at], turns[at], size[at], ground)
+    hidden = _hidden(centres[at], turns[at], size[at] + 2.0 * ground.halo, ground)
+    costs[at] += _PAPER_INK * hidden + _BITES * (hidden > 0.0) if ground.halo else _INK * hidden
     costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
@@ -534,14 +547,16 @@ def _stray_costs(
 
 
 def _hidden(centres: Floats, turns: Floats, size: Floats, ground: Ground) -> Floats:
-    """Which part of each candidate is ink: in three boxes along it, since it may be turned."""
+    """Which part of each candidate is ink: in boxes along and across it, since it may be turned."""
+    steps = (np.indices(_PARTS[bool(ground.halo)]).reshape(2, -1, 1) + 0.5).transpose(1, 2, 0)
     along_it = np.stack([np.cos(turns), np.sin(turns)], axis=1)
-    across, up = np.abs(along_it).T[:, :, None]
-    third = size * (1.0 / 3.0, 1.0)
-    half = (across * third + up * third[:, ::-1]) / 2.0
-    middles = centres + np.array([-1.0, 0.0, 1.0])[:, None, None] * third[:, :1] * along_it
+    (across, up), aside = np.abs(along_it).T[:, :, None], along_it[:, ::-1] * (-1.0, 1.0)
+    part = size / _PARTS[bool(ground.halo)]
+    half = (across * part + up * part[:, ::-1]) / 2.0
+    steps = steps * part - size / 2.0
+    middles = centres + steps[..., :1] * along_it + steps[..., 1:] * aside
     parts = ground.hidden(np.concatenate([middles - half, middles + half], axis=2).reshape(-1, 4))
-    return np.asarray(parts.reshape(3, -1).mean(axis=0))
+    return np.asarray(parts.reshape(len(steps), -1).mean(axis=0))
 
 
 def crossed(anchors: Floats, boxes: Floats, marks: Floats) -> NDArray[np.bool_]:

@@ -23,7 +23,8 @@ from numpy.typing import NDArray
 
 from app.document.naming import named_in
 from app.drawings.actors import Detail, SceneActors
-from app.drawings.label_placement import SQUARE_EM, Ground
+from app.drawings.label import HALO_EM
+from app.drawings.label_placement import Ground
 from app.drawings.labels import Board, room
 from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
@@ -47,14 +48,13 @@ _MOST_PLACES = 200_000  # in all; more would overlap
 
 
 class Silhouette:
-    """The area of a pane that objects cover, and labels leave free; `em` is their font's height.
+    """The area of a pane that objects cover, and labels leave free.
 
     `triangles` (n, 3, 3), or points (n, 1, 3) where they are too many or none, are in the
     coordinates of the scene's actors.
     """
 
-    def __init__(self, scene: Scene, em: float) -> None:
-        self._square_px = SQUARE_EM * em
+    def __init__(self, scene: Scene) -> None:
         surface, self.triangles = scene.surface, np.empty((0, 3, 3))
         if surface is not None and surface.n_cells <= _MOST_FACES:
             mesh = surface.triangulate()
@@ -84,7 +84,7 @@ class Silhouette:
             is_side = between.any(axis=-1) & (across @ volume.T >= least[..., None] - 1e-6).all(
                 axis=-1
             )
-            middles = (np.indices(ground.shape) + 0.5) * self._square_px
+            middles = (np.indices(ground.shape) + 0.5) * ground.square
             sides, first = across[is_side], least[is_side]
             held &= (np.tensordot(sides, middles, 1) >= first[:, None, None]).all(axis=0)
         ground.ink(held)
@@ -95,7 +95,7 @@ class Silhouette:
         columns, rows = (side + 2 for side in ground.shape)  # with a rim that takes what is outside
         limit = np.array([[columns - 1.0], [rows - 1.0]])
         held = np.zeros(columns * rows, dtype=np.bool_)
-        corners = np.ascontiguousarray(np.transpose(spots, (1, 2, 0))) / self._square_px + 1.0
+        corners = np.ascontiguousarray(np.transpose(spots, (1, 2, 0))) / ground.square + 1.0
         low, high = corners.min(axis=0), corners.max(axis=0)
         with np.errstate(invalid="ignore"):
             sides = (high - low).max(axis=0)
@@ -166,7 +166,7 @@ class PaneState:
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
-        self.silhouette = Silhouette(scene, self.em)
+        self.silhouette = Silhouette(scene)
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()
@@ -333,7 +333,9 @@ class Layers:
 
     def ground(self) -> Ground:
         """Where there is ink now."""
-        return Ground(self._state.room, self._state.em, self._ink)
+        state = self._state
+        halo = HALO_EM * state.em if state.canvas.style.on_paper else 0.0
+        return Ground(state.room, state.em, self._ink, halo)
 
     def _ink(self, ground: Ground) -> None:
         for layer in self._layers:

@@ -5,6 +5,7 @@ background the pale ones are darkened until a line of them is visible (3:1). Tex
 `tone`, with a contrast of at least 4.5:1; near and far never differ by colour alone.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -68,10 +69,15 @@ def rgb(colour: str) -> tuple[float, float, float]:
     return red, green, blue
 
 
+def hexadecimal(parts: Sequence[float]) -> str:
+    """``"#rrggbb"`` of red, green and blue."""
+    return "#" + "".join(f"{round(255.0 * min(1.0, max(0.0, part))):02x}" for part in parts)
+
+
 def mixed(colour: str, other: str, part: float) -> str:
     """Return a colour with a part of another one mixed in, from 0 to 1."""
     pairs = zip(rgb(colour), rgb(other), strict=True)
-    return "#" + "".join(f"{round(255.0 * ((1.0 - part) * a + part * b)):02x}" for a, b in pairs)
+    return hexadecimal([(1.0 - part) * a + part * b for a, b in pairs])
 
 
 def contrast(one: str, other: str) -> float:

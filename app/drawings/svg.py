@@ -12,7 +12,8 @@ from PIL import Image
 
 from app.document.lengths import PX_PER
 from app.drawings.label import HALO_EM, HALO_OPACITY, SPACE_HIGH_EM, SPACE_LINES, UNDER_EM
-from app.drawings.occlusion import Colour, Points
+from app.drawings.occlusion import Points
+from app.drawings.style import hexadecimal
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FUNCTIONS, GREEK, is_set_in_words, outline
 
@@ -60,7 +61,7 @@ def elements(shapes: Sequence[Shape], name: str = "t") -> Iterator[str]:
                     x, y = shape.centre
                     yield (
                         f'<circle cx="{_n(x)}" cy="{_n(y)}" r="{_n(shape.radius)}"'
-                        f' fill="{_hex(shape.colour)}"{_faint("fill", shape.opacity)}/>'
+                        f' fill="{hexadecimal(shape.colour)}"{_faint("fill", shape.opacity)}/>'
                     )
                 elif isinstance(shape, PixelShape):
                     yield _image(shape)
@@ -81,10 +82,6 @@ def kind_of(shape: Shape) -> object:
 def _n(value: float) -> str:
     text = f"{value:.2f}".rstrip("0").rstrip(".")
     return "0" if text == "-0" else text
-
-
-def _hex(colour: Colour) -> str:
-    return "#" + "".join(f"{round(255.0 * min(1.0, max(0.0, part))):02x}" for part in colour)
 
 
 def _faint(what: str, opacity: float) -> str:
@@ -111,7 +108,7 @@ def _tenth(tenths: int, space: str = "") -> str:
 
 
 def _areas(areas: Sequence[Area]) -> str:
-    colour, opacity = _hex(areas[0].colour), areas[0].opacity
+    colour, opacity = hexadecimal(areas[0].colour), areas[0].opacity
     seam = f' stroke="{colour}" stroke-width="{SEAM_PX}"' if opacity >= 1.0 else ""
     data = "".join(f"{_path(turned(ring))}Z" for area in areas for ring in area.rings)
     return f'<path fill="{colour}"{_faint("fill", opacity)}{seam} d="{data}"/>'
@@ -141,7 +138,7 @@ def _strokes(strokes: Sequence[LineShape]) -> Iterator[str]:
     )  # fmt: skip
     if data:  # they are no points
         yield (
-            f'<path stroke="{_hex(first.colour)}"{_faint("stroke", first.opacity)}'
+            f'<path stroke="{hexadecimal(first.colour)}"{_faint("stroke", first.opacity)}'
             f' stroke-width="{_n(first.width)}"{dash} d="{data}"/>'
         )
 

@@ -14,7 +14,7 @@ from PIL import Image
 from app.document.lengths import DPI
 from app.drawings.label import HALO_EM, HALO_OPACITY
 from app.drawings.occlusion import Colour, Points
-from app.drawings.style import rgb
+from app.drawings.style import hexadecimal, rgb
 from app.drawings.svg import SEAM_PX, TEX, chained, kind_of, turned
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
 from app.lecture.typesetting import FUNCTIONS, GREEK
@@ -159,7 +159,7 @@ class _TikzWriter:
         return f"({_n(point[0])},{_n(self._high - point[1])})"
 
     def _colour(self, colour: Colour) -> str:
-        code = "".join(f"{round(255.0 * min(1.0, max(0.0, part))):02X}" for part in colour)
+        code = hexadecimal(colour)[1:].upper()
         return self.colours.setdefault(code, f"c{len(self.colours) + 1}")
 
     def _picture(self, picture: PixelShape) -> str:

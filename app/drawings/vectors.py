@@ -11,6 +11,7 @@ Where shaders make the picture, its pixels are one shape.
 """
 
 import math
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from itertools import pairwise
 from typing import Any, NamedTuple, TypeAlias
@@ -25,7 +26,7 @@ from app.drawings.hidden import in_order, visible
 from app.drawings.label import LabelActor, LabelText, SceneLabel
 from app.drawings.occlusion import Colour, Occlusion, Points, ScreenCell, cut
 from app.drawings.off_screen import Pixels, pixels_of
-from app.drawings.style import rgb
+from app.drawings.style import hexadecimal, rgb
 from app.lecture.typesetting import piece_of
 from app.model.projection import Array
 from app.model.refusal import REFUSALS, Refusal
@@ -38,6 +39,8 @@ _WIDTHS = [mm * PX_PER["mm"] for mm in (0.13, 0.18, 0.25, 0.35, 0.5, 0.7, 1.0, 1
 """The widths of ISO 128 in pixels, each half of the one after the next."""
 _WIDE = _WIDTHS[2]  # beside lines that are hidden, which are half as wide
 _GROUND = [tuple(level / 255.0 for level in rgb) for rgb in (GRID_RGB, GRID_AXIS_RGB)]
+
+_PALE = 0.7  # of each of its parts: a colour on which a halo need not be white
 
 _FRAME = np.array(  # near, far, left, right, bottom and top of clip space; positive inside
     [(0, 0, 1, 1), (0, 0, -1, 1), (1, 0, 0, 1), (-1, 0, 0, 1), (0, 1, 0, 1), (0, -1, 0, 1)],
@@ -156,6 +159,37 @@ def box_of(shapes: Iterable[Shape], background: str) -> tuple[float, float, floa
         return None
     xs, ys = zip(*corners, strict=True)
     return min(xs), min(ys), max(xs), max(ys)
+
+
+def tinted(shapes: Iterable[Shape], background: str) -> Iterator[Shape]:
+    """Yield shapes; the halo of a label on a pale tint has its colour: it would be a white spot."""
+    areas = list[tuple[Points, Area]]()
+    for shape in shapes:
+        if isinstance(shape, Area):
+            ends = np.concatenate([np.array(ring) for ring in shape.rings])
+            areas.append(([ends.min(axis=0).tolist(), ends.max(axis=0).tolist()], shape))
+        elif isinstance(shape, TextShape):
+            corners = np.array([*_around(shape)]).reshape(-1, 2)
+            low, high = corners.min(axis=0), corners.max(axis=0)
+            spots = (low + part * (high - low) for part in (0.3, 0.5, 0.7))
+            ((tint, _),) = Counter(_behind(areas, *spot, background) for spot in spots).most_common(
+                1
+            )
+            if min(rgb(tint)) >= _PALE:
+                shape = shape._replace(written=shape.written._replace(halo=tint))
+        yield shape
+
+
+def _behind(areas: Sequence[tuple[Points, Area]], x: float, y: float, background: str) -> str:
+    """The colour of the areas at a point, one over the other."""
+    seen = np.array(rgb(background))
+    for ((left, top), (right, low)), area in areas:
+        if left < x < right and top < y < low:
+            rings = [np.array(ring) @ (1.0, 1.0j) - complex(x, y) for ring in area.rings]
+            turned = (float(np.angle(np.roll(ring, -1) / ring).sum()) for ring in rings)
+            if sum(round(angle / math.tau) for angle in turned) % 2:
+                seen += area.opacity * (np.array(area.colour) - seen)
+    return hexadecimal(seen.tolist())
 
 
 def _padded(points: Points, half: float) -> Iterator[tuple[float, float]]:

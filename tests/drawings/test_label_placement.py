@@ -132,6 +132,34 @@ def test_a_leader_does_not_cross_the_mark_of_another_label() -> None:
     assert placed["a"].centre == beyond_it
 
 
+@pytest.mark.parametrize(("halo", "is_above"), [(0.0, True), (0.14 * EM, False)])
+@pytest.mark.parametrize("turn", [0.0, 0.4])
+def test_on_paper_no_halo_bites_a_line_beside_the_letters(
+    halo: float, is_above: bool, turn: float
+) -> None:
+    """The line runs below the letters; a line as far away as a plane's own edge is not bitten."""
+    mark, size, above, far = (100.0, 100.0), (90.0, 14.0), (100.0, 110.0), (100.0, 150.0)
+    along, down = np.array([math.cos(turn), math.sin(turn)]), size[1] / 2.0
+    ways = Places(np.array([above, far]), np.full(2, turn), np.array([mark] * 2), np.zeros(2))
+    for gap, is_kept in ((0.35 * EM, True), *([] if turn else [(0.1 * EM, is_above)])):
+        middle = above - (down + gap) * np.array([-along[1], along[0]])
+        line = np.array([[middle - 40.0 * along, middle + 40.0 * along]])
+        ground = Ground(FRAME, EM, partial(Ground.ink_lines, segments=line), halo)
+        placed = place([Wish("a", size, [mark], lambda: ways)], ground)["a"]
+        assert placed.centre == (above if is_kept else far)
+
+
+def test_letters_on_paper_do_not_read_as_one_word() -> None:
+    mark, size = (100.0, 100.0), (14.0, 14.0)
+    near, far = (100.0 + size[0] + 0.5 * EM, 100.0), (100.0, 200.0)
+    wishes = [
+        Wish("A", size, [mark], partial(on, mark)),
+        Wish("E", size, [mark], partial(choices, mark, near, far)),
+    ]
+    assert place(wishes, Ground(FRAME, EM))["E"].centre == near
+    assert place(wishes, Ground(FRAME, EM, halo=0.14 * EM))["E"].centre == far
+
+
 @pytest.mark.parametrize(("air", "is_enough"), [(0.1 * EM, False), (0.3 * EM, True)])
 def test_labels_have_air_between_them(air: float, is_enough: bool) -> None:
     mark, size = (100.0, 100.0), (40.0, 14.0)
@@ -243,7 +271,7 @@ def test_the_points_of_a_large_mesh_are_ink_and_nothing_else_is(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     monkeypatch.setattr("app.drawings.layer._MOST_FACES", 3_000)
-    silhouette = Silhouette(load("far-plane-popping"), EM)
+    silhouette = Silhouette(load("far-plane-popping"))
     count = len(silhouette.triangles)
     assert count > 3000 and silhouette.triangles.shape == (count, 1, 3)
     ground, spots = Ground(FRAME, EM), np.full((count, 1, 2), np.nan)
@@ -267,7 +295,7 @@ def test_the_name_of_a_far_side_stands_at_its_corner_rather_than_on_the_near_one
 
 
 def test_what_is_cut_away_beyond_a_volume_is_no_ink() -> None:
-    silhouette, ground = Silhouette(load("letter-f"), EM), Ground(FRAME, EM)
+    silhouette, ground = Silhouette(load("letter-f")), Ground(FRAME, EM)
     board = np.array([[(0.0, 0.0), (400.0, 0.0), (0.0, 300.0)]])
     volume = np.array([(0.0, 0.0), (100.0, 0.0), (20.0, 20.0), (0.0, 100.0), (0.0, 0.0)])
     silhouette.ink(ground, board, volume)

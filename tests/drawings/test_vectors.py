@@ -301,6 +301,23 @@ def test_no_line_shows_between_the_words_of_a_figure(qapp: Any) -> None:
     assert moves[0] == moves[1] + 2, "lines in the space have a halo"
 
 
+def test_a_halo_has_the_colour_of_a_tint_and_is_white_on_what_is_dark_and_in_a_hole() -> None:
+    pieces = line_of("A").pieces
+    written = vectors.LabelText(
+        "A", pieces, (1.0,), (0.0, 0.0), 0.0, 20.0, "#000000", "#ffffff", 1.0, False
+    )
+
+    def square(left: float, right: float) -> Points:
+        return [(left, left), (right, left), (right, right), (left, right)]
+
+    tint = Area([square(0.0, 100.0), square(40.0, 60.0)], (0.6, 0.8, 1.0), 0.5)
+    dark = Area([square(70.0, 100.0)], (0.4, 0.2, 0.0), 1.0)
+    labels = [TextShape(written, (at, at + 7.0), 20.0) for at in (10.0, 43.0, 78.0)]
+    found = vectors.tinted([*labels, tint, dark, *labels], "#ffffff")
+    halos = [shape.written.halo for shape in found if isinstance(shape, TextShape)]
+    assert halos == ["#ffffff"] * 3 + ["#cce6ff", "#ffffff", "#ffffff"]
+
+
 def test_letters_and_words_of_a_pdf_stand_on_one_line() -> None:
     text = "near P' ="
     pieces = line_of(text).pieces
