@@ -73,6 +73,9 @@ class MarksDrawing(Layer):
     With `lifts_copies`, copies are brought forward here, and not by their matrices.
     """
 
+    of = "illustration"
+    is_empty = True  # whether there has been no illustration yet
+
     def __init__(
         self,
         state: PaneState,
@@ -99,11 +102,6 @@ class MarksDrawing(Layer):
         self._points = NO_POINTS
         self._named_in_view: dict[str, Array] = {}
 
-    @property
-    def is_empty(self) -> bool:
-        """Whether there has been no illustration yet."""
-        return self._now is None
-
     # -- marks
 
     def show(self) -> None:
@@ -122,7 +120,7 @@ class MarksDrawing(Layer):
         self.settle()
 
     def _show(self, marks: Marks, placing: Placing) -> None:
-        self._now = marks, placing
+        self._now, self.is_empty = (marks, placing), False
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
