@@ -266,7 +266,7 @@ class FrustumDrawing(Layer):
         corners, named = state.corners_seen, state.named_points(*ENDS)
         if corners is None:
             return
-        digits, body = 0 if planes is None else digits_apart(*planes), state.seen(corners)
+        digits, body = 0 if planes is None else digits_apart(*planes), state.own.pane.seen(corners)
         faces = slice(4), slice(4, 8)
         for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
             if name not in named:
@@ -282,7 +282,7 @@ class FrustumDrawing(Layer):
         """Ask for a place beside each side of the window, outside it or inside."""
         state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
         window, without = state.projection.window, state.unseen | state.written
-        if state.names.all:
+        if state.names.wanted is None:
             without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
         named = [
             letter not in without and (letter in state.names or side in state.names)

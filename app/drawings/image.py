@@ -84,7 +84,8 @@ class SceneInPicture(Layer):
         if state.scene.phenomenon is None or not self._marks.is_empty:
             self._rasterise(seen)
             illustration = state.illustration
-            self._moved.show(None if illustration is None else illustration.vertices)
+            if state.scene.requires:
+                self._moved.show(None if illustration is None else illustration.vertices)
 
     def _rasterise(self, seen: Projection) -> None:
         state = self._state
@@ -163,6 +164,7 @@ class ImageDrawing(Drawing):
     """
 
     pane = "image"
+    refines = True
     state: ImageState
 
     def __init__(

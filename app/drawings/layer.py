@@ -220,7 +220,7 @@ class PaneState:
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
         """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
-        return bool(changed) and not self.names.all
+        return bool(changed) and self.names.wanted is not None
 
     @abstractmethod
     def seen(self, points: Array) -> Sequence[Spot]:
@@ -374,6 +374,7 @@ class FacesLayer(Layer):
 
     def __init__(self, state: PaneState, drawn: SceneActors, shows: str) -> None:
         self._state, self.actors = state, drawn
+        self._changes = bool(state.scene.requires)  # otherwise nothing about its faces ever changes
         self._detail = Detail(drawn.surface, drawn.dots)
         faces = drawn.surface, drawn.spaces[0]
         self._rasterisers = textured(state.scene, state.canvas, faces)
@@ -381,8 +382,6 @@ class FacesLayer(Layer):
 
     def show(self) -> None:
         illustration = self._state.illustration
-        if not self._state.scene.requires:
-            return  # nothing about its faces ever changes
         if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(illustration.rendering, self._state.projection)

@@ -305,7 +305,7 @@ class MarksDrawing(Layer):
     def inside(self) -> dict[str, Array]:
         """The points of the marks that the picture was told to name; without a list, of all."""
         state = self._state
-        if self._names.all:
+        if self._names.wanted is None:
             points = self.reach()
             away = np.linalg.norm(points - state.objects.mean(axis=0), axis=1)
             return {"marks": points[away <= _FRAMED * state.scene.size]}

@@ -47,7 +47,8 @@ class NearPicture(FacesLayer):
 
     def show(self) -> None:
         self.actors.show_moved(not self._state.projection.placement.is_identity)
-        super().show()
+        if self._changes:
+            super().show()
 
     def settle(self) -> None:
         """Lay the scene onto the near plane, as the pane's own camera sees it."""

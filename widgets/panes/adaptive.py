@@ -159,7 +159,7 @@ class Adaptive(QObject):
         self._emit_changed()
 
     def _end_frame(self, at: float | None = None) -> None:
-        """Record the time of the last step that was drawn, until `at` or the last pane's picture."""
+        """Record the time of the last drawn step, until `at` or else the last picture."""
         if self._began is None:
             return
         drawn_at = max(pane.canvas.drawn_at for pane in self._panes.values())
