@@ -153,11 +153,11 @@ class FrustumDrawing(Layer):
         parts = [*self._volume]
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
-        self.space.set(frustum)
         start, end = reach.body
         if start < end:
             parts.append(self._body)
             self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
+        self.space.set(frustum)
         for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
             if broken is not None:
                 cut = frustum @ _cube_from_part(view_from_cube, *broken)
@@ -170,8 +170,9 @@ class FrustumDrawing(Layer):
                 _, view_from_cube = matrices_between(projection, *reach.near_break)
                 base = normalised(local_from_view @ view_from_cube)
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        corners = applied(frustum, CUBE)
         self._show_parts(*parts)
-        return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
+        return DrawnVolume(corners, reach, exists=True)
 
     def _show_parts(self, *parts: vtkActor) -> None:
         """Show these actors, and no others."""

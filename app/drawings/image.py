@@ -244,7 +244,7 @@ class ImageDrawing(Drawing):
             state.canvas.relayout()
         self.layers.show()
         self._scene.begin_blurring()
-        if state.eyes is not None:  # the marks of P move at once, too
+        if illustration is not None and state.eyes is not None:  # the marks of P move at once, too
             self.refine()
         if state.probes or not self._marks.is_empty:
             self.layers.settle()
