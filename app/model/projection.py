@@ -95,7 +95,7 @@ class Projection(Pipeline):
         The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
         loses no digits.
         """
-        return np.asarray(self.clip_from_eye @ self.local_to_eye(origin, space))
+        return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
         """From points relative to `origin` to world axes with their origin in the eye, (4, 4).
