@@ -503,6 +503,8 @@ class Hand(QObject):
         if self._dragged_from is not None:
             self._dragged_from = None
             self.drag_ended.emit()
+            if self._canvas.rect().contains(event.position().toPoint()):
+                self.hovered.emit(self._middle(event.position()))  # perhaps over another thing
         if self._pressed is not None:
             middle = self._middle(self._pressed)
             self._pressed = None
