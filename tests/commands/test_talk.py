@@ -81,7 +81,7 @@ def test_a_text_that_a_class_would_see_cut_is_told_to_its_author(talk: Path) -> 
     long = "Words " * 80
     text = TALK.replace("Words with", f"{long}with")
     talk.write_text(text.replace("{#two}\n", f"{{#two}}\nA.\n\n{long}\n\n"), encoding="utf-8")
-    done = run("talk", talk, "--check", DISPLAY=None, WAYLAND_DISPLAY=None)
+    done = run_here("talk", talk, "--check")
     assert done.stderr == "" and done.returncode == 1
     cut = f"{talk}: line 5, step 1 (one): the text is longer or higher than the two lines"
     assert cut in done.stdout and "step 2 (two): the text" not in done.stdout
