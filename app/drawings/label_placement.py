@@ -43,8 +43,7 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
-_PAPER_INK, _BITES = 40.0, 4.0
-"""On paper, with its halo; and of a halo that hides any ink."""
+_BITES = 4.0  # on paper, where its halo hides any ink
 _PARTS = (3, 1), (24, 4)  # of a label, along and across it: on a screen, and on paper
 _APART = 2.5  # times as far apart are labels on paper
 _MOVES = 600
@@ -483,7 +482,7 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     hidden = _hidden(centres[at], turns[at], size[at] + 2.0 * ground.halo, ground)
-    costs[at] += _PAPER_INK * hidden + _BITES * (hidden > 0.0) if ground.halo else _INK * hidden
+    costs[at] += _INK * hidden + _BITES * (hidden > 0.0) * (ground.halo > 0.0)
     costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
