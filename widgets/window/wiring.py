@@ -100,7 +100,6 @@ def _wire_components(window: Any) -> None:
         if name != "ndc":  # the others have no stage after the world's
             strip.moved.connect(lambda at, pane=pane: pane.request("stage", min(at, 0.0) or None))
         window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
-        pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:
             signal.connect(slot)
