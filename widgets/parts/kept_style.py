@@ -41,9 +41,9 @@ class KeptStyle(QObject):
         yield
         _mark(kept, False)
         self._kept = {each: worn for each, worn in kept.items() if worn[0] != after}
-        for each in self._kept:
-            if each.isWindow() or each.parentWidget() not in self._kept:
-                each.installEventFilter(self)
+        for each in kept:
+            if each.isWindow() or each.parentWidget() not in kept:
+                (each.installEventFilter if each in self._kept else each.removeEventFilter)(self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show and isinstance(watched, QWidget):
