@@ -172,8 +172,8 @@ def tinted(shapes: Iterable[Shape], background: str) -> Iterator[Shape]:
             corners = np.array([*_around(shape)]).reshape(-1, 2)
             low, high = corners.min(axis=0), corners.max(axis=0)
             spots = [(low + part * (high - low)).tolist() for part in (0.3, 0.5, 0.7)]
-            found = Counter(_behind(areas, x, y, background) for x, y in spots)
-            ((tint, _),) = found.most_common(1)
+            tints = Counter(_behind(areas, x, y, background) for x, y in spots)
+            ((tint, _),) = tints.most_common(1)
             if min(rgb(tint)) >= _PALE:
                 shape = shape._replace(written=shape.written._replace(halo=tint))
         yield shape

@@ -313,8 +313,8 @@ def test_a_halo_has_the_colour_of_a_tint_and_is_white_on_what_is_dark_and_in_a_h
     tint = Area([square(0.0, 100.0), square(40.0, 60.0)], (0.6, 0.8, 1.0), 0.5)
     dark = Area([square(70.0, 100.0)], (0.4, 0.2, 0.0), 1.0)
     labels = [TextShape(written, (at, at + 7.0), 20.0) for at in (10.0, 43.0, 78.0)]
-    found = vectors.tinted([*labels, tint, dark, *labels], "#ffffff")
-    halos = [shape.written.halo for shape in found if isinstance(shape, TextShape)]
+    shapes = vectors.tinted([*labels, tint, dark, *labels], "#ffffff")
+    halos = [shape.written.halo for shape in shapes if isinstance(shape, TextShape)]
     assert halos == ["#ffffff"] * 3 + ["#cce6ff", "#ffffff", "#ffffff"]
 
 
