@@ -206,9 +206,12 @@ class ImageDrawing(Drawing):
         picture.SetLayer(1)
         picture.PreserveColorBufferOff()  # a layer above the first is transparent otherwise
         picture.InteractiveOff()
-        self._window_layers = self.state.canvas.window.GetNumberOfLayers()
-        self.state.canvas.window.SetNumberOfLayers(max(2, self._window_layers))
+        self.state.canvas.window.SetNumberOfLayers(2)
         self.state.canvas.window.AddRenderer(picture)
+
+    @property
+    def can_rest(self) -> bool:
+        return self._scene.blurring is None  # has a window of its own
 
     def remove(self) -> None:
         if self._scene.blurring is not None:
@@ -216,7 +219,6 @@ class ImageDrawing(Drawing):
         canvas = self.state.canvas
         canvas.remove()
         canvas.window.RemoveRenderer(self._picture)
-        canvas.window.SetNumberOfLayers(self._window_layers)
         canvas.renderer.SetActiveCamera(self._own_camera)
 
     def show_names(self, names: frozenset[str] | None) -> None:

@@ -32,14 +32,8 @@ class PropGroup:
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
         self.renderer.SetBackground(*rgb(style.background))
-        itself = weakref.ref(self)  # or window and canvas would keep each other alive
-
-        def start(_window: object, _event: str) -> None:
-            canvas = itself()
-            if canvas is not None:
-                canvas.lay_out()
-
-        self._observer: int | None = self.window.AddObserver("StartEvent", start)
+        self._observer: int | None = None
+        self.set_drawn(True)
 
     @staticmethod
     def make_ready(renderer: Any) -> None:
@@ -47,6 +41,23 @@ class PropGroup:
         renderer.GetCullers().RemoveAllItems()
         renderer.SetBackgroundAlpha(1.0)  # or Qt blends it with the window behind it
         renderer.SetUseOIT(False)
+
+    def set_drawn(self, drawn: bool) -> None:
+        """Draw at a rendering of the window, or rest while another group does."""
+        for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
+            renderer.SetDraw(drawn)
+        if self._observer is not None:
+            self.window.RemoveObserver(self._observer)
+            self._observer = None
+        itself = weakref.ref(self)  # or window and canvas would keep each other alive
+
+        def start(_window: object, _event: str) -> None:
+            canvas = itself()
+            if canvas is not None:
+                canvas.lay_out()
+
+        if drawn:
+            self._observer = self.window.AddObserver("StartEvent", start)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
         """Add props to a renderer, the screen's own by default.
@@ -104,9 +115,8 @@ class PropGroup:
         return bool(self._laid_out == self.window.GetSize())
 
     def remove(self) -> None:
-        if self._observer is not None:
-            self.window.RemoveObserver(self._observer)
-            self._observer = None
+        self.set_drawn(False)
+        self.renderer.SetDraw(True)
         for renderer, prop in self._props:
             renderer.RemoveViewProp(prop)
         self._props.clear()

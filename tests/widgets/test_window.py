@@ -1514,6 +1514,8 @@ def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float
     """Left, bottom, right, top of the texts in the picture, in its pixels."""
     boxes = {}
     for renderer in window.panes["image"].canvas.render_window.GetRenderers():
+        if not renderer.GetDraw():
+            continue
         x, y = renderer.GetOrigin()
         for text, label in labels_of(renderer).items():
             left, right, low, high = label.box_px
