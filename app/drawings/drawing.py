@@ -222,11 +222,6 @@ class Drawing:
         self.state.canvas.fade_labels(light_of_labels(part))
         self.layers.place_labels(afresh=part == 1.0)
 
-    @property
-    def can_rest(self) -> bool:
-        """Whether it may stay in its window while another one is drawn there."""
-        return True
-
     def remove(self) -> None:
         """Take everything out of the screen."""
         self.state.canvas.remove()

@@ -135,6 +135,7 @@ class SceneInPicture(Layer):
         if blurring is None:
             if through is None:
                 return
+            state.canvas.can_rest = False  # its pictures have a window of their own
             style = self._style.enlarged(1.0 / finer)
             self.blurring = blurring = Blurring(state.scene, style, self._tolerance_px)
             if "grid" in state.canvas.hidden:
@@ -208,10 +209,6 @@ class ImageDrawing(Drawing):
         picture.InteractiveOff()
         self.state.canvas.window.SetNumberOfLayers(2)
         self.state.canvas.window.AddRenderer(picture)
-
-    @property
-    def can_rest(self) -> bool:
-        return self._scene.blurring is None  # has a window of its own
 
     def remove(self) -> None:
         if self._scene.blurring is not None:

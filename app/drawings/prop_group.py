@@ -28,12 +28,19 @@ class PropGroup:
         self.hidden: frozenset[str] = frozenset()  # the layers that are switched off
         self._labels: list[SceneLabel] = []
         self.labels_light = 1.0  # part of the labels' opacity that is shown
+        self.can_rest = True  # whether it may stay in the window while another group is drawn there
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
         self.renderer.SetBackground(*rgb(style.background))
-        self._observer: int | None = None
-        self.set_drawn(True)
+        itself = weakref.ref(self)  # or window and canvas would keep each other alive
+
+        def start(_window: object, _event: str) -> None:
+            canvas = itself()
+            if canvas is not None and canvas.renderer.GetDraw():
+                canvas.lay_out()
+
+        self._observer: int | None = self.window.AddObserver("StartEvent", start)
 
     @staticmethod
     def make_ready(renderer: Any) -> None:
@@ -46,18 +53,6 @@ class PropGroup:
         """Draw at a rendering of the window, or rest while another group does."""
         for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
             renderer.SetDraw(drawn)
-        if self._observer is not None:
-            self.window.RemoveObserver(self._observer)
-            self._observer = None
-        itself = weakref.ref(self)  # or window and canvas would keep each other alive
-
-        def start(_window: object, _event: str) -> None:
-            canvas = itself()
-            if canvas is not None:
-                canvas.lay_out()
-
-        if drawn:
-            self._observer = self.window.AddObserver("StartEvent", start)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
         """Add props to a renderer, the screen's own by default.
@@ -115,8 +110,9 @@ class PropGroup:
         return bool(self._laid_out == self.window.GetSize())
 
     def remove(self) -> None:
-        self.set_drawn(False)
-        self.renderer.SetDraw(True)
+        if self._observer is not None:
+            self.window.RemoveObserver(self._observer)
+            self._observer = None
         for renderer, prop in self._props:
             renderer.RemoveViewProp(prop)
         self._props.clear()

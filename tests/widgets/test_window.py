@@ -496,6 +496,7 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     window.panes["world"].look_from(Camera((9.0, 3.0, 6.0)))
     if way == "undo":
         window.store.undo()
+        window.look.rebuild()  # no drawing of it rests
 
     def state() -> tuple[Any, ...]:
         settle()

@@ -152,7 +152,7 @@ class _Canvas(QWidget):
             yield
         except Exception:
             self.renderer.RemoveAllViewProps()
-            window.RemoveObservers("StartEvent")  # drawings lay themselves out at it
+            self.renderer.SetDraw(self.renderer is before)  # its drawing lays nothing out
             for added in [each for each in window.GetRenderers() if each not in renderers]:
                 window.RemoveRenderer(added)
             window.SetNumberOfLayers(layers)

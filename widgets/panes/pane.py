@@ -67,8 +67,6 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
 }
 """How a drawing is told the requests that take one call."""
 
-_MOVES_MODEL = {"stage", "from_left", "former"}
-
 
 class Pane(QFrame):
     """A titled canvas with one drawing; the mouse moves the pane's own camera if it `orbits`.
@@ -136,7 +134,7 @@ class Pane(QFrame):
         self.rest_pointer()
         self.header.setCursor(Qt.CursorShape.ArrowCursor)
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
-        self.resting = RestingDrawings(self.canvas, make_drawing)
+        self.resting = RestingDrawings(self.canvas, make_drawing, AS_BUILT)
         self.canvas.setAccessibleName(title)
         self.is_aimed_at = False  # whether a question asks for a place in the picture
         self.hand = Hand(self.canvas, orbits=orbits)
@@ -204,7 +202,7 @@ class Pane(QFrame):
 
     def draw_ahead(self, shown: ShownData, *args: object) -> None:
         """Make the drawing that a `build` with the same arguments will show."""
-        self.resting.draw(shown, AS_BUILT, self.drawing, *args)
+        self.resting.draw(shown, self.drawing, *args)
 
     def forget(self) -> None:
         """Show no drawing again that was made with the words of now."""
@@ -294,9 +292,9 @@ class Pane(QFrame):
         shown = self.shown
         if not self.isVisible() or shown is None or not self.canvas.is_open or self._waits:
             return
-        is_new = self._to_build is not None
-        if self._to_build is not None:
-            self._build(shown, self._to_build)
+        args = self._to_build
+        if args is not None:
+            self._build(shown, args)
         if "bare" in self._due:
             self._due = self._due - {"bare"} | {"layers"}
         if self._due & {"detail", "layers"}:
@@ -327,8 +325,10 @@ class Pane(QFrame):
                 else:
                     _SHOW[what](drawing, wanted)
         self._told = dict(self.requested)
-        if is_new or self._due & {"projection", "view"}:
-            self._in_first = shown if is_new else None
+        if args is not None:  # none that has failed rests
+            self._drawn_with, self._in_first = args, shown
+        elif self._due & {"projection", "view"}:
+            self._in_first = None
         self._due.clear()
         self._has_changed = True
         self._watch_labels()
@@ -359,13 +359,13 @@ class Pane(QFrame):
             with self.canvas.new_page():
                 self.drawing = self.make_drawing(self.canvas, *args)
             taken = Resting(args, self.drawing, AS_BUILT, None)
-        self.drawing, self._drawn_with = taken.drawing, args
+        self.drawing = taken.drawing
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
         self.requested["detail"] = None
         self._due = {what for what, now in self.requested.items() if now != taken.told[what]}
         is_same = taken.shown is not None and taken.shown.document == shown.document
-        if not is_same or self._due & _MOVES_MODEL:
+        if not is_same or self._due & {"stage", "from_left", "former"}:
             self._due |= {"projection", "view"}
         self._due.add("smoothing")
 

@@ -21,33 +21,27 @@ class Resting(NamedTuple):
 class RestingDrawings:
     """The drawings of a canvas that it does not show, the one that rests longest first.
 
-    `make_drawing` is that of the `Pane`.
+    `make_drawing` is that of the `Pane`, and what it makes shows `as_built`.
     """
 
-    def __init__(self, canvas: AnyCanvas, make_drawing: Callable[..., Drawing]) -> None:
-        self._canvas, self._make_drawing = canvas, make_drawing
+    def __init__(
+        self,
+        canvas: AnyCanvas,
+        make_drawing: Callable[..., Drawing],
+        as_built: Mapping[str, Any],
+    ) -> None:
+        self._canvas, self._make_drawing, self._as_built = canvas, make_drawing, as_built
         self.all: list[Resting] = []
         self._old: list[Drawing] = []  # releasing them takes time
 
-    def draw(
-        self,
-        shown: ShownData,
-        told: Mapping[str, Any],
-        before: Drawing | None,
-        *args: object,
-    ) -> None:
-        """Make the drawing that a `build` with the same arguments will show.
-
-        It is `told` what a new drawing shows; the canvas goes on to show the one `before`.
-        """
-        canvas = self._canvas
-        if not isinstance(canvas, RasterCanvas) or not canvas.is_open:
-            return
-        if any(each.args == args for each in self.all):
+    def draw(self, shown: ShownData, now: Drawing | None, *args: object) -> None:
+        """Make the drawing that a `build` with the same arguments will show, not `now`."""
+        canvas, is_there = self._canvas, any(each.args == args for each in self.all)
+        if is_there or not isinstance(canvas, RasterCanvas) or not canvas.is_open:
             return
         page = canvas.renderer
-        if before is not None:
-            before.state.canvas.set_drawn(False)
+        if now is not None:
+            now.state.canvas.set_drawn(False)
         try:
             with canvas.new_page():
                 drawing = self._make_drawing(canvas, *args)
@@ -55,20 +49,20 @@ class RestingDrawings:
             drawing.reset_view()
             smooth_window(canvas.render_window, canvas.smoothing)
             canvas.draw_unseen()  # compiles the shaders
-            self.put(Resting(args, drawing, told, shown))
+            self.put(Resting(args, drawing, self._as_built, shown))
         finally:
             canvas.renderer = page
-            if before is not None:
-                before.state.canvas.set_drawn(True)
+            if now is not None:
+                now.state.canvas.set_drawn(True)
 
     def put(self, resting: Resting) -> None:
         """Let a drawing rest; if there are too many, or it is too large, it is released later."""
-        drawing = resting.drawing
-        drawing.state.canvas.set_drawn(False)
-        if resting.args and resting.args[0].cells <= MOST_CELLS and drawing.can_rest:
+        canvas = resting.drawing.state.canvas
+        canvas.set_drawn(False)
+        if resting.args and resting.args[0].cells <= MOST_CELLS and canvas.can_rest:
             self.all.append(resting)
         else:
-            self._old.append(drawing)
+            self._old.append(resting.drawing)
         while len(self.all) > MOST:
             self._old.append(self.all.pop(0).drawing)
 
