@@ -67,7 +67,7 @@ ACTS: dict[str, Callable[[MainWindow], object]] = {
 def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(
     window: MainWindow, act: str
 ) -> None:
-    first = shown(show_scene(window, "letter-f"))
+    first = shown(show_scene(show_scene(window, "posts"), "letter-f"))
     before = window.panes["world"].drawing
     ACTS[act](window)
     settle()
@@ -83,15 +83,15 @@ def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(
 def test_another_size_and_other_words_are_seen_in_a_scene_that_is_come_back_to(
     window: MainWindow,
 ) -> None:
-    show_scene(show_scene(window, "cube"), "posts")
+    show_scene(show_scene(window, "letter-f"), "posts")
     window.resize(window.width() - 150, window.height() - 100)
     settle()
-    resized = shown(show_scene(window, "cube"))
+    resized = shown(show_scene(window, "letter-f"))
     window.look.rebuild()
     assert_same(window, resized)
     show_scene(window, "posts")
-    window.look.set_letters("002")
-    lettered = shown(show_scene(window, "cube"))
+    window.look.set_letters("004")
+    lettered = shown(show_scene(window, "letter-f"))
     window.look.rebuild()
     assert_same(window, lettered)
 

@@ -200,10 +200,6 @@ class Pane(QFrame):
             if not waits:
                 self._appear() if self._appears else self._refresh()
 
-    def draw_ahead(self, shown: ShownData, *args: object) -> None:
-        """Make the drawing that a `build` with the same arguments will show."""
-        self.resting.draw(shown, self.drawing, *args)
-
     def forget(self) -> None:
         """Show no drawing again that was made with the words of now."""
         self.resting.clear()

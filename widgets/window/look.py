@@ -179,7 +179,7 @@ class Look(QObject):
             if self._is_seen_at(step, name)
         ]
         for pane, step, arguments in plan:
-            pane.draw_ahead(step, *arguments)
+            pane.resting.draw(step, pane.drawing, *arguments)
             yield
 
     def _is_seen_at(self, step: ShownData, name: str) -> bool:
