@@ -69,6 +69,7 @@ class CameraDrawing(Layer):
         self.axes_lead = False  # whether the axes are what the picture is about
         self._show_parts()
         self._placed: object = None
+        self._followed: tuple[object, object] = None, None
         self._make_emphasis()
 
     def _make_emphasis(self) -> None:
@@ -97,7 +98,9 @@ class CameraDrawing(Layer):
     def follow(self) -> None:
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
         pane, standing = self._state.own.pane, self._state.standing
-        eye = standing.eye
+        if pane is self._followed[0] and standing is self._followed[1]:
+            return
+        self._followed, eye = (pane, standing), standing.eye
         most_px = frame.PART_OF_PANE * min(pane.size_px)
         self._eye_depth = float(pane.axes[2] @ (eye - pane.eye))
         depth = max(self._eye_depth, 1e-6 * standing.extent)
@@ -223,7 +226,7 @@ class CameraDrawing(Layer):
         arrows, ends = self.named_arrows
         box, standing = self.box, state.standing
         points = box, [standing.eye, standing.target], ends.reshape(-1, 3)
-        spots = state.seen(np.concatenate(points))
+        spots = state.own.pane.seen(np.concatenate(points))
         x, y, depth = np.array(spots[: len(box)]).T
         eye, target, *tips = spots[len(box) :]
         if depth.min() > 0.0:

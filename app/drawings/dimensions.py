@@ -47,6 +47,8 @@ Way = tuple[float, float]
 class Dimensions(Layer):
     """The lines and their letters, created when a flat view is first shown."""
 
+    of = "own.fixed"
+
     def __init__(self, state: WorldState) -> None:
         self._state = state
         self._board, self._words, self._em = state.board, state.words, state.em

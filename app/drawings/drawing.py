@@ -91,6 +91,7 @@ class Drawing:
     """
 
     pane: ClassVar[str]  # one of `app.document.view.PANES`
+    refines: ClassVar[bool] = False  # whether it draws by itself, off the screen
     board: Board
     names: Names
     handles = Handles()
@@ -275,7 +276,7 @@ class Drawing:
 
     @property
     def is_coarse(self) -> bool:
-        """Whether `refine` would improve the picture."""
+        """Whether `refine` would improve the picture, which can only be if it `refines`."""
         return False
 
     def refine(self, *, whole: bool = False) -> None:

@@ -153,11 +153,11 @@ class FrustumDrawing(Layer):
         parts = [*self._volume]
         view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
         frustum = normalised(local_from_view @ view_from_cube)
-        self.space.set(frustum)
         start, end = reach.body
         if start < end:
             parts.append(self._body)
             self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
+        self.space.set(frustum)
         for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
             if broken is not None:
                 cut = frustum @ _cube_from_part(view_from_cube, *broken)
@@ -170,8 +170,9 @@ class FrustumDrawing(Layer):
                 _, view_from_cube = matrices_between(projection, *reach.near_break)
                 base = normalised(local_from_view @ view_from_cube)
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
+        corners = applied(frustum, CUBE)
         self._show_parts(*parts)
-        return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
+        return DrawnVolume(corners, reach, exists=True)
 
     def _show_parts(self, *parts: vtkActor) -> None:
         """Show these actors, and no others."""
@@ -266,7 +267,7 @@ class FrustumDrawing(Layer):
         corners, named = state.corners_seen, state.named_points(*ENDS)
         if corners is None:
             return
-        digits, body = 0 if planes is None else digits_apart(*planes), state.seen(corners)
+        digits, body = 0 if planes is None else digits_apart(*planes), state.own.pane.seen(corners)
         faces = slice(4), slice(4, 8)
         for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
             if name not in named:
@@ -282,7 +283,7 @@ class FrustumDrawing(Layer):
         """Ask for a place beside each side of the window, outside it or inside."""
         state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
         window, without = state.projection.window, state.unseen | state.written
-        if state.names.all:
+        if state.names.wanted is None:
             without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
         named = [
             letter not in without and (letter in state.names or side in state.names)

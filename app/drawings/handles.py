@@ -139,7 +139,7 @@ class HandleMarks(Handles, Layer):
         listed = [handle for handle, _ in self.shown]
         if listed != self._at_rest[0]:
             self._at_rest = listed, self._resting(listed)
-        every, wanted = self._state.names.all, {self.held, *self._at_rest[1]}
+        every, wanted = self._state.names.wanted is None, {self.held, *self._at_rest[1]}
         drawn = {
             handle: spot
             for handle, spot in self.shown

@@ -84,7 +84,8 @@ class SceneInPicture(Layer):
         if state.scene.phenomenon is None or not self._marks.is_empty:
             self._rasterise(seen)
             illustration = state.illustration
-            self._moved.show(None if illustration is None else illustration.vertices)
+            if state.scene.requires:
+                self._moved.show(None if illustration is None else illustration.vertices)
 
     def _rasterise(self, seen: Projection) -> None:
         state = self._state
@@ -164,6 +165,7 @@ class ImageDrawing(Drawing):
     """
 
     pane = "image"
+    refines = True
     state: ImageState
 
     def __init__(
@@ -241,7 +243,7 @@ class ImageDrawing(Drawing):
             state.canvas.relayout()
         self.layers.show()
         self._scene.begin_blurring()
-        if state.eyes is not None:  # the marks of P move at once, too
+        if illustration is not None and state.eyes is not None:  # the marks of P move at once, too
             self.refine()
         if state.probes or not self._marks.is_empty:
             self.layers.settle()

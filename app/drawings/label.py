@@ -190,6 +190,7 @@ class SceneLabel:
         self._opacity = self._light = 1.0
         self._place = 0.0, 0.0, 0.0
         self._tone = style.tone(colour)
+        self._given = text
         self._write(with_comma(text))
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
@@ -221,9 +222,9 @@ class SceneLabel:
 
     def set_text(self, text: str) -> None:
         """Write another text; the same one costs nothing."""
-        text = with_comma(text)
-        if text != self._text:
-            self._write(text)
+        if text != self._given:
+            self._given = text
+            self._write(with_comma(text))
             self._show()
 
     def _write(self, text: str) -> None:

@@ -43,7 +43,7 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
-_MOVES = 200
+_MOVES = 600
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
 _RIM_EM = 0.45  # of a mark, where its leader begins
@@ -91,7 +91,7 @@ class Wish(NamedTuple):
         return of
 
     def choices(self, ground: Ground) -> tuple[Wish, Places]:
-        """Make its candidates; those with leaders above, below or beside slide into the frame."""
+        """Make its candidates; level ones that a leader may join slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
         if self.short is not None and len(places.centres):
             whole, places = len(places.centres), joined(places, self.short[1]())
@@ -101,11 +101,9 @@ class Wish(NamedTuple):
             inside = np.clip(
                 centres, frame[:2] + half, np.maximum(frame[2:] - half, frame[:2] + half)
             )
-            far = places.away[:, None] > LEADER_FROM_EM * ground.em
-            slides = far & (np.abs(centres - places.anchors) < 1e-6).any(axis=1, keepdims=True)
             beside = np.abs(inside - places.anchors) >= half  # not over its own mark
-            slides &= beside.any(axis=1, keepdims=True)
-            places = places._replace(centres=np.where(slides, inside, centres))
+            slides = beside.any(axis=1) & (places.turns == 0.0)
+            places = places._replace(centres=np.where(slides[:, None], inside, centres))
         return self, places
 
 

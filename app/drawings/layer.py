@@ -16,6 +16,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
+from operator import attrgetter
 from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -219,7 +220,7 @@ class PaneState:
 
     def renames(self, changed: Highlight, of_scene: bool) -> bool:
         """Whether other things are named while these are pointed at; `of_scene`, also of marks."""
-        return bool(changed) and not self.names.all
+        return bool(changed) and self.names.wanted is not None
 
     @abstractmethod
     def seen(self, points: Array) -> Sequence[Spot]:
@@ -239,7 +240,13 @@ class PaneState:
 
 
 class Layer:
-    """One idea in a pane. A method without an override has nothing to do."""
+    """One idea in a pane. A method without an override has nothing to do, and is not called.
+
+    `of` names the field of the state without which there is nothing to show: nothing of the layer
+    is called before it has a value for the first time.
+    """
+
+    of: ClassVar[str] = ""
 
     def show(self) -> None:
         """Set the matrices of what the state shows."""
@@ -277,6 +284,8 @@ class Layers:
 
     def __init__(self, state: PaneState, *layers: Layer) -> None:
         self._state, self._layers = state, layers
+        self._waiting = {layer: attrgetter(layer.of) for layer in layers if layer.of}
+        self._kept: dict[str, list[Layer]] = {}
         self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
 
     @contextmanager
@@ -290,30 +299,41 @@ class Layers:
             if asked:
                 self.place_labels(afresh=any(asked))
 
-    def _all(self) -> tuple[Layer, ...]:
-        """The layers, before they change: no labels rest."""
+    def _those(self, verb: str) -> list[Layer]:
+        """The layers that have something to do in a method of `Layer`; kept until one joins."""
+        for layer in [each for each, value in self._waiting.items() if value(self._state)]:
+            del self._waiting[layer]
+            self._kept.clear()
+        if verb not in self._kept:
+            layers = (layer for layer in self._layers if layer not in self._waiting)
+            idle = getattr(Layer, verb)
+            self._kept[verb] = [each for each in layers if getattr(type(each), verb) is not idle]
+        return self._kept[verb]
+
+    def _changing(self, verb: str) -> list[Layer]:
+        """`_those`, before they change: no labels rest."""
         self._state.board.rests = False
-        return self._layers
+        return self._those(verb)
 
     def show(self) -> None:
-        for layer in self._all():
+        for layer in self._changing("show"):
             layer.show()
 
     def show_names(self) -> None:
-        for layer in self._all():
+        for layer in self._changing("show_names"):
             layer.show_names()
         self._state.emphasis.show_names(self._state.names)
 
     def show_detail(self, fewer: Scene | None) -> None:
-        for layer in self._all():
+        for layer in self._changing("show_detail"):
             layer.show_detail(fewer)
 
     def show_highlight(self, highlighted: Highlight) -> bool:
-        changes = [layer.show_highlight(highlighted) for layer in self._all()]
+        changes = [layer.show_highlight(highlighted) for layer in self._changing("show_highlight")]
         return any(changes)
 
     def settle(self) -> None:
-        for layer in self._all():
+        for layer in self._changing("settle"):
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
@@ -327,7 +347,7 @@ class Layers:
         if not (state.canvas.is_laid_out and state.places_labels):
             return False
         ground = self.ground()
-        for layer in self._layers:
+        for layer in self._those("want"):
             layer.want(ground)
         return state.board.settle(ground, afresh=afresh, at_rest=at_rest)
 
@@ -336,14 +356,14 @@ class Layers:
         return Ground(self._state.room, self._state.em, self._ink)
 
     def _ink(self, ground: Ground) -> None:
-        for layer in self._layers:
+        for layer in self._those("ink"):
             layer.ink(ground)
 
     def reach(self) -> Array:
-        return np.concatenate([layer.reach() for layer in self._layers])
+        return np.concatenate([layer.reach() for layer in self._those("reach")])
 
     def inside(self) -> dict[str, Array]:
-        return together(pair for layer in self._layers for pair in layer.inside().items())
+        return together(pair for layer in self._those("inside") for pair in layer.inside().items())
 
 
 class FacesLayer(Layer):
@@ -354,6 +374,7 @@ class FacesLayer(Layer):
 
     def __init__(self, state: PaneState, drawn: SceneActors, shows: str) -> None:
         self._state, self.actors = state, drawn
+        self._changes = bool(state.scene.requires)  # otherwise nothing about its faces ever changes
         self._detail = Detail(drawn.surface, drawn.dots)
         faces = drawn.surface, drawn.spaces[0]
         self._rasterisers = textured(state.scene, state.canvas, faces)
@@ -361,8 +382,6 @@ class FacesLayer(Layer):
 
     def show(self) -> None:
         illustration = self._state.illustration
-        if not self._state.scene.requires:
-            return  # nothing about its faces ever changes
         if illustration is not None and illustration.rendering is not None:
             for rasteriser in self._rasterisers:
                 rasteriser.show(illustration.rendering, self._state.projection)

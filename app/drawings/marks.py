@@ -73,6 +73,9 @@ class MarksDrawing(Layer):
     With `lifts_copies`, copies are brought forward here, and not by their matrices.
     """
 
+    of = "illustration"
+    is_empty = True  # whether there has been no illustration yet
+
     def __init__(
         self,
         state: PaneState,
@@ -99,11 +102,6 @@ class MarksDrawing(Layer):
         self._points = NO_POINTS
         self._named_in_view: dict[str, Array] = {}
 
-    @property
-    def is_empty(self) -> bool:
-        """Whether there has been no illustration yet."""
-        return self._now is None
-
     # -- marks
 
     def show(self) -> None:
@@ -122,7 +120,7 @@ class MarksDrawing(Layer):
         self.settle()
 
     def _show(self, marks: Marks, placing: Placing) -> None:
-        self._now = marks, placing
+        self._now, self.is_empty = (marks, placing), False
         drawn = [self._show_lines(marks.lines, placing), *self._show_faces(marks.faces, placing)]
         drawn.append(self._show_dots(marks.dots, placing))
         self._show_texts(self._named_texts, placing)
@@ -307,7 +305,7 @@ class MarksDrawing(Layer):
     def inside(self) -> dict[str, Array]:
         """The points of the marks that the picture was told to name; without a list, of all."""
         state = self._state
-        if self._names.all:
+        if self._names.wanted is None:
             points = self.reach()
             away = np.linalg.norm(points - state.objects.mean(axis=0), axis=1)
             return {"marks": points[away <= _FRAMED * state.scene.size]}

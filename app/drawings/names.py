@@ -26,7 +26,3 @@ class Names:
     def wants(self, name: str) -> bool:
         """Whether a thing is named without being pointed at or held: the framing depends on it."""
         return self.wanted is None or name in self.wanted
-
-    @property
-    def all(self) -> bool:
-        return self.wanted is None

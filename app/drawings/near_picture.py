@@ -41,13 +41,15 @@ class NearPicture(FacesLayer):
         for actor in self._drawn:
             actors.flat(actor).is_drawing = True
         state.canvas.add(*self._drawn, layer="near-picture")
+        state.canvas.set_visible(False, *self._drawn)
         super().__init__(state, drawn, "projected")
         self.space, *self._line_spaces, self._ground_space = drawn.spaces
         self.is_seen = False
 
     def show(self) -> None:
         self.actors.show_moved(not self._state.projection.placement.is_identity)
-        super().show()
+        if self._changes:
+            super().show()
 
     def settle(self) -> None:
         """Lay the scene onto the near plane, as the pane's own camera sees it."""
@@ -66,8 +68,9 @@ class NearPicture(FacesLayer):
             )
         # From the eye itself the picture covers the scene exactly, and is left out.
         seen = seen and math.dist(pane.eye, standing.eye) > _AT_EYE * standing.extent
-        self.is_seen = bool(seen)
-        state.canvas.set_visible(self.is_seen, *self._drawn)
+        if seen != self.is_seen:
+            self.is_seen = bool(seen)
+            state.canvas.set_visible(self.is_seen, *self._drawn)
         if not seen:
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near

@@ -56,6 +56,8 @@ class ProbeMark(NamedTuple):
 class Probes(Layer):
     """The marks of the state's probes in one pane, which knows where each is (`marks`)."""
 
+    of = "probes"
+
     def __init__(self, state: PaneState) -> None:
         self._state = state
         self._slots: list[_Slot] = []

@@ -85,7 +85,8 @@ class SceneAtStage(FacesLayer):
             of_object = display_from_local @ self.model.show_placed(state.projection.placement)
             matrices = [of_object, of_object, of_object, display_from_local]
         self.actors.place(matrices)
-        super().show()
+        if self._changes:
+            super().show()
 
     def ink(self, ground: Ground) -> None:
         state = self._state

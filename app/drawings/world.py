@@ -68,7 +68,8 @@ class SceneInWorld(FacesLayer):
             self.lift_lines()
         if state.ghosts or self._beside:
             self._show_ghosts(state.ghosts)
-        super().show()
+        if self._changes:
+            super().show()
 
     def _show_ghosts(self, chains: Sequence[Chain]) -> None:
         state = self._state
@@ -218,7 +219,7 @@ class WorldDrawing(Drawing):
 
     def _switch_layers(self) -> None:
         names, hidden = self.names, self.state.hidden_now
-        has_arrows = not names.all and any(axis in names for axis in AXES)
+        has_arrows = names.wanted is not None and any(axis in names for axis in AXES)
         self._scene.actors.show_grid("grid" not in hidden, pale=has_arrows)
         self.picture.actors.show_grid("grid" not in hidden)
         if hidden != self._canvas.hidden:

@@ -55,7 +55,7 @@ def distances(state: PaneState, view: str) -> list[tuple[str, float]]:
         shown = () if state.illustration is None else state.illustration.measured
         measured = {"d": projection.camera.distance, **dict(shown)}
         half = half_of(projection, 1 if view == "side" else 0)
-        is_asked = state.names.wants("e") and not state.names.all
+        is_asked = state.names.wants("e") and state.names.wanted is not None
         if is_asked and half is not None and half.angle_deg is not None:
             measured["e"] = 1.0 / math.tan(math.radians(half.angle_deg))
     named = [each for each in measured.items() if each[0] in state.names]
@@ -70,7 +70,7 @@ def lengths(state: PaneState, view: str) -> list[Length]:
 
 def has_interval(state: PaneState, view: str) -> bool:
     is_there = view == "axis" and state.projection.lens.planes is not None
-    return is_there and state.names.wants("interval") and not state.names.all
+    return is_there and state.names.wants("interval") and state.names.wanted is not None
 
 
 def written(state: PaneState, view: str) -> frozenset[str]:
@@ -198,7 +198,7 @@ class WorldState(PaneState):
 
     @property
     def places_labels(self) -> bool:
-        return "labels" not in self.canvas.hidden and super().places_labels
+        return "labels" not in self.canvas.hidden and bool(self.canvas.labels_light)
 
     @property
     def written(self) -> frozenset[str]:  # type: ignore[override]
@@ -231,7 +231,7 @@ class WorldState(PaneState):
     def left_out(self) -> frozenset[str]:
         """The layers that the scene leaves out now: nothing of what is named."""
         names, left_out = self.names, self.scene.leaves_out
-        if not left_out or names.all or self.step is not None:
+        if not left_out or names.wanted is None or self.step is not None:
             return frozenset()
         if any(name in names for name in ENDS):
             left_out -= {"frustum", "near-picture"}

@@ -223,17 +223,23 @@ class Pipeline:
         return read_only(self.view_rotation @ self.view_translation)
 
     @cached_property
+    def _closed_forms(self) -> Array:
+        """`clip_from_view` above its inverse, if the lens's table has that, (8 or 4, 4)."""
+        table = self.lens.table
+        rows = table.clip_from_view + (table.view_from_clip or ())
+        return read_only(evaluated(rows, self._letters, FLOAT64))
+
+    @cached_property
     def clip_from_view(self) -> Array:
         """The lens's matrix for the depth range, from the closed form of its table, (4, 4)."""
-        return read_only(evaluated(self.lens.table.clip_from_view, self._letters, FLOAT64))
+        return self._closed_forms[:4]
 
     @cached_property
     def view_from_clip(self) -> Array:
         """The inverse of `clip_from_view`, (4, 4), or a `Refusal` for a singular typed matrix."""
-        table = self.lens.table.view_from_clip
-        if table is None:
+        if len(self._closed_forms) == 4:
             return rounded(inverse("clip_from_view", rationals(self.clip_from_view.tolist())))
-        return read_only(evaluated(table, self._letters, FLOAT64))
+        return self._closed_forms[4:]
 
     @cached_property
     def clip_from_world(self) -> Array:

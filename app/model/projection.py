@@ -41,7 +41,7 @@ from app.model.eye_first import EyeFirst
 from app.model.formula import FLOAT64
 from app.model.lenses import LENSES, FreeMatrix, Frustum, Oblique, Orthographic, Perspective, kinds
 from app.model.lenses.answers import Intrinsics
-from app.model.lenses.lens import Lens, LensTable, Seen
+from app.model.lenses.lens import Lens, Seen
 from app.model.lenses.perspective import fov_x_from_fov_y, fov_y_from_window
 from app.model.limits import (
     DEPTH_RANGES,
@@ -203,7 +203,8 @@ class Projection(Pipeline):
         which has no planes, raises a `Refusal`.
         """
         left, right, bottom, top = self.window  # a typed matrix has no planes
-        depth, back = _depth_rows(self.lens.table_to(far), near, far)
+        kind: Any = type(self.lens)
+        depth, back = _depth_rows(kind, near, far)
         clip_from_view, view_from_clip = self.clip_from_view.copy(), self.view_from_clip.copy()
         clip_from_view[2], view_from_clip[2:] = depth, back
         if not self.lens.central:
@@ -252,8 +253,12 @@ class Projection(Pipeline):
 
 
 @lru_cache(maxsize=16)  # the drawn parts of one volume, which most edits do not change
-def _depth_rows(table: LensTable, near: float, far: float) -> tuple[Array, Array]:
-    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range."""
+def _depth_rows(kind: Any, near: float, far: float) -> tuple[Array, Array]:
+    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range.
+
+    `kind` is a class of lenses.
+    """
+    table = kind.table_to(far)
     assert table.view_from_clip is not None
     z_near, z_far = DEPTH_RANGES["reversed"]
     letters = {"n": near, "f": far, "z_n": z_near, "z_f": z_far}

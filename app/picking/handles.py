@@ -15,6 +15,7 @@ A drag depends on its start and on the mouse's position, not on the path between
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
+from itertools import repeat
 from types import MappingProxyType
 from typing import Any, NamedTuple, TypeAlias
 
@@ -139,7 +140,7 @@ def shown(
         rim_px = 2.0 * least_px  # nor NaN, behind the pane's camera
         if not (rim_px <= x < width_px - rim_px and rim_px <= y < height_px - rim_px):
             return False
-        if any(math.dist(spot, other) < least_px for other in visible.values()):
+        if min(map(math.dist, repeat(spot), visible.values()), default=math.inf) < least_px:
             return False
         visible[handle] = x, y
         return True

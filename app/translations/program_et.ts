@@ -4417,6 +4417,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Järgmine värv</translation>
     </message>
     <message>
+        <source>The next step and the previous one, unless a pane or a control has the focus</source>
+        <translation>Järgmine ja eelmine samm, kui fookus ei ole paanis ega juhtelemendil</translation>
+    </message>
+    <message>
         <source>The next step; {Alt+Left} for the previous one</source>
         <translation>Järgmine samm; {Alt+Left} viib eelmise juurde</translation>
     </message>

@@ -4432,6 +4432,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Sljedeća boja</translation>
     </message>
     <message>
+        <source>The next step and the previous one, unless a pane or a control has the focus</source>
+        <translation>Sljedeći i prethodni korak, osim kad je fokus u oknu ili na kontroli</translation>
+    </message>
+    <message>
         <source>The next step; {Alt+Left} for the previous one</source>
         <translation>Sljedeći korak; {Alt+Left} za prethodni</translation>
     </message>

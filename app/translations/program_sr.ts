@@ -4432,6 +4432,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Следећа боја</translation>
     </message>
     <message>
+        <source>The next step and the previous one, unless a pane or a control has the focus</source>
+        <translation>Следећи и претходни корак, осим кад је фокус у приказу или на контроли</translation>
+    </message>
+    <message>
         <source>The next step; {Alt+Left} for the previous one</source>
         <translation>Следећи корак; {Alt+Left} за претходни</translation>
     </message>

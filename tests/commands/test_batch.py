@@ -73,7 +73,7 @@ def test_each_figure_of_a_list_has_its_language(tmp_path: Path) -> None:
     source, out = tmp_path / "list.csv", tmp_path / "out"
     rows = ["out,language", "a.svg,hr", "b.svg,", "c.svg,xx", "d.svg,et"]
     source.write_text("\n".join(rows), encoding="utf-8")
-    done = run_here("export", out, "--batch", source)
+    done = run_here("export", out, "--batch", source, *SMALL)
     assert done.stderr.endswith("'xx': must be one of en, hr, sr, sr-Latn, et.\n")
     titles = [re.findall("<title>(.*?)</title>", (out / f"{name}.svg").read_text("utf-8"))[0]
               for name in "abd"]  # fmt: skip

@@ -941,22 +941,24 @@ def test_every_command_opens_a_lesson_by_its_name_as_by_its_file(tmp_path: Path)
     )
 
 
-def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
-    bare = by_hand.rename(tmp_path / "exprot")
-    done = started(bare.name, "out.png", cwd=tmp_path)
-    assert done.stderr == "The window takes [FILE], and was given 2 names.\n"
+def test_a_file_needs_no_ending_and_two_are_still_too_many(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(BY_HAND, tmp_path / "exprot")
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["exprot", "out.png"]) == 2
+    assert capsys.readouterr().err == "The window takes [FILE], and was given 2 names.\n"
 
 
-def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
+def test_a_command_wins_over_a_file_of_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     write(BY_HAND, tmp_path / "matrices")
-    done = started("matrices", cwd=tmp_path)
-    assert done.stdout.splitlines()[2] == "world_from_object"
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["matrices"]) == 0
     # The letter F's matrices: the file of that name was not read.
-    assert (
-        done.stdout
-        == run_here("matrices").stdout
-        != run_here("matrices", tmp_path / "matrices").stdout
-    )
+    of_the_file = run_here("matrices", tmp_path / "matrices").stdout
+    assert capsys.readouterr().out == run_here("matrices").stdout != of_the_file
 
 
 def test_help_names_exactly_the_commands() -> None:
@@ -1314,12 +1316,6 @@ def test_doctor_finds_everything_on_a_machine_that_runs_the_tests() -> None:
     assert os.environ["DISPLAY"] in done.stdout
 
 
-def test_doctor_without_a_display_says_how_to_get_one() -> None:
-    done = run("doctor", DISPLAY=None, WAYLAND_DISPLAY=None)
-    assert done.returncode == 3
-    assert re.search(r"This is missing:\n  Display: .*ssh with -X.*\n\Z", done.stdout)
-
-
 def test_doctor_survives_a_driver_that_crashes() -> None:
     done = run("doctor", MESA_GL_VERSION_OVERRIDE="2.1")
     assert done.returncode == 3
@@ -1346,6 +1342,17 @@ def test_doctor_names_a_package_of_the_wrong_version(
     assert cli.main(["doctor"]) == 3
     said = capsys.readouterr().out
     assert re.search(r"This is missing:\n  vtk: .* -m pip install 'vtk>=9", said)
+
+
+def test_doctor_without_a_display_says_how_to_get_one(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with_driver("""echo '{"window": "EGL", "renderer": "llvmpipe"}'""", tmp_path, monkeypatch)
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    assert cli.main(["doctor"]) == 3
+    said = capsys.readouterr().out
+    assert re.search(r"This is missing:\n  Display: .*ssh with -X.*\n\Z", said)
 
 
 @pytest.mark.parametrize(

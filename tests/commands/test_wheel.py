@@ -100,24 +100,23 @@ def test_a_large_mesh_is_read_by_a_process_of_its_own(place: Path) -> None:
     assert "The eye is at" in installed(place, "-c", script)
 
 
-def test_a_lesson_is_checked(place: Path, tmp_path: Path) -> None:
-    """Its file, its formulas and its pictures."""
+def test_its_commands_start_their_children(place: Path, tmp_path: Path) -> None:
+    """A lesson's formulas and pictures are checked, a trade is measured, drivers are tried."""
     lesson = tmp_path / "own.md"
     lesson.write_text(PREDICTED.replace("At 2", "At $2$"), encoding="utf-8")
-    said = installed(place, "-m", "frustum_lab", "lesson", "check", lesson)
+    script = """
+import sys
+from frustum_lab.app.commands.cli import main
+for words in sys.argv[1:]:
+    main(words.split())
+"""
+    measure = "measure --quick --trade=depth --json -"
+    said = installed(place, "-c", script, f"lesson check {lesson}", "doctor", measure)
     assert "1 lesson, 0 talks, 1 check, 0 wrong" in said and " of 1 step" in said
-
-
-def test_a_measurement_runs(place: Path) -> None:
-    words = ("measure", "--quick", "--trade=depth", "--json", "-")
-    (trade,) = json.loads(installed(place, "-m", "frustum_lab", *words))["trades"]
-    assert trade["name"] == "depth" and trade["choices"]
-
-
-def test_the_doctor_finds_what_children_find(place: Path) -> None:
-    said = installed(place, "-m", "frustum_lab", "doctor")
     assert str(place.parent / "site") in said and "without a display through" in said
     assert "Panes" in said
+    (trade,) = json.loads(said[said.index("\n{") :])["trades"]
+    assert trade["name"] == "depth" and trade["choices"]
 
 
 def test_the_window_opens(place: Path) -> None:

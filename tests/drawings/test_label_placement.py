@@ -292,6 +292,18 @@ def test_no_stub_leads_to_a_label_that_slid_beside_its_mark() -> None:
     assert stubs, "some labels slide so near that they need no leader"
 
 
+@pytest.mark.parametrize("x_em", [5.0, 11.0])
+def test_a_label_too_wide_for_its_side_slides_along_its_mark_and_needs_no_leader(
+    x_em: float,
+) -> None:
+    """It fits neither to the right nor to the left of its mark, nor centred above or below."""
+    frame, spot, size = room(16.0 * EM, 8.0 * EM, EM), (x_em * EM, 3.0 * EM), (12.0 * EM, EM)
+    (label,) = place([wish("P", spot, size, 0.0)], Ground(frame, EM)).values()
+    left, low, right, high = box_of(label, size)
+    assert label.leader is None and left < spot[0] < right
+    assert 0.0 < max(low - spot[1], spot[1] - high) < EM, "beside its mark"
+
+
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))
 def test_a_segment_is_cut_at_the_pane(rows: list[tuple[float, float, float, float]]) -> None:
     parts = clipped(np.array(rows).reshape(-1, 2, 2), FRAME)

@@ -175,8 +175,8 @@ def test_an_exercise_draws_its_tiles() -> None:
     assert question(body, "", "exercise")[0].chain == first.chain
 
 
-def test_twelve_exercises_of_four_lessons_have_a_hundred_variants_each() -> None:
-    """The object, the view or the lens of each variant has the product, and no mistake is right."""
+def test_the_variants_of_the_exercises_of_four_lessons_have_the_product() -> None:
+    """Their object, view or lens; and the tiles as they are mixed are not right."""
     counted = dict[str, int]()
     for path in contained():
         for placed in exercises_of(Course(read(path))):
@@ -184,12 +184,10 @@ def test_twelve_exercises_of_four_lessons_have_a_hundred_variants_each() -> None
                 continue
             topic = placed.course.lesson.topics[0]
             counted[topic] = counted.get(topic, 0) + 1
-            for seed in range(1, 101):
+            for seed in range(5, 101, 5):
                 variant = placed.with_numbers(seed)  # whose values are checked as it is made
                 asked, here = variant.question, variant.here
                 assert isinstance(asked, OrderQuestion)
-                if seed % 5:
-                    continue
                 assert asked.mark(here, asked.chain).right
                 assert not asked.mark(here, "; ".join(asked.tiles)).right
     assert sorted(counted) == ["L1", "L13", "L2", "L9"] and min(counted.values()) >= 3

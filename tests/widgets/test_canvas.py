@@ -237,7 +237,8 @@ def test_it_tells_where_it_is_clicked_dragged_hovered_over_and_left(opened: Open
     QTest.mousePress(pane.canvas, Qt.MouseButton.LeftButton, pos=QPoint(40, 50))
     QTest.mouseMove(pane.canvas, QPoint(70, 50))
     QTest.mouseRelease(pane.canvas, Qt.MouseButton.LeftButton, pos=QPoint(70, 50))
-    assert [name for name, *_ in told] == ["drag_started", "dragged", "drag_ended"]
+    names = ["drag_started", "dragged", "drag_ended", "hovered"]
+    assert [name for name, *_ in told] == names
     assert told[0][1] == QPointF(40.5, 50.5) * ratio and told[1][1] == QPointF(30, 0) * ratio
 
 

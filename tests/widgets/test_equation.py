@@ -81,15 +81,21 @@ def test_a_product_of_three_takes_the_whole_slide(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_a_product_in_a_low_place_is_whole(window: MainWindow) -> None:
-    """On a screen of 4 to 3 with two lines of text above, the first row was cut."""
-    window.store.set_view(slide=("equation",), equation="M_z M_pp M_persp", letters="001")
+@pytest.mark.parametrize(
+    ("text", "letters", "share"),
+    [("M_z M_pp M_persp", "001", 0.34), ("frustum", "000", 0.31), ("view", "001", 0.77)],
+)
+def test_an_equation_in_a_low_place_is_whole(
+    window: MainWindow, text: str, letters: str, share: float
+) -> None:
+    """With two lines of text above, the first row was cut, or the words below."""
+    window.store.set_view(slide=("equation",), equation=text, letters=letters)
     settle()
     equation = window.slide.equation
-    equation.setFixedHeight(round(0.34 * window.height()))
+    equation.setFixedHeight(round(share * window.height()))
     settle()
     equation.grab()
-    cells = equation.cells
+    cells = [*equation.cells, *equation.brackets]
     low, high = min(cell.top() for cell in cells), max(cell.bottom() for cell in cells)
     assert -0.01 <= low < high <= equation.height()
 

@@ -73,7 +73,7 @@ from widgets.window.pointing import Cross
 from widgets.window.step_page import StepPage
 
 KEY = Qt.Key
-ALT = Qt.KeyboardModifier.AltModifier
+ALT, SHIFT = Qt.KeyboardModifier.AltModifier, Qt.KeyboardModifier.ShiftModifier
 
 
 @pytest.fixture
@@ -186,6 +186,39 @@ def test_a_prediction_is_made_before_the_step_goes_on(window: MainWindow, lesson
     press(KEY.Key_Left, ALT)
     assert window.lessons.place == 0 and "You said" in texts(card)
     assert card.findChildren(QRadioButton)[0].isChecked(), "as it was answered"
+
+
+@pytest.mark.undrawn
+def test_page_down_reads_to_the_end_of_a_page_and_then_turns_it(
+    window: MainWindow, lesson: Path
+) -> None:
+    activate(window)
+    window.lesson_card.open(lesson)
+    come_to_rest(window)
+    lessons, page = window.lessons, window.lesson_card.page
+    press(KEY.Key_PageDown)
+    assert lessons.place == 0 and "prediction first" in texts(window.lesson_card)
+    lessons.go(1)
+    for widget in (window.lesson_card.next, page):
+        widget.setFocus()
+        lessons.go(1)
+        press(KEY.Key_PageDown, SHIFT)
+        assert lessons.place == 1
+        press(KEY.Key_PageDown)
+        assert lessons.place == 2, widget
+        press(KEY.Key_PageUp)
+        assert lessons.place == 1
+    page.setFocus()
+    cast(QWidget, page.widget()).setMinimumHeight(2 * page.height() + 50)
+    settle()
+    bar = page.verticalScrollBar()
+    for _ in range(9):
+        if bar.value() == bar.maximum():
+            break
+        press(KEY.Key_PageDown)
+        assert lessons.place == 1 and bar.value() > 0
+    press(KEY.Key_PageDown)
+    assert lessons.place == 2
 
 
 @pytest.mark.undrawn

@@ -308,6 +308,18 @@ def test_the_value_stands_beside_what_is_dragged(window: MainWindow) -> None:
     assert not line.isVisible()
 
 
+def test_after_a_drag_only_what_the_pointer_would_take_is_lit(window: MainWindow) -> None:
+    canvas, (near, spot) = window.panes["world"].canvas, mark(window, "near")
+    for way, lit in (((40, 0), near), ((-60, 400), None)):  # along its way, and across
+        end = spot[0] + way[0] + 0.5, spot[1] + way[1] + 0.5
+        drag(window, "world", point_of(spot), (way[0] // 2, 0), way)
+        would = world(window).handles.at(end)
+        assert (would and would.handle) == lit == world(window).handles.held
+        is_arrow = canvas.cursor().shape() == Qt.CursorShape.BitmapCursor
+        assert is_arrow == (lit is not None)
+        window.store.undo()
+
+
 @pytest.mark.parametrize("name", ["near", "left"])
 def test_a_value_that_is_written_at_the_thing_is_not_written_twice(
     window: MainWindow, name: str

@@ -23,6 +23,7 @@ class LensSliders(QObject):
         self._bindings = bindings
         self._reach = 0.0
         self._scaled_for: dict[str, Scale] = {}
+        self._scaled_to = 0, 0  # the image's size
         for side in WINDOW_SIDES:
             self._row(side).gesture_finished.connect(self._fit_window)
 
@@ -80,8 +81,8 @@ class LensSliders(QObject):
             near = 10.0 ** round(math.log10(projection.lens.near))
             scale = Log(1e-2 * near, 1e2 * near)
             self._set_scales({HALF_WIDTH: scale, HALF_HEIGHT: scale})
-        if projection.lens.central:
-            width, height = projection.image_size
+        if projection.lens.central and projection.image_size != self._scaled_to:
+            self._scaled_to = width, height = projection.image_size
             focal = Log(1e-2 * max(width, height), 1e2 * max(width, height))
             self._set_scales(
                 {

@@ -34,7 +34,6 @@ from app.drawings.style import Style
 from app.measure import chart, single
 from app.measure.meaning import ANY_SCENE, bargain, boldest, meaning, shown_by
 from app.measure.results import (
-    CANCELLED,
     SWEPT,
     ChartPoint,
     Measurements,
@@ -280,13 +279,10 @@ class MeasurePanel(DiagramPanel):
         for name in self._asked:
             self.words.pop(name, None)
         self.measured |= measured
-        if cancelled:
-            said = of_measure(CANCELLED)
-        for name in missing:
-            self.words[name] = said
-            if not cancelled:  # after a cancellation, older results stay
+        if missing and not cancelled:  # after a cancellation, older or shipped results stay
+            for name in missing:
+                self.words[name] = said
                 self.measured.pop(name, None)
-        if missing and not cancelled:
             self._refuse(said)
         done = not cancelled and any(map(single.has_numbers, measured.values()))
         self.progress.setValue(1000 if done else 0)

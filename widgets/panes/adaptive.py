@@ -58,7 +58,6 @@ class Adaptive(QObject):
         self.quality = AUTOMATIC
         self._dragging = False
         self._began: float | None = None
-        self._drawn_at = 0.0
         self._emitted: tuple[bool, int] = (False, 0)
         self._idle = QTimer(self, singleShot=True)  # the scene appears first
         self._idle.timeout.connect(self._prepare)
@@ -68,7 +67,6 @@ class Adaptive(QObject):
         self._turned.timeout.connect(self._end_turn)
         for pane in panes.values():
             pane.hand.moved.connect(partial(self._turn, pane))
-            pane.canvas.drawn.connect(self._drawn)
             pane.canvas.shown.connect(self._swapped)
 
     def show(self, scene: Scene, quality: Quality) -> None:
@@ -141,15 +139,16 @@ class Adaptive(QObject):
                 pane.refit()
 
     def _draw(self, dragging: bool, budget: FrameBudget, panes: Iterable[Pane]) -> None:
-        self._end_frame(self._drawn_at)  # if the drag is faster than the screen
+        self._end_frame()  # if the drag is faster than the screen
         self._dragging, self._measured = dragging, budget
         self._began = time.perf_counter() if dragging else None
         level = budget.level if dragging else FrameQuality(True, self.quality.detail)
         fewer: Scene | None = None
         if self._scene is not None and level.share != self.quality.detail:
             fewer = reduced(self._scene, level.share)
+        smoothing = self.smoothing(level.smooth)
         for pane in panes:
-            pane.request("smoothing", self.smoothing(level.smooth))
+            pane.request("smoothing", smoothing)
             pane.request("detail", fewer)
         if not dragging:  # in a drag the first frame decides
             self._emit_changed()
@@ -159,14 +158,13 @@ class Adaptive(QObject):
         self._end_frame(time.perf_counter())
         self._emit_changed()
 
-    def _drawn(self) -> None:
-        """A pane's picture was drawn; the last one before the next step ends the frame."""
-        self._drawn_at = time.perf_counter()
-
-    def _end_frame(self, at: float) -> None:
-        """Record the time of the last step that was drawn."""
-        if self._began is not None and self._drawn_at > self._began:
-            self._measured.frame(1e3 * (at - self._began))
+    def _end_frame(self, at: float | None = None) -> None:
+        """Record the time of the last drawn step, until `at` or else the last picture."""
+        if self._began is None:
+            return
+        drawn_at = max(pane.canvas.drawn_at for pane in self._panes.values())
+        if drawn_at > self._began:
+            self._measured.frame(1e3 * ((at or drawn_at) - self._began))
             self._began = None
 
     def _emit_changed(self) -> None:

@@ -101,6 +101,7 @@ class _Canvas(QWidget):
         self.grabGesture(Qt.GestureType.PinchGesture)
         self.timed = False
         self.is_open = False
+        self.drawn_at = 0.0  # on the clock of `time.perf_counter`
         self._finer = 1.0
         self.smoothing = "none"
 
@@ -112,6 +113,10 @@ class _Canvas(QWidget):
     @abstractmethod
     def open(self) -> None:
         """Make VTK's window."""
+
+    def tell_drawn(self) -> None:
+        self.drawn_at = time.perf_counter()
+        self.drawn.emit()
 
     def set_timed(self, timed: bool) -> None:
         """Emit `painted` with every repaint, which then waits for its end."""
@@ -272,7 +277,7 @@ class RasterCanvas(_Canvas):
         painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
         painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
         painter.end()
-        self.drawn.emit()
+        self.tell_drawn()
 
     def is_due_with(self, other: QWidget) -> bool:
         """Whether it will be drawn in the same repaint of the window as another canvas."""
@@ -493,6 +498,8 @@ class Hand(QObject):
         if self._dragged_from is not None:
             self._dragged_from = None
             self.drag_ended.emit()
+            if self._canvas.rect().contains(event.position().toPoint()):
+                self.hovered.emit(self._middle(event.position()))  # perhaps over another thing
         if self._pressed is not None:
             middle = self._middle(self._pressed)
             self._pressed = None

@@ -149,7 +149,7 @@ class Interactor(QOpenGLWidget):
         self.makeCurrent()
         self._copy()
         state.Pop()
-        self._canvas.drawn.emit()
+        self._canvas.tell_drawn()
         if not self._canvas.timed:
             return
         window.WaitForCompletion()  # drawing goes on after the call otherwise

@@ -10,6 +10,7 @@ How a change reaches the screen, and why it is drawn once::
 import sys
 import time
 from collections.abc import Callable, Sequence
+from contextlib import nullcontext
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
@@ -297,13 +298,14 @@ class Pane(QFrame):
             self._due.add("projection")  # sets the matrices of the faces that are now shown
         if (drawing := self.drawing) is None:
             return
-        with drawing.layers.placing_once():
+        with drawing.layers.placing_once() if len(self._due) > 1 else nullcontext():
             for what, wanted in self.requested.items():
                 if what not in self._due:
                     continue
                 if what == "projection":
                     began = time.perf_counter()
-                    release_context()  # a pair of pictures is drawn at once
+                    if drawing.refines:  # a pair of pictures is drawn at once
+                        release_context()
                     stage, left = self.requested["stage"] or 0.0, self.requested["from_left"]
                     drawing.former = self.requested["former"]
                     drawing.show_moves(shown.projection, shown.illustration, stage, from_left=left)
@@ -394,7 +396,8 @@ class Pane(QFrame):
 
     def _plan_refining(self) -> None:
         """Refine a picture that was drawn coarsely: soon after a change, at once after a step."""
-        if self.drawing is not None and self.drawing.is_coarse:
+        drawing = self.drawing
+        if drawing is not None and drawing.refines and drawing.is_coarse:
             self._rest.start(REST_MS if self._has_changed else 0)
 
     def _refine(self) -> None:

@@ -130,17 +130,20 @@ class StageStrip(FittedWidget, QWidget, Playing):
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Name the stops, axes and limits of this projection."""
         self._projection = shown.projection
-        lens = self._projection.lens
+        lens, was_free = self._projection.lens, self._free
         self._free = not lens.has_steps
         parallel = not self._free and not lens.has_pyramid
+        is_other = changed != {"lens"} or self._free != was_free
         tiles = self._projection.placement.on
         tiles = tiles if self.from_left else tiles[::-1]
         if parallel != self._parallel or tiles != self._tiles:
             self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
             self._make_stops()
+            is_other = True
             if self.position < self.first:
                 self._stand_at(float(self.first))
-        self._emit_title()
+        if is_other or self.stop == CANONICAL_PERSPECTIVE:  # which alone names near and far
+            self._emit_title()
 
     def _turn(self) -> None:
         """Read the moves of object and camera from the other end."""

@@ -27,8 +27,6 @@ class KeptStyle(QObject):
         self._parts = parts
         self._kept: dict[QWidget, tuple[str, dict[QWidget, QFont]]] = {}
         """The style sheet that such a part wears, and its widgets with their fonts."""
-        for part in parts:
-            part.installEventFilter(self)
 
     @contextmanager
     def skipped(self, before: str, after: str) -> Iterator[None]:
@@ -40,6 +38,7 @@ class KeptStyle(QObject):
             widgets = _within(part)
             if part not in self._kept:
                 self._kept[part] = before, {each: each.font() for each in widgets}
+                part.installEventFilter(self)
             fonts = self._kept[part][1]
             for each in widgets:
                 if each.font() == fonts.get(each) and not each.styleSheet():
@@ -54,6 +53,7 @@ class KeptStyle(QObject):
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show and watched in self._kept:
             del self._kept[watched]
+            watched.removeEventFilter(self)
             widgets = _within(watched)
             for each in widgets:
                 each.style().unpolish(each)

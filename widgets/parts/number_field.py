@@ -141,7 +141,9 @@ class ShortField(NumberField):
         """Set the bounds, which may change what is shown."""
         if (above, below) != (self.above, self.below):
             self.above, self.below = above, below
-            self._write()
+            shown = "" if self._number is None else with_comma(self._text_of(self._number))
+            if self.text() != shown:
+                self._write()
 
     def take_back(self) -> None:
         self._whole = False

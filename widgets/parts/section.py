@@ -17,6 +17,8 @@ QUIET = "quietTitle"  # the name of quiet titles in the application's style shee
 class Rows(QWidget):
     """Rows, one below the other; `body` holds them."""
 
+    is_open = True  # whether the rows below the heading are shown
+
     def __init__(self) -> None:
         super().__init__()
         self._order: list[QWidget] = []
@@ -24,10 +26,6 @@ class Rows(QWidget):
         self.body = QWidget()
         self._rows = in_column(on=self.body, margins=(0, 0, 0, GAP_PX), gap=GAP_PX)
         self._column = in_column(self.body, on=self, margins=(0, 0, 0, 0), gap=2)
-
-    @property
-    def is_open(self) -> bool:
-        return True
 
     def show_some(self, matches: set[QWidget] | None) -> None:
         """Show the part if it has one of the found rows; None always shows it."""
@@ -97,11 +95,6 @@ class Section(Rows):
                 return True
         return super().eventFilter(watched, event)
 
-    @property
-    def is_open(self) -> bool:
-        """Whether the rows below the heading are shown."""
-        return not self._why_closed and (self._is_open or self._matches is not None)
-
     def close_for(self, why: str) -> None:
         """Keep the rows folded for a reason; without one, show them as they were before."""
         if why != self._why_closed:
@@ -124,7 +117,8 @@ class Section(Rows):
             self._show()
 
     def _show(self) -> None:
-        is_open = self.is_open
+        is_shown = self._is_open or self._matches is not None
+        self.is_open = is_open = is_shown and not self._why_closed
         self.body.setVisible(is_open)
         show_icon(self.heading, "choose" if is_open else "unfold")
         turn = self.tr("Fold") if is_open else self.tr("Unfold")

@@ -116,13 +116,23 @@ class EquationSlide(QWidget):
     def em_in(self, width: float, height: float) -> float:
         """Return the size of the letters with which the equation fits, in px."""
         room = width - 2.0 * EDGE * self._screen_px
-        tall = max(sum(each.heights) for each in self._laid) + (2.0 if self._is_product else 0.6)
+        tall = max(sum(each.heights) for each in self._laid) + max(0.6, 0.3 + self._caption_em)
         em = min(LARGEST_EM * self._screen_px, room / self._least_width, height / tall)
         return max(8.0, em)
 
     @property
     def _is_product(self) -> bool:
         return len(self._laid) > 1
+
+    @property
+    def _has_words(self) -> bool:
+        """Whether words below a matrix say what its parts do."""
+        return [each.term.matrix.name for each in self._laid] == ["view_from_world"]
+
+    @property
+    def _caption_em(self) -> float:
+        """The height in em of what stands below the matrices."""
+        return 2.0 * _CAPTION if self._is_product else 1.5 * self._has_words
 
     @property
     def _has_result(self) -> bool:
@@ -162,16 +172,16 @@ class EquationSlide(QWidget):
     def _paint(self, painter: QPainter) -> None:
         em, least_px = self.em_in(self.width(), self.height()), LEAST_CELL * self._screen_px
         room = self.width() - 2.0 * EDGE * self._screen_px
-        caption = (2.0 * _CAPTION * em) if self._is_product else 0.0
-        usual, stretch = min(least_px, (self.height() - caption) / 4.0), 0.0
+        caption = self._caption_em * em
+        usual, high, stretch = least_px, self.height() - caption, 0.0
         if not self._is_product:
-            usual = min(USUAL_CELL * self._screen_px, 0.86 * self.height() / 4.0)
+            usual, high = USUAL_CELL * self._screen_px, min(high, 0.86 * self.height())
             free = room / em - self._least_width
             own = self._laid[0].widths
             stretch = max(0.0, min(free, 4.0 * WIDEST_EM - sum(own)))
-        heights = [
-            max(usual, em * max(each.heights[row] for each in self._laid)) for row in range(4)
-        ]
+        needed = [em * max(each.heights[row] for each in self._laid) for row in range(4)]
+        level = min((high - sum(sorted(needed)[low:])) / low for low in (1, 2, 3, 4))
+        heights = [max(each, min(usual, level)) for each in needed]
         whole = em * (self._least_width + stretch)
         x = (self.width() - whole) / 2.0
         top = (self.height() - sum(heights) - caption) / 2.0
@@ -194,7 +204,7 @@ class EquationSlide(QWidget):
                 y = top + sum(heights) + 0.55 * caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
             x += self._gap_em * em
-            if not self._is_product and each.term.matrix.name == "view_from_world":
+            if self._has_words:
                 y, three = top + sum(heights), left + BRACKET_EM * em
                 words = self.tr("turns"), self.tr("moves")
                 spans = (three, sum(widths[:3])), (three + sum(widths[:3]), widths[3])
@@ -208,6 +218,7 @@ class EquationSlide(QWidget):
         painter.setFont(font)
         painter.setPen(QColor(self._style.muted))
         painter.drawText(place, Qt.AlignmentFlag.AlignCenter, word)
+        self.cells.append(place)
 
     def _paint_matrix(
         self,

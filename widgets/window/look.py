@@ -56,6 +56,7 @@ class Look(QObject):
     ) -> None:
         super().__init__(window)
         self._panes, self._settings, self._store, self._window = panes, settings, store, window
+        self.drawn = [pane.canvas.drawn for pane in panes.values()]
         self.words = TranslatedWords(DrawingWords())
         self._shown: ShownData | None = None
         self._glides = False

@@ -432,6 +432,13 @@ class MainWindow(QMainWindow):
             self.look.rebuild()
         return super().event(event)
 
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Turn the lesson's page by keys for which what has the focus has no use."""
+        menu, keys = self.menus.lesson_menu, Qt.Key
+        turn = {keys.Key_PageDown: menu.next, keys.Key_PageUp: menu.back}.get(Qt.Key(event.key()))
+        if turn is not None and not event.modifiers():
+            turn.trigger()
+
     def statusBar(self) -> StatusLine:
         """Return our own status line; Qt's method would create a second one below it."""
         return self.status

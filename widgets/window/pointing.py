@@ -62,6 +62,7 @@ class Pointing(QObject):
         self._panes = panes
         self._view: ClickView | None = None  # the question for which the crosshair is moved
         self._asked: Sequence[ClickView] = ()
+        self._follows = False  # whether the crosshairs move with what the panes draw
         self._answered: ClickView | None = None
         self._at: QPointF | None = None  # the crosshair from the canvas' upper left, in Qt's pixels
         self._marks = {
@@ -71,13 +72,13 @@ class Pointing(QObject):
         }
         for name, pane in panes.items():
             pane.aimed.connect(partial(self._clicked, name))
-            pane.canvas.drawn.connect(self._follow, Qt.ConnectionType.QueuedConnection)
 
     def aim(self, asked: Sequence[ClickView], answered: ClickView | None) -> None:
         """Take the places in pictures for these questions; mark the right place of another one."""
         for view in asked:
             if view not in self._asked:
                 view.wanted.connect(partial(self._begin, view))
+        before, self._follows = self._follows, bool(asked or answered)
         self._asked, self._answered = asked, answered
         if self._view not in asked:
             self._take_up(None)
@@ -86,6 +87,10 @@ class Pointing(QObject):
             pane.canvas.removeEventFilter(self)
             if pane.is_aimed_at:
                 pane.canvas.installEventFilter(self)
+            if self._follows and not before:
+                pane.canvas.drawn.connect(self._follow, Qt.ConnectionType.QueuedConnection)
+            elif before and not self._follows:
+                pane.canvas.drawn.disconnect(self._follow)
         self._follow()
 
     def _pane(self, view: ClickView) -> Pane | None:

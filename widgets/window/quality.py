@@ -51,7 +51,7 @@ class DrawnQuality(QObject):
     shows a sentence that says what is impossible.
     """
 
-    concerns = EVERYTHING
+    concerns = EVERYTHING  # if all is automatic, a projection changes nothing that is reported
 
     def __init__(
         self,
@@ -77,6 +77,8 @@ class DrawnQuality(QObject):
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Report the quality; the panes must have been notified first."""
+        is_automatic = shown.document.quality == AUTOMATIC
+        self.concerns = EVERYTHING - PROJECTION if is_automatic else EVERYTHING
         self._show_quality()
 
     def _show_quality(self) -> None:

@@ -25,7 +25,6 @@ class Side(QSplitter):
         around.addWidget(self)
         self._around = around
         self.controls = Controls(self)
-        self.controls.installEventFilter(self)
         self.controls.setMinimumHeight(2 * self.fontMetrics().height())  # its search remains
         cast(QApplication, QApplication.instance()).focusChanged.connect(self._follow)
         self._card: LessonCard | None = None
@@ -45,10 +44,12 @@ class Side(QSplitter):
         if height and self.controls.isVisible() and not self._is_used(QApplication.focusWidget()):
             card, controls = self.sizes()
             self._own = self._own or [card, controls]
+            self.controls.installEventFilter(self)
             self.setSizes([card + height, max(0, controls - height)])
         elif self._own:
             self.setSizes(self._own)
             self._own = []
+            self.controls.removeEventFilter(self)
 
     def _follow(self, _left: QWidget | None, focus: QWidget | None) -> None:
         if self._own and self._is_used(focus):

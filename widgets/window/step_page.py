@@ -4,7 +4,7 @@ from functools import partial
 from typing import cast
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QKeySequence
+from PySide6.QtGui import QKeyEvent, QKeySequence
 from PySide6.QtWidgets import QApplication, QFrame, QPushButton, QScrollArea, QWidget
 
 from app.document.document import Document
@@ -99,6 +99,15 @@ class StepPage(QScrollArea):
             view.look(now)
 
     # -- the focus
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        """Scroll; at the end of the page the window turns it."""
+        bar, keys = self.verticalScrollBar(), Qt.Key
+        ends = {keys.Key_PageDown: bar.maximum(), keys.Key_PageUp: bar.minimum()}
+        if ends.get(Qt.Key(event.key())) == bar.value():
+            event.ignore()
+        else:
+            super().keyPressEvent(event)
 
     def go_to_prediction(self) -> None:
         """Give the focus to the prediction that must be made before the step continues."""

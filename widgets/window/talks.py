@@ -56,7 +56,7 @@ class Talks(QObject):
         super().__init__(window)
         self._window, self._lessons, self._present = window, lessons, present
         self._messages, self._settings = messages, settings
-        self._band, self._question, self._pen = band, question, pen
+        self._band, self._question, self._pen, self._look = band, question, pen, look
         self._drawn_on: Path | None = None  # the file of the talk that the strokes belong to
         self.writer = TalkWriter(window, lessons, store, messages)
         self._ahead = StepPreparation(lessons, look, self)
@@ -321,6 +321,8 @@ class Talks(QObject):
                 (speaker.swap.clicked, self._present.swap),
             ):
                 signal.connect(act)
+            for drawn in self._look.drawn:
+                drawn.connect(self.see_later)
             self._place_speaker()
         if self.is_on:
             self.speaker.clock.begin()
@@ -384,6 +386,8 @@ class Talks(QObject):
         if self.speaker is not None:
             self.speaker.deleteLater()
             self.speaker = None
+            for drawn in self._look.drawn:
+                drawn.disconnect(self.see_later)
         self._keys.listen(self.is_on, None)
 
     def bring_back(self) -> None:

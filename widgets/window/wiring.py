@@ -57,7 +57,7 @@ def _wire_components(window: Any) -> None:
         (window.matrices.letters_changed, lettering.set, look.set_letters),
         (window.panels.idle.timeout, lambda: window.matrices.prepare(window.shown.projection)),
         (window.history.rested, look.rest, compare.refresh),
-        (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
+        (look.built, window.manipulation.leave, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
@@ -100,7 +100,6 @@ def _wire_components(window: Any) -> None:
         if name != "ndc":  # the others have no stage after the world's
             strip.moved.connect(lambda at, pane=pane: pane.request("stage", min(at, 0.0) or None))
         window.control_strip.grips_wanted.connect(partial(pane.request, "grips"))
-        pane.canvas.drawn.connect(window.talks.see_later)
     for signal, *slots in wires:
         for slot in slots:
             signal.connect(slot)
