@@ -575,17 +575,10 @@ def test_a_reader_who_leaves_early_is_no_error() -> None:
         assert process.wait() == 0
 
 
-def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
+@pytest.mark.parametrize("command", ["matrices", "--version", "export --help"])
+def test_a_full_disk_behind_standard_output_is_a_sentence(command: str) -> None:
     with open("/dev/full", "wb") as full:
-        done = started("matrices", env=buffered(), stdout=full)
-    assert done.returncode == 2
-    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
-
-
-@pytest.mark.parametrize("command", ["--version", "export --help"])
-def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
-    with open("/dev/full", "wb") as full:
-        done = started(*command.split(), stdout=full)
+        done = started(*command.split(), env=buffered(), stdout=full)
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
 

@@ -20,6 +20,7 @@ from app.drawings.label_placement import (
     along,
     around,
     beyond,
+    candidates,
     cheapest,
     clipped,
     flanking,
@@ -130,6 +131,21 @@ def test_a_leader_does_not_cross_the_mark_of_another_label() -> None:
     assert placed["a"].leader is not None and placed["a"].centre == above_it
     placed = place(wishes[:1], Ground(FRAME, EM))
     assert placed["a"].centre == beyond_it
+
+
+def test_two_names_of_one_mark_are_not_in_each_others_way() -> None:
+    mark, size, ground = (100.0, 100.0), (40.0, 14.0), Ground(FRAME, EM)
+    one = wish("one", mark, size, 0.0).choices(ground)
+    far = Wish("two", size, [mark], partial(choices, mark, (170.0, 100.0), away=50.0))
+    alone = candidates([far.choices(ground)], ground).costs
+    assert candidates([one, far.choices(ground)], ground).costs[-1] == alone[0]
+
+
+def test_the_head_of_an_arrow_is_ink_as_its_shaft_is() -> None:
+    arrow = np.array([[(100.0, 100.0), (400.0, 100.0)]])
+    ground = Ground(FRAME, EM, lambda ground: ground.ink_arrows(arrow))
+    beside = [(x, 104.0, x + 10.0, 114.0) for x in (200.0, 350.0)]
+    assert (ground.hidden(np.array(beside)) > 0.0).tolist() == [False, True]
 
 
 @pytest.mark.parametrize(("air", "is_enough"), [(0.1 * EM, False), (0.3 * EM, True)])
