@@ -189,7 +189,9 @@ class Pane(QFrame):
         `anew`, a drawing that was made with the same arguments stays.
         """
         self.shown, self.built_with = shown, args
-        self._to_build = args if anew or args != self._drawn_with else None
+        if anew and args == self._drawn_with:
+            self._drawn_with = None  # other words: the drawing of now is not shown again
+        self._to_build = args if args != self._drawn_with else None
         self._due |= {"projection", "view"}
         self.requested["view"] = view
         self._refresh()
@@ -200,11 +202,6 @@ class Pane(QFrame):
             self._waits = waits
             if not waits:
                 self._appear() if self._appears else self._refresh()
-
-    def forget(self) -> None:
-        """Show no drawing again that was made with the words of now."""
-        self.resting.clear()
-        self._drawn_with = None
 
     def look_from(self, view: Camera | None) -> None:
         """Move the pane's own camera as `build` does, without another drawing."""
@@ -349,8 +346,8 @@ class Pane(QFrame):
         self.glide(1.0)
         taken = self.resting.take(args)
         if self.drawing is not None:
-            with_what = None if self._drawn_with == args else self._drawn_with
-            self.resting.put(Resting(with_what, self.drawing, self._told, self._in_first))
+            before = Resting(self._drawn_with, self.drawing, self._told, self._in_first)
+            self.resting.put(before)
             self._releasing.start()
         self.drawing = self._drawn_with = None
         if taken is None:

@@ -131,7 +131,7 @@ class Look(QObject):
         """
         if anew:  # they were drawn with other words
             for pane in self._panes.values():
-                pane.forget()
+                pane.resting.clear()
         if self._shown is not None:
             self._build(cameras(self._panes), anew=anew)
 
