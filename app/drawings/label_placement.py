@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
+MARGIN_EM = 0.3  # between labels and the pane's border
 SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
 LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
@@ -277,6 +278,12 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
 
 
 # --------------------------------------------------------------------------- what is there
+
+
+def room(width_px: float, height_px: float, em: float) -> tuple[float, float, float, float]:
+    """Return where labels may be in a pane or a picture: left, low, right, high."""
+    margin = MARGIN_EM * em
+    return margin, margin, width_px - margin, height_px - margin
 
 
 class Ground:
