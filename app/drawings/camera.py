@@ -245,7 +245,7 @@ class CameraDrawing(Layer):
         board.want_beyond(arrows, tips)
 
     def ink(self, ground: Ground) -> None:
-        ground.ink_lines(self._state.own.pane.spots(self.named_arrows[1]))
+        ground.ink_arrows(self._state.own.pane.spots(self.named_arrows[1]))
 
     def reach(self) -> Array:
         return self._state.standing.eye + frame.AROUND * self.axes_size * frame.SIX_WAYS

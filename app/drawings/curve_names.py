@@ -50,7 +50,9 @@ def beside(
             foreign = marks[np.linalg.norm(marks - point, axis=1) > rim]
             rims = np.hstack([foreign - rim, foreign + rim])
             others = np.vstack([lines[~overlap(own[None], lines)[0]], rims])
-            places = partial(_clear, point, (wide, high), em, gap - 0.3 * em, others, foreign)
+            places = partial(
+                _clear, point, (wide, high), em, gap - 0.3 * em, others, foreign, frame
+            )
             wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
     placed = place(wishes, ground, untangled=True)
     labels = (placed.get(i) for i in range(len(points)))
@@ -63,13 +65,18 @@ def beside(
 
 
 def _clear(
-    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats, foreign: Floats
-) -> Places:
-    """The places round a point that are nearest to it, and whose leaders cross no line's box."""
+    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats, foreign: Floats,
+    frame: Floats,
+) -> Places:  # fmt: skip
+    """The places round a point that are nearest to it, and whose leaders cross no line's box.
+
+    In the frame, unless a leader says whose a name is that slides into it.
+    """
     places, half = around(point, size, em, rim), np.array(size) / 2.0
     boxes = np.hstack([places.centres - half, places.centres + half])
     far = places.away > LEADER_FROM_EM * em
     free = ~(far & crossed(places.anchors, boxes, lines).any(axis=1))
+    free &= far | (np.clip(boxes, frame[[0, 1, 0, 1]], frame[[2, 3, 2, 3]]) == boxes).all(axis=1)
     own = np.minimum(_apart(boxes, point[None]), LEADER_FROM_EM * em)  # a leader says whose it is
     free &= (own + 0.2 * em < _apart(boxes, foreign)).all(axis=1)
     centres, turns, anchors, away, *_ = places

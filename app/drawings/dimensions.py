@@ -37,7 +37,7 @@ _ASIDE_EM = 1.2  # from the far plane to the line beside it
 _ARC_PART = 0.3  # of the way to the far plane's edge: the arc is no larger
 _ARC_BEFORE = 0.5  # of e, where it is named
 _ACROSS_EM = 2.2  # under the window seen along the axis
-_INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.2, 1.2, 2.2  # the lines of numbers: their rows
+_INTERVAL_EM, _BELOW_EM, _LINES_EM = 5.6, 1.2, 2.2  # the lines of numbers: their rows
 _LINES = 4  # of the sentence
 _KEY = "length"  # begins the keys of the letters on the pane's board
 
@@ -125,7 +125,7 @@ class Dimensions(Layer):
                 lowest = min(lowest, float(spots[0, 1]) - abs(self._unit(spots)))
             if state.own.fixed == "axis":
                 if corners is not None:
-                    self._across(ground, spots)
+                    self._across(ground, spots, all_spots)
             else:
                 self._along(ground, spots, lowest, all_spots)
                 if corners is not None:
@@ -233,7 +233,7 @@ class Dimensions(Layer):
 
             self._board.want(key, [(x, y)], places, LENGTH)
 
-    def _across(self, ground: Ground, spots: Array) -> None:
+    def _across(self, ground: Ground, spots: Array, drawn: Array) -> None:
         """Half the height and half the width of the window, seen along the axis."""
         names = self._state.names
         upper, half_width = (half_of(self._state.projection, axis) for axis in (1, 0))
@@ -251,10 +251,12 @@ class Dimensions(Layer):
             below = float(face[0, 1]) - 1.2 * self._em
             self._rule("width", (x, below), (right, below), self._half_text(0, half_width))
         if has_interval(self._state, self._state.own.fixed):
-            self._interval(spots[2:6], ground.limits)
+            self._interval(spots[2:6], float(drawn[:, 1].min()), ground.limits)
 
-    def _interval(self, window: Array, limits: tuple[float, float, float, float]) -> None:
-        """Two lines of numbers below the window: from l to r, and from -1 to 1.
+    def _interval(
+        self, window: Array, lowest: float, limits: tuple[float, float, float, float]
+    ) -> None:
+        """Two lines of numbers below what is drawn: from l to r, and from -1 to 1.
 
         The probes stand on both, with their x in the cube.
         """
@@ -262,7 +264,8 @@ class Dimensions(Layer):
         left, right = float(window[0, 0]), float(window[1, 0])
         foot = float(window[:2, 1].min())
         names_width = "width" in self._state.names
-        upper = foot - _BELOW_EM * em - (_ACROSS_EM * em if names_width else 0.0)
+        below = max(lowest, min(foot, self.below_em * em))
+        upper = below - _BELOW_EM * em - (_ACROSS_EM * em if names_width else 0.0)
         lower = upper - _LINES_EM * em
         low, high = self._state.projection.window[:2]
         for y in (upper, lower):

@@ -13,6 +13,7 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
 from app.drawings.actors import Space, put_in_front
+from app.drawings.label_placement import HEAD, HEAD_RADIUS
 from app.drawings.prop_group import PropGroup
 from app.lecture.camera_frame import STEPS, up_and_view
 from app.lecture.highlight import OBJECT_AXES
@@ -99,7 +100,7 @@ def _up_direction(camera: Camera) -> tuple[float, float]:
 
 def arrow(tip: Array, colour: str, width: float) -> tuple[vtkActor, vtkActor]:
     """Return a line from the origin along an axis, and its pointed head."""
-    neck, radius = 0.82 * tip, 0.06 * float(np.linalg.norm(tip))
+    neck, radius = (1.0 - HEAD) * tip, HEAD_RADIUS * float(np.linalg.norm(tip))
     along = tip / np.linalg.norm(tip)
     one, two = np.roll(along, 1), np.roll(along, 2)
     angles = np.arange(12) * (2.0 * math.pi / 12)

@@ -23,6 +23,7 @@ Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
 MARGIN_EM = 0.3  # between labels and the pane's border
+HEAD, HEAD_RADIUS = 0.18, 0.06  # of an arrow, in its lengths
 SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
 LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
 _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
@@ -44,10 +45,11 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
-_MOVES = 200
+_MOVES = 600
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
 _RIM_EM = 0.45  # of a mark, where its leader begins
+_SAME_EM = 0.1  # marks that are so near to each other are one
 _ROUNDING_PX = 1e-6  # beyond the frame: a label that slides to its border is inside
 _FAR = 1e9  # cells: a box beyond hides no ink, and its place is still a whole number
 
@@ -92,7 +94,7 @@ class Wish(NamedTuple):
         return of
 
     def choices(self, ground: Ground) -> tuple[Wish, Places]:
-        """Make its candidates; those with leaders above, below or beside slide into the frame."""
+        """Make its candidates; level ones that a leader may join slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
         if self.short is not None and len(places.centres):
             whole, places = len(places.centres), joined(places, self.short[1]())
@@ -102,11 +104,9 @@ class Wish(NamedTuple):
             inside = np.clip(
                 centres, frame[:2] + half, np.maximum(frame[2:] - half, frame[:2] + half)
             )
-            far = places.away[:, None] > LEADER_FROM_EM * ground.em
-            slides = far & (np.abs(centres - places.anchors) < 1e-6).any(axis=1, keepdims=True)
             beside = np.abs(inside - places.anchors) >= half  # not over its own mark
-            slides &= beside.any(axis=1, keepdims=True)
-            places = places._replace(centres=np.where(slides, inside, centres))
+            slides = beside.any(axis=1) & (places.turns == 0.0)
+            places = places._replace(centres=np.where(slides[:, None], inside, centres))
         return self, places
 
 
@@ -340,6 +340,14 @@ class Ground:
             held[columns.clip(0, self.shape[0] - 1), rows.clip(0, self.shape[1] - 1)] = True
         self.ink(held)
 
+    def ink_arrows(self, arrows: Floats) -> None:
+        """Count arrows as ink, (n, 2, 2), each with its head."""
+        along = arrows[:, 1] - arrows[:, 0]
+        neck, side = arrows[:, 1] - HEAD * along, HEAD_RADIUS * along[:, ::-1] * (-1.0, 1.0)
+        corners = np.stack([neck + side, arrows[:, 1], neck - side], axis=1)
+        heads = np.stack([corners, np.roll(corners, 1, axis=1)], axis=2).reshape(-1, 2, 2)
+        self.ink_lines(np.concatenate([arrows, heads]))
+
     def hidden(self, boxes: Floats) -> Floats:
         """Return which part of each box in the frame, (n, 4), is ink."""
         if self._draw is not None:
@@ -529,7 +537,8 @@ def _stray_costs(
     em: float,
 ) -> Floats:  # fmt: skip
     """The cost of a label nearer to another label's mark, or with a leader across that mark."""
-    foreign = of[:, None] != np.arange(len(marks))
+    apart = np.linalg.norm(marks[of][:, None] - marks, axis=2)
+    foreign = apart > _SAME_EM * em  # two names may have one mark
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])

@@ -425,7 +425,7 @@ class StageBox(Layer):
         edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
         ground.ink_lines(self._state.volume_seen()[edges])
         axes = self._state.seen(self.axes[:, ::2].reshape(-1, 3))
-        ground.ink_lines(np.array(axes)[:, :2].reshape(-1, 2, 2))
+        ground.ink_arrows(np.array(axes)[:, :2].reshape(-1, 2, 2))
 
 
 def _signed(z: float) -> str:

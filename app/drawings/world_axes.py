@@ -98,7 +98,7 @@ class WorldAxes(Layer):
     def ink(self, ground: Ground) -> None:
         arrows, ends = self._named
         if arrows:
-            ground.ink_lines(self._state.own.pane.spots(ends))
+            ground.ink_arrows(self._state.own.pane.spots(ends))
 
     @property
     def _named(self) -> tuple[tuple[str, ...], Array]:

@@ -575,17 +575,10 @@ def test_a_reader_who_leaves_early_is_no_error() -> None:
         assert process.wait() == 0
 
 
-def test_a_full_disk_behind_standard_output_is_a_sentence() -> None:
+@pytest.mark.parametrize("command", ["matrices", "--version", "export --help"])
+def test_a_full_disk_behind_standard_output_is_a_sentence(command: str) -> None:
     with open("/dev/full", "wb") as full:
-        done = started("matrices", env=buffered(), stdout=full)
-    assert done.returncode == 2
-    assert done.stderr == "Standard output cannot be written: No space left on device.\n"
-
-
-@pytest.mark.parametrize("command", ["--version", "export --help"])
-def test_help_for_a_full_disk_is_a_sentence_too(command: str) -> None:
-    with open("/dev/full", "wb") as full:
-        done = started(*command.split(), stdout=full)
+        done = started(*command.split(), env=buffered(), stdout=full)
     assert done.returncode == 2
     assert done.stderr == "Standard output cannot be written: No space left on device.\n"
 
@@ -941,22 +934,24 @@ def test_every_command_opens_a_lesson_by_its_name_as_by_its_file(tmp_path: Path)
     )
 
 
-def test_a_file_needs_no_ending_and_two_are_still_too_many(by_hand: Path, tmp_path: Path) -> None:
-    bare = by_hand.rename(tmp_path / "exprot")
-    done = started(bare.name, "out.png", cwd=tmp_path)
-    assert done.stderr == "The window takes [FILE], and was given 2 names.\n"
+def test_a_file_needs_no_ending_and_two_are_still_too_many(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    write(BY_HAND, tmp_path / "exprot")
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["exprot", "out.png"]) == 2
+    assert capsys.readouterr().err == "The window takes [FILE], and was given 2 names.\n"
 
 
-def test_a_command_wins_over_a_file_of_its_name(tmp_path: Path) -> None:
+def test_a_command_wins_over_a_file_of_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     write(BY_HAND, tmp_path / "matrices")
-    done = started("matrices", cwd=tmp_path)
-    assert done.stdout.splitlines()[2] == "world_from_object"
+    monkeypatch.chdir(tmp_path)
+    assert cli.main(["matrices"]) == 0
     # The letter F's matrices: the file of that name was not read.
-    assert (
-        done.stdout
-        == run_here("matrices").stdout
-        != run_here("matrices", tmp_path / "matrices").stdout
-    )
+    of_the_file = run_here("matrices", tmp_path / "matrices").stdout
+    assert capsys.readouterr().out == run_here("matrices").stdout != of_the_file
 
 
 def test_help_names_exactly_the_commands() -> None:

@@ -5,6 +5,7 @@ import math
 import weakref
 from contextlib import closing
 from dataclasses import replace
+from itertools import cycle, product
 from typing import Any
 
 import numpy as np
@@ -104,20 +105,20 @@ def check_lit(image: Any, trace: Trace, unsure: Any = False) -> tuple[int, float
 
 
 def test_a_vertex_lights_the_pixel_that_the_model_says(off_screen: MakeScreen) -> None:
-    """Every vertex of the letter F from 100 random cameras, and more for lenses that see few."""
+    """Every vertex of the letter F from 40 random cameras, and more for lenses that see few."""
     screen = off_screen(1280, 720)
     drawing, points = drawn_vertices(screen, DRAWING_TOLERANCE_PX)
     checked = dict.fromkeys(LENSES, 0)
     for number, projection in enumerate(random_projections(1600, seed=20, size=SIZE)):
         trace = projection.trace(points)
         sees_few = (~trace.outside.any(axis=1)).sum() < 8
-        if number >= 100 and (checked[projection.lens.kind] > 100 or sees_few):
+        if number >= 40 and (checked[projection.lens.kind] > 50 or sees_few):
             continue
         drawing.show_projection(projection)
         found, worst = check_lit(screen.pixels(), trace)
         checked[projection.lens.kind] += found
         assert worst <= 0.26, projection
-    assert min(checked.values()) > 100, checked
+    assert min(checked.values()) > 50, checked
 
 
 @pytest.mark.parametrize("name", [each for each in BUILT_IN if "image" not in load(each).pale])
@@ -610,13 +611,10 @@ def test_extreme_projections_draw_without_a_word(off_screen: MakeScreen) -> None
     for kind in (StageDrawing, ImageDrawing):
         screen = off_screen(120, 90)
         drawing = kind(screen, scene, WORDS, LIGHT)
-        for camera in cameras:
-            for lens in lenses:
-                for depth in DEPTH_RANGES:
-                    projection = Projection(camera, lens, (16384, 1), depth)  # type: ignore[arg-type]
-                    drawing.show_projection(projection)
-                    drawing.reset_clipping_range()
-                    screen.pixels()
+        for (camera, lens), depth in zip(product(cameras, lenses), cycle(DEPTH_RANGES)):
+            drawing.show_projection(Projection(camera, lens, (16384, 1), depth))
+            drawing.reset_clipping_range()
+            screen.pixels()
 
 
 def test_a_scene_with_nothing_in_it_is_an_empty_pane(off_screen: MakeScreen) -> None:
@@ -705,7 +703,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
     drawing, points = drawn_vertices(screen, tolerance_px)
     random = np.random.default_rng(21)
     checked, precisions, letter = 0, set(), load("letter-f")
-    for number in range(60):
+    for number in range(24):
         start = replace(letter.start, image_size=SIZE).with_depth(list(DEPTH_RANGES)[number % 3])
         name = ("clip_from_view", "view_from_world")[number % 4 == 3]
         row, column = random.integers(4, size=2)
@@ -718,7 +716,7 @@ def test_a_vertex_under_a_free_matrix_lights_its_pixel(
         found, worst = check_lit(screen.pixels(), trace, deep)
         checked += found
         assert worst <= 0.26, projection
-    assert checked > 200
+    assert checked > 80
     assert precisions == {"float32"} if tolerance_px > 1.0 else "float64" in precisions
 
 

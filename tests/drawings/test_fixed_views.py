@@ -705,7 +705,7 @@ def test_l5_l21_both_triangles_are_measured_in_the_flat_views(
 def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScreen) -> None:
     """From l to r, and from -1 to 1, one below the other; a probe stands on both lines."""
     screen = off_screen(960, 455)
-    lens = START.with_lens("frustum").lens.replaced(left=-1.0, right=3.0, keep="stretch")
+    lens = START.with_lens("frustum").lens.replaced(left=-1.0, right=3.0, far=12.0, keep="stretch")
     projection = replace(START, lens=lens)
     drawing = made(screen, projection)
     drawing.show_names(frozenset({"l", "r", "interval"}))
@@ -722,6 +722,11 @@ def test_the_window_stands_over_the_interval_that_it_becomes(off_screen: MakeScr
     # Straight ahead is x = 0, a quarter of the way from -1 to 3: -0.5 in the cube.
     assert middle["−0.5"] == pytest.approx(left + 0.25 * (right - left), abs=2.0)
     assert boxes["−1"][3] < boxes["l = −1"][1]
+    drawing.show_names(frozenset({"near", "l", "r", "interval"}))
+    drawing.reset_view()
+    screen.pixels()
+    drawn = np.vstack([drawing.state.objects, drawing.state.volume.corners])
+    assert boxes_of(screen)["l = −1"][3] < 455.0 - pixel_of(drawing, drawn)[:, 1].max()
     drawing.show_names(frozenset({"l", "r"}))
     screen.pixels()
     assert {"l = −1", "r = 3"} <= boxes_of(screen).keys() and "−0.5" not in boxes_of(screen)

@@ -52,7 +52,7 @@ def test_kept_labels_are_the_same_pixels_without_matplotlib(
     assert path.stat().st_mtime_ns == written, "nothing is new"
 
 
-@pytest.mark.parametrize("language", languages.LANGUAGES)
+@pytest.mark.parametrize("language", ["en", "sr"])  # in Latin letters, and in Cyrillic
 def test_the_letter_f_needs_no_matplotlib(language: str, tmp_path: Path) -> None:
     """Not even on the first start, when matplotlib would also list the machine's fonts."""
     code = """import sys

@@ -20,6 +20,7 @@ from app.drawings.label_placement import (
     along,
     around,
     beyond,
+    candidates,
     cheapest,
     clipped,
     flanking,
@@ -130,6 +131,21 @@ def test_a_leader_does_not_cross_the_mark_of_another_label() -> None:
     assert placed["a"].leader is not None and placed["a"].centre == above_it
     placed = place(wishes[:1], Ground(FRAME, EM))
     assert placed["a"].centre == beyond_it
+
+
+def test_two_names_of_one_mark_are_not_in_each_others_way() -> None:
+    mark, size, ground = (100.0, 100.0), (40.0, 14.0), Ground(FRAME, EM)
+    one = wish("one", mark, size, 0.0).choices(ground)
+    far = Wish("two", size, [mark], partial(choices, mark, (170.0, 100.0), away=50.0))
+    alone = candidates([far.choices(ground)], ground).costs
+    assert candidates([one, far.choices(ground)], ground).costs[-1] == alone[0]
+
+
+def test_the_head_of_an_arrow_is_ink_as_its_shaft_is() -> None:
+    arrow = np.array([[(100.0, 100.0), (400.0, 100.0)]])
+    ground = Ground(FRAME, EM, lambda ground: ground.ink_arrows(arrow))
+    beside = [(x, 104.0, x + 10.0, 114.0) for x in (200.0, 350.0)]
+    assert (ground.hidden(np.array(beside)) > 0.0).tolist() == [False, True]
 
 
 @pytest.mark.parametrize(("air", "is_enough"), [(0.1 * EM, False), (0.3 * EM, True)])
@@ -290,6 +306,18 @@ def test_no_stub_leads_to_a_label_that_slid_beside_its_mark() -> None:
             assert (placed.leader is not None) == (is_far and was_far)
             stubs += was_far and not is_far
     assert stubs, "some labels slide so near that they need no leader"
+
+
+@pytest.mark.parametrize("x_em", [5.0, 11.0])
+def test_a_label_too_wide_for_its_side_slides_along_its_mark_and_needs_no_leader(
+    x_em: float,
+) -> None:
+    """It fits neither to the right nor to the left of its mark, nor centred above or below."""
+    frame, spot, size = room(16.0 * EM, 8.0 * EM, EM), (x_em * EM, 3.0 * EM), (12.0 * EM, EM)
+    (label,) = place([wish("P", spot, size, 0.0)], Ground(frame, EM)).values()
+    left, low, right, high = box_of(label, size)
+    assert label.leader is None and left < spot[0] < right
+    assert 0.0 < max(low - spot[1], spot[1] - high) < EM, "beside its mark"
 
 
 @given(st.lists(st.tuples(*[st.floats(-600.0, 900.0)] * 4), min_size=1, max_size=5))

@@ -26,7 +26,7 @@ from app.precision.quality import AUTOMATIC, SMOOTHINGS, Quality
 from app.scenes.fewer_triangles import SHARES, is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene, load
 from tests.support.drawings import figure_of
-from tests.support.window import MakeWindow, counted_repaints, pixels, settle
+from tests.support.window import MakeWindow, counted_repaints, pixels, settle, show_scene
 from widgets.panes import adaptive, canvas
 from widgets.panes.adaptive import BETWEEN_MS
 from widgets.panes.pane import REST_MS
@@ -212,29 +212,22 @@ def test_a_click_hits_the_same_vertex_at_any_scale(window: MainWindow) -> None:
         assert probe.point is not None and np.allclose(probe.point, corner), name
 
 
-@pytest.mark.parametrize(
-    ("scene", "choice", "sentence"),
-    [
-        (
-            "letter-f",
-            {"smoothing": "supersampling 3 x 3"},
-            "A pane cannot draw with supersampling 3 x 3: it uses its default smoothing.",
-        ),
+def test_an_impossible_choice_for_a_pane_or_scene_is_reported_and_changes_nothing(
+    window: MainWindow,
+) -> None:
+    too_fine = "A pane cannot draw with supersampling 3 x 3: it uses its default smoothing."
+    for scene, choice, sentence in (
+        ("letter-f", {"smoothing": "supersampling 3 x 3"}, too_fine),
         ("letter-f", {"detail": "0.5"}, "The scene has too few triangles to leave any out."),
         ("interpolation", {"rung": "float64"}, "A textured surface can be drawn in float32 only."),
-    ],
-)
-def test_an_impossible_choice_for_a_pane_or_scene_is_reported_and_changes_nothing(
-    make_window: MakeWindow, scene: str, choice: dict[str, str], sentence: str
-) -> None:
-    window = make_window(Document(scene, load(scene).start))
-    before = pictures(window)
-    window.quality.use(choice)
-    assert same(pictures(window), before) == ALL_SAME
-    assert sentence in window.status.health.toolTip().splitlines()
-    window.store.undo()
-    settle()
-    assert sentence not in window.status.health.toolTip()
+    ):
+        before = pictures(show_scene(window, scene))
+        window.quality.use(choice)
+        assert same(pictures(window), before) == ALL_SAME, choice
+        assert sentence in window.status.health.toolTip().splitlines()
+        window.store.undo()
+        settle()
+        assert sentence not in window.status.health.toolTip()
 
 
 @pytest.mark.undrawn

@@ -191,15 +191,18 @@ def test_a_corner_counts_back_from_its_own_line(tmp_path: Path) -> None:
     assert found.offsets.tolist() == [0, 3, 7]
 
 
-def test_obj_larger_than_a_block_is_read_across_the_seams(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+@pytest.mark.parametrize(
+    ("name", "write"), [("m.obj", obj_file), ("m.stl", stl_text_file)], ids=["obj", "stl"]
+)
+def test_a_text_larger_than_a_block_is_read_across_the_seams(
+    name: str, write: Callable[..., None], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    obj_file(tmp_path / "m.obj", PYRAMID)
-    whole = mesh_files.read(tmp_path / "m.obj")
+    write(tmp_path / name, PYRAMID)
+    whole = mesh_files.read(tmp_path / name)
     (tmp_path / "bad.obj").write_text("v 0 0 0\n# a\n" * 3 + "v 1 x 0\n", encoding="utf-8")
-    for block in (1, 7, 64):
+    for block in (1, 7, 64, 300):
         monkeypatch.setattr(mesh_files, "BLOCK", block)
-        found = mesh_files.read(tmp_path / "m.obj")
+        found = mesh_files.read(tmp_path / name)
         assert (found.points == whole.points).all() and (found.corners == whole.corners).all()
         assert refused(tmp_path / "bad.obj").limits[1:] == (7, "OBJ")
 
@@ -230,17 +233,6 @@ def test_binary_stl_with_bytes_after_its_triangles_opens(tmp_path: Path) -> None
     with (tmp_path / "m.stl").open("ab") as file:
         file.write(b"more")
     assert len(faces(load(str(tmp_path / "m.stl")))) == 6
-
-
-def test_text_stl_larger_than_a_block_is_read_across_the_seams(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    stl_text_file(tmp_path / "m.stl", PYRAMID)
-    whole = mesh_files.read(tmp_path / "m.stl")
-    for block in (7, 64, 300):
-        monkeypatch.setattr(mesh_files, "BLOCK", block)
-        found = mesh_files.read(tmp_path / "m.stl")
-        assert (found.points == whole.points).all() and (found.corners == whole.corners).all()
 
 
 FACETS = """

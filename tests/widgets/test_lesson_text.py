@@ -92,6 +92,15 @@ def test_fractions_are_readable_and_displayed_formulas_are_large(qapp: Any) -> N
     )
 
 
+@pytest.mark.parametrize("before", ["", "- ", "- A\n  - "])
+def test_no_formula_reaches_beyond_a_document_with_margins(qapp: Any, before: str) -> None:
+    document = QTextDocument()
+    set_text(document, f"{before}$a + b + c + d + e + f + g + h + i + j + k + l$")
+    document.setDocumentMargin(8.0)  # as the speaker's notes have
+    document.setTextWidth(150.0)
+    assert document.size().width() <= 150.0
+
+
 def test_a_formula_of_a_title_is_as_large_as_its_words(qapp: Any) -> None:
     widths = []
     for title in (True, False):

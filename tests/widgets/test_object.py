@@ -72,9 +72,10 @@ def test_l2_every_number_of_the_object_is_a_row_and_moves_all_panes(window: Main
 
 
 def test_every_scene_has_its_pipeline_in_the_dock(window: MainWindow) -> None:
+    """A sample of those with a phenomenon, and all without one."""
     window.controls.sections["object"].set_open(True)
     editor = window.controls.chain
-    for name in BUILT_IN:
+    for name in [each for each in BUILT_IN if each in BUILT_IN[::5] or not load(each).phenomenon]:
         show_scene(window, name)
         assert len(editor.beyond) >= 5 and all(button.isVisible() for button in editor.beyond)
         has_tiles = load(name).phenomenon is None

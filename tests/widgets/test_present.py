@@ -113,7 +113,7 @@ def is_presenting(window: MainWindow) -> bool:
         not window.bottom.isVisible(),
         window.menus.blank.isEnabled(),
         window.menus.pointer.isEnabled(),
-        QFontInfo(window.panes["world"].title.font()).pixelSize() > 20,
+        QFontInfo(window.slide.font()).pixelSize() > 20,
     }
     assert len(found) == 1
     return found.pop()
@@ -296,7 +296,7 @@ def test_text_is_a_share_of_the_screens_height(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
-def test_the_dock_and_the_panels_are_styled_for_a_class_only_when_they_are_shown(
+def test_what_a_class_does_not_see_is_styled_only_when_it_is_shown(
     window: MainWindow,
 ) -> None:
     """To style a hidden widget takes as long as to style a visible one."""
@@ -318,7 +318,7 @@ def test_the_dock_and_the_panels_are_styled_for_a_class_only_when_they_are_shown
     window.panels.open(None)
     parts = [row, *row.findChildren(QWidget), *window.matrices.findChildren(QComboBox)]
     before = sizes()
-    for part in parts:
+    for part in (*parts, *window.panes["image"].findChildren(QWidget)):
         part.installEventFilter(counts)
     for _ in range(2):
         begin(window)

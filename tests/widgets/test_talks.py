@@ -1130,6 +1130,9 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
+    named[:] = [QRectF(175.0, 0.0, 825.0, 600.0), QRectF(0.0, 0.0, 175.0, 310.0)]
+    question.show_text("It is turned by 90° about z, then moved by 3. How high is it?", 600.0)
+    assert question.geometry().right() < 175, "narrow, beside the bracket of a matrix"
     frame = QRectF(100.0, 1.0, 800.0, 598.0)
 
     def crossed(boxes: np.ndarray) -> np.ndarray:

@@ -1561,6 +1561,15 @@ def share_of(window: MainWindow, colour: Any) -> float:
     return float(same.all(axis=2).mean())
 
 
+def test_the_sliders_of_near_and_far_have_their_planes_colours_from_the_start(
+    window: MainWindow,
+) -> None:
+    for name, colour in (("near", LIGHT.near), ("far", LIGHT.far)):
+        picture = window.controls.rows[name].slider.grab().toImage()
+        row = (picture.pixelColor(x, picture.height() // 2) for x in range(picture.width()))
+        assert colour in {each.name() for each in row}
+
+
 @pytest.fixture
 def make_widened(make_window: MakeWindow) -> MakeWindow:
     """Opens a window whose lines VTK's shader makes wide: where OpenGL has none, as on Wayland."""

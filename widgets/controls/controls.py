@@ -14,12 +14,9 @@ from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QPoint, Qt, QTimer, Signal
-from PySide6.QtGui import QColor, QPalette
 from PySide6.QtWidgets import QWidget
 
-from app.drawings.style import Style
 from app.lecture.highlight import Highlight, made_of
-from app.model.lenses.lens import FAR, NEAR
 from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
 from app.model.parameters import DISTANCE, EYE, FOV_X, FX, KIND, TARGET, TILES, parameters
@@ -155,15 +152,6 @@ class Controls(Dock, RowHolder):
         if "scene" in changed:  # what to try, and its own controls, are at the top
             self.search.clear()
             self.verticalScrollBar().setValue(0)
-
-    def set_style(self, style: Style) -> None:
-        """Give the planes' sliders the colours that the planes are drawn in."""
-        for plane, colour in ((NEAR, style.near), (FAR, style.far)):
-            slider = self._number(plane.name).slider
-            slider.setObjectName(plane.name)  # for the application's style sheet
-            palette = slider.palette()
-            palette.setColor(QPalette.ColorRole.Highlight, QColor(colour))
-            slider.setPalette(palette)
 
     def _show(self, projection: Projection) -> None:
         before, changed = self._projection, set[str]()

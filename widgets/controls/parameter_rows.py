@@ -171,6 +171,8 @@ def make_row(parameter: Parameter, title: str = "", none: str = "") -> Row:
         row = number = NumberRow(title, tip, scale_of(parameter), text(parameter.unit))
         number.limits = partial(limits_text, parameter.low, parameter.high)
         number.accepts = parameter.can_be
+    if isinstance(row, NumberRow):
+        row.slider.setObjectName(parameter.name)  # near and far have their planes' colours
     if default is not None:
         row.setValue(default)
         row.setDefault(default)

@@ -153,7 +153,7 @@ class _Formulas(QPyTextObject):
     """
 
     def _set(
-        self, document: QTextDocument, form: QTextFormat
+        self, document: QTextDocument, at: int, form: QTextFormat
     ) -> tuple[str, Outline, float, QSizeF]:
         """Return TeX, outline, em in pixels, and the size with which Qt centres the formula."""
         font = _font(document, form)
@@ -164,7 +164,11 @@ class _Formulas(QPyTextObject):
             tex = readable(tex)
             em *= DISPLAYED_LARGER if form.property(_IS_DISPLAYED) else 1.0
         shape = outline(tex)
-        widest = document.textWidth() - 2.0 * ROOM_EM * em - tail
+        block = document.findBlock(at)
+        listed = block.textList()
+        deep = block.blockFormat().indent() + (listed.format().indent() if listed else 0)
+        beside = 2.0 * document.documentMargin() + deep * document.indentWidth()
+        widest = document.textWidth() - beside - 2.0 * ROOM_EM * em - tail
         if 0.0 < widest < shape.width * em:
             em = widest / shape.width
         # Qt centres an object a quarter of the letters' x-height above the line.
@@ -172,8 +176,8 @@ class _Formulas(QPyTextObject):
         height = max(2.0 * shape.ascent * em - half, 2.0 * shape.descent * em + half)
         return tex, shape, em, QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
 
-    def intrinsicSize(self, document: QTextDocument, _at: int, form: QTextFormat) -> QSizeF:
-        return self._set(document, form)[3]
+    def intrinsicSize(self, document: QTextDocument, at: int, form: QTextFormat) -> QSizeF:
+        return self._set(document, at, form)[3]
 
     def drawObject(
         self,
@@ -183,7 +187,7 @@ class _Formulas(QPyTextObject):
         at: int,
         form: QTextFormat,
     ) -> None:
-        tex, shape, em, _ = self._set(document, form)
+        tex, shape, em, _ = self._set(document, at, form)
         block = document.findBlock(at)
         line = block.layout().lineForTextPosition(at - block.position())
         top = document.documentLayout().blockBoundingRect(block).top()

@@ -181,7 +181,8 @@ class MainWindow(QMainWindow):
             theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
-        self.look.kept = KeptStyle((self.controls, self.bottom, *self.panels.all))
+        parts = self.side, self.bottom, self.panels, *self.panes.values()
+        self.look.kept = KeptStyle(parts)
         self.laser = Laser(self)
         self._make_components()
         self.highlighter = Highlighter(self)
@@ -495,6 +496,8 @@ class MainWindow(QMainWindow):
             self.menus.controls.setChecked(False)
             self.show_beside()  # what is hidden keeps its style
         self.look.set_waiting(True)  # only the panes of the slide take another size and style
+        if on:
+            self.slots.set_presenting(True)
         self.menus.blank.setEnabled(on)
         self.menus.pointer.setEnabled(on)
         self.menus.pointer.setChecked(False)
@@ -514,10 +517,10 @@ class MainWindow(QMainWindow):
         dock, whole, shared = self._before_presenting
         if not on:
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
-        self.slots.set_presenting(on)
-        if on:
-            self.setFocus()  # no pane of the slide has a ring
+            self.slots.set_presenting(False)
         else:
+            self.setFocus()  # no pane of the slide has a ring
+        if not on:
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()

@@ -134,9 +134,9 @@ class Present(QObject):
         self._window.setWindowState(self._state)
         if self.screens.both is not None:  # the window may come from another screen
             self._window.restoreGeometry(before)
+        self.switched.emit(False)  # what is still hidden keeps its style
         self._window.addToolBar(self._tools)
         self._reveal(True)
-        self.switched.emit(False)
 
     def blank(self) -> None:
         """While presenting, show the class a black screen, or the panes again."""

@@ -20,7 +20,7 @@ from widgets.parts.plain import TextDocument
 SHARES = 1.0 / 3.0, 0.5
 """Largest heights of the question, in those of the slide: the second if the text needs it, or if
 the first hides a name."""
-WIDTHS = 0.2, 0.25, 0.3, 0.45, 0.6, 0.8, 1.0  # largest ones that are tried, in those of the slide
+WIDTHS = 0.175, 0.2, 0.25, 0.3, 0.45, 0.6, 0.8, 1.0  # largest ones tried, in the slide's
 ALONG = sorted((part / 16.0 for part in range(17)), key=lambda at: abs(at - 0.5), reverse=True)
 INNER = [at for at in ALONG[2:] if at * 8.0 % 1.0 == 0.0]
 PLACES = [*((at, y) for y in (1.0, 0.0) for at in ALONG), *product((0.0, 1.0), ALONG)]

@@ -204,8 +204,9 @@ class Slots(QSplitter):
         """Put each docked pane into its slot."""
         docked = [name for name in self._panes if name not in self.floating]
         small: list[str] = []
-        if self.slide:
-            large = [*self.slide, *(name for name in docked if name not in self.slide)]
+        if self.slide:  # a hidden pane stays where it is: Qt styles what moves
+            homeless = (n for n in docked if self._panes[n].parent() not in (self, self._small))
+            large = list(dict.fromkeys((*self.slide, *homeless)))
         elif self.layout_name == "columns":
             large = docked
         else:

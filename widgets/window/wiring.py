@@ -57,7 +57,7 @@ def _wire_components(window: Any) -> None:
         (window.matrices.letters_changed, lettering.set, look.set_letters),
         (window.panels.idle.timeout, lambda: window.matrices.prepare(window.shown.projection)),
         (window.history.rested, look.rest, compare.refresh),
-        (look.built, window.manipulation.leave, controls.set_style, compare.set_style),
+        (look.built, window.manipulation.leave, compare.set_style),
         (look.built, window.set_style, window.slide.equation.set_style, window.slide.pen.set_style),
         (look.built, window.band.set_style),
         (menus.all_digits.triggered, window.set_all_digits),
