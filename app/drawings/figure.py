@@ -232,14 +232,14 @@ class Figure:
     def boxed(self, other: Figure | None = None) -> Figure:
         """Return it in a box in which what is seen is as wide as asked for, or in a smaller other.
 
-        Most frames of a film are narrower than the widest one: they are drawn once.
+        Most frames of a film are no wider than the widest one: they are drawn once.
         """
         figure, watch = replace(self, size=None), _Watch(None, len(self.panes))
         if self.width is None or self._has_own_size:
             return figure
         if other is not None:
             tried = replace(figure._drawn_once, size=other.size, text_pt=other.text_pt)
-            if self.width - tried._wide(tried._whole(watch)) > _NEAR_PX:
+            if tried._wide(tried._whole(watch)) - self.width <= _NEAR_PX:
                 return other
         own = replace(figure._as_wide(watch)[0], scale=self.scale)
         return min(other or own, own, key=lambda each: each.full_size.px)

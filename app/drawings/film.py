@@ -83,7 +83,7 @@ def steady(
     if len(film) < 2 or film[0].panes == ("equation",):
         return list(film)
     if film[0].width is not None:
-        film = _in_one_box(film)
+        film = _in_one_box(film, max(1, len(film) // _MOST_MOMENTS))
     frames = [[part.wanted() for part in each.pictures()] for each in film]
     ems = {part.ground.em for frame in frames for part in frame}
     if len(ems) > 1 or len({each.size_px for each in film}) > 1:
@@ -96,9 +96,9 @@ def steady(
     return placed if film[0].width is None else _in_one_box(placed)
 
 
-def _in_one_box(figures: Sequence[Figure]) -> list[Figure]:
-    """Return frames of a width in the smallest box of any of them: nothing grows or shrinks."""
-    first, *others = [*figures[:: len(figures) - 1], *figures[1:-1]]  # the ends are the widest
+def _in_one_box(figures: Sequence[Figure], every: int = 1) -> list[Figure]:
+    """Return frames of a width in the smallest box of `every` so many: nothing grows or shrinks."""
+    first, *others = [*figures[:: len(figures) - 1], *figures[1:-1:every]]  # the ends are widest
     least = reduce(lambda box, each: each.boxed(box), others, first.boxed())
     return [replace(each, size=least.size, text_pt=least.text_pt) for each in figures]
 

@@ -171,6 +171,8 @@ def test_a_trade_is_measured_and_shown(panel: MeasurePanel, qtbot: QtBot) -> Non
     assert chart.where(results) in panel.sentence.text(), "every word can be read"
     assert "letter-f; eye (5, 4.5, 8)" in panel.sentence.text()
     assert not panel.list.currentItem().icon().isNull() and panel.list.item(0).icon().isNull()
+    heights = [*map(panel.list.sizeHintForRow, range(panel.list.count()))]
+    assert max(heights) - min(heights) <= 2, "a tick is no larger than the letters"
     (view,) = (view for view in panel.diagrams if view.isVisible())
     assert view.accessibleName() == "Depth buffer"
 

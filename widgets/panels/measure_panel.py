@@ -12,7 +12,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import Qt, Signal
+from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
 from PySide6.QtWidgets import (
     QAbstractItemView,
@@ -382,6 +382,7 @@ class MeasurePanel(DiagramPanel):
 
     def _fill(self) -> None:
         shown, other = self._shown()
+        self.list.setIconSize(QSize(1, 1) * self.list.fontMetrics().height())
         for row, name in enumerate(chart.TITLES):
             both = (self.measured.get(name), self.loaded.get(name))
             has = any(each and single.has_numbers(each) for each in both)
