@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
+MARGIN_EM = 0.3  # between labels and the pane's border
 HEAD, HEAD_RADIUS = 0.18, 0.06  # of an arrow, in its lengths
 SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
 LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
@@ -280,6 +281,12 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
 
 
 # --------------------------------------------------------------------------- what is there
+
+
+def room(width_px: float, height_px: float, em: float) -> tuple[float, float, float, float]:
+    """Return where labels may be in a pane or a picture: left, low, right, high."""
+    margin = MARGIN_EM * em
+    return margin, margin, width_px - margin, height_px - margin
 
 
 class Ground:
@@ -542,8 +549,7 @@ def _stray_costs(
     em: float,
 ) -> Floats:  # fmt: skip
     """The cost of a label nearer to another label's mark, or with a leader across that mark."""
-    apart = np.linalg.norm(marks[of][:, None] - marks, axis=2)
-    foreign = apart > _SAME_EM * em  # two names may have one mark
+    foreign = np.linalg.norm(marks[of][:, None] - marks, axis=2) > _SAME_EM * em
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
