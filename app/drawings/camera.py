@@ -70,6 +70,7 @@ class CameraDrawing(Layer):
         self._show_parts()
         self._placed: object = None
         self._followed: tuple[object, object] = None, None
+        self._settled: tuple[float, float, int | None] | None = None
         self._make_emphasis()
 
     def _make_emphasis(self) -> None:
@@ -100,7 +101,7 @@ class CameraDrawing(Layer):
         pane, standing = self._state.own.pane, self._state.standing
         if pane is self._followed[0] and standing is self._followed[1]:
             return
-        self._followed, eye = (pane, standing), standing.eye
+        self._followed, self._settled, eye = (pane, standing), None, standing.eye
         most_px = frame.PART_OF_PANE * min(pane.size_px)
         self._eye_depth = float(pane.axes[2] @ (eye - pane.eye))
         depth = max(self._eye_depth, 1e-6 * standing.extent)
@@ -196,6 +197,9 @@ class CameraDrawing(Layer):
         pane, standing, near = state.own.pane, state.standing, state.own.depths[0]
         eye, target = standing.eye, standing.target
         size = self.axes_size
+        if self._settled == (now := (near, size, state.step)):
+            return
+        self._settled = now
         depths = 1.01 * near, 1.02 * near, 1.03 * near, max(near, self._eye_depth - 2.8 * size)
         *places, (k, at) = map(pane.moved_forward, (eye, target, target, eye), depths)
         pane_from_axes = _scaled(standing.local_from_view, k * size)

@@ -67,7 +67,7 @@ def beside(
 def _clear(
     point: Floats, size: Spot, em: float, rim: float, lines: Floats, foreign: Floats, frame: Floats
 ) -> Places:
-    """The places nearest to a point, whose leaders cross no line's box; only with one they slide."""
+    """The places nearest to a point, whose leaders cross no line; only with one they slide."""
     places, half = around(point, size, em, rim), np.array(size) / 2.0
     boxes = np.hstack([places.centres - half, places.centres + half])
     far = places.away > LEADER_FROM_EM * em

@@ -136,6 +136,7 @@ class SceneInPicture(Layer):
         if blurring is None:
             if through is None:
                 return
+            state.canvas.can_rest = False  # its pictures have a window of their own
             style = self._style.enlarged(1.0 / finer)
             self.blurring = blurring = Blurring(state.scene, style, self._tolerance_px)
             if "grid" in state.canvas.hidden:
@@ -208,8 +209,7 @@ class ImageDrawing(Drawing):
         picture.SetLayer(1)
         picture.PreserveColorBufferOff()  # a layer above the first is transparent otherwise
         picture.InteractiveOff()
-        self._window_layers = self.state.canvas.window.GetNumberOfLayers()
-        self.state.canvas.window.SetNumberOfLayers(max(2, self._window_layers))
+        self.state.canvas.window.SetNumberOfLayers(2)
         self.state.canvas.window.AddRenderer(picture)
 
     def remove(self) -> None:
@@ -218,7 +218,6 @@ class ImageDrawing(Drawing):
         canvas = self.state.canvas
         canvas.remove()
         canvas.window.RemoveRenderer(self._picture)
-        canvas.window.SetNumberOfLayers(self._window_layers)
         canvas.renderer.SetActiveCamera(self._own_camera)
 
     def show_names(self, names: frozenset[str] | None) -> None:

@@ -212,11 +212,6 @@ class SceneLabel:
         self._show()
 
     @property
-    def text(self) -> str:
-        """What is shown: the whole text, or only its letter."""
-        return self._letter if self._is_short else self._text
-
-    @property
     def _shown_px(self) -> tuple[int, int]:
         return self.letter_px if self._is_short else self.size_px
 
@@ -272,6 +267,8 @@ class SceneLabel:
             self._show()
 
     def _show(self) -> None:
+        self.text = self._letter if self._is_short else self._text
+        """What is shown: the whole text, or only its letter."""
         seen = self.is_visible and self._shown and bool(self.text)
         self.actor.SetVisibility(seen)
         if not seen:

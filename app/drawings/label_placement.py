@@ -22,6 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
+MARGIN_EM = 0.3  # between labels and the pane's border
 HEAD, HEAD_RADIUS = 0.18, 0.06  # of an arrow, in its lengths
 SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
 LEADER_FROM_EM = 1.2  # beyond this distance a leader joins a label to its mark
@@ -277,6 +278,12 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
 
 
 # --------------------------------------------------------------------------- what is there
+
+
+def room(width_px: float, height_px: float, em: float) -> tuple[float, float, float, float]:
+    """Return where labels may be in a pane or a picture: left, low, right, high."""
+    margin = MARGIN_EM * em
+    return margin, margin, width_px - margin, height_px - margin
 
 
 class Ground:

@@ -34,7 +34,6 @@ from app.scenes.phenomena.words import FEW
 
 # Which label has a place first.
 PROBE, LENGTH, SCENE, AXIS, EYE, SIDE, PLANE, TARGET, NUMBER = map(float, range(9))
-MARGIN_EM = 0.3  # between labels and the pane's border
 DOT_EM = 0.4  # half the width of the square at a point that labels keep free
 PATIENCE_S, FADE_S = 0.3, 0.12
 """How long a label keeps a place that is not free, and how long it then takes to another one."""
@@ -43,12 +42,6 @@ Standing: TypeAlias = Mapping[Hashable, tuple[KeptSpot, float]]
 """Where labels stand in a frame of a film, with the part of their opacity that is shown."""
 Director: TypeAlias = Callable[[Sequence[Wish], Ground], Standing]
 _MOST_INSIDE = 6  # places on a plane that are tried
-
-
-def room(width_px: float, height_px: float, em: float) -> tuple[float, float, float, float]:
-    """Return where labels may be in a pane or a picture: left, low, right, high."""
-    margin = MARGIN_EM * em
-    return margin, margin, width_px - margin, height_px - margin
 
 
 class Board:

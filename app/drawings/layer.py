@@ -24,8 +24,8 @@ from numpy.typing import NDArray
 
 from app.document.naming import named_in
 from app.drawings.actors import Detail, SceneActors
-from app.drawings.label_placement import SQUARE_EM, Ground
-from app.drawings.labels import Board, room
+from app.drawings.label_placement import SQUARE_EM, Ground, room
+from app.drawings.labels import Board
 from app.drawings.moved_vertices import MovedVertices
 from app.drawings.names import Names
 from app.drawings.pane_view import Spot

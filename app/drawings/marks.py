@@ -39,8 +39,8 @@ from app.drawings.actors import (
     put_in_front,
     unlit_actor,
 )
-from app.drawings.label_placement import Ground, on
-from app.drawings.labels import DOT_EM, MARGIN_EM, SCENE
+from app.drawings.label_placement import MARGIN_EM, Ground, on
+from app.drawings.labels import DOT_EM, SCENE
 from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing, together
 from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.style import mixed, rgb

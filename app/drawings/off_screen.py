@@ -94,9 +94,7 @@ class OffScreen:
         window.SetMultiSamples(0)
         window.SwapBuffersOn()
         window.SetSize(width, height)
-        self.renderer: Any = vtkRenderer()
-        self.renderer.SetActiveCamera(vtkCamera())
-        window.AddRenderer(self.renderer)
+        self.renderer = new_renderer(window)
 
     def quicken_fxaa(self) -> None:
         """Draw FXAA by our own shader; for a screen without a drawing.
@@ -136,6 +134,14 @@ class OffScreen:
         self.render_window.Render()  # which gives the large picture's memory back
         self.render_window.ReleaseCurrent()
         _kept.append(self)
+
+
+def new_renderer(window: Any) -> Any:
+    """Return another renderer of a window, with a camera of its own."""
+    renderer = vtkRenderer()
+    renderer.SetActiveCamera(vtkCamera())
+    window.AddRenderer(renderer)
+    return renderer
 
 
 _MOST_KEPT = 3  # as many as a window has panes

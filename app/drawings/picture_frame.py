@@ -8,7 +8,7 @@ import numpy as np
 from app.drawings import AXES
 from app.drawings.actors import Space, face_actor, lifted, line_actor
 from app.drawings.drawing import Rectangle
-from app.drawings.labels import room
+from app.drawings.label_placement import room
 from app.drawings.layer import Layer, PaneState, Placing
 from app.drawings.pane_view import Spot
 from app.drawings.side_by_side import BARE_EM

@@ -28,6 +28,7 @@ class PropGroup:
         self.hidden: frozenset[str] = frozenset()  # the layers that are switched off
         self._labels: list[SceneLabel] = []
         self.labels_light = 1.0  # part of the labels' opacity that is shown
+        self.can_rest = True  # whether it may stay in the window while another group is drawn there
         self._layout = weakref.WeakMethod(layout)
         self._laid_out: tuple[int, int] | None = None
         self.make_ready(self.renderer)
@@ -36,7 +37,7 @@ class PropGroup:
 
         def start(_window: object, _event: str) -> None:
             canvas = itself()
-            if canvas is not None:
+            if canvas is not None and canvas.renderer.GetDraw():
                 canvas.lay_out()
 
         self._observer: int | None = self.window.AddObserver("StartEvent", start)
@@ -47,6 +48,11 @@ class PropGroup:
         renderer.GetCullers().RemoveAllItems()
         renderer.SetBackgroundAlpha(1.0)  # or Qt blends it with the window behind it
         renderer.SetUseOIT(False)
+
+    def set_drawn(self, drawn: bool) -> None:
+        """Draw at a rendering of the window, or rest while another group does."""
+        for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
+            renderer.SetDraw(drawn)
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
         """Add props to a renderer, the screen's own by default.

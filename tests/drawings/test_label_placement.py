@@ -27,8 +27,8 @@ from app.drawings.label_placement import (
     on,
     place,
     placed_label,
+    room,
 )
-from app.drawings.labels import room
 from app.drawings.layer import Silhouette
 from app.scenes.scene import load
 

@@ -496,6 +496,7 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     window.panes["world"].look_from(Camera((9.0, 3.0, 6.0)))
     if way == "undo":
         window.store.undo()
+        window.look.rebuild()  # no drawing of it rests
 
     def state() -> tuple[Any, ...]:
         settle()
@@ -1514,6 +1515,8 @@ def text_boxes(window: MainWindow) -> dict[str, tuple[float, float, float, float
     """Left, bottom, right, top of the texts in the picture, in its pixels."""
     boxes = {}
     for renderer in window.panes["image"].canvas.render_window.GetRenderers():
+        if not renderer.GetDraw():
+            continue
         x, y = renderer.GetOrigin()
         for text, label in labels_of(renderer).items():
             left, right, low, high = label.box_px

@@ -144,20 +144,25 @@ class _Canvas(QWidget):
         """Ask Qt for one repaint, however often it is asked before the next paint."""
 
     @contextmanager
-    def or_empty(self) -> Iterator[None]:
-        """Draw in the empty screen, and empty it again if that fails."""
-        window, renderer = self.render_window, self.renderer
+    def new_page(self) -> Iterator[None]:
+        """Draw in an empty renderer from now on, unless that fails; the one before rests."""
+        window, before = self.render_window, self.renderer
         renderers, layers = list(window.GetRenderers()), window.GetNumberOfLayers()
-        camera = renderer.GetActiveCamera()
+        camera = before.GetActiveCamera()
+        if before.GetViewProps().GetNumberOfItems():
+            from app.drawings.off_screen import new_renderer
+
+            self.renderer = new_renderer(window)
         try:
             yield
         except Exception:
-            renderer.RemoveAllViewProps()
-            window.RemoveObservers("StartEvent")  # drawings lay themselves out at it
+            self.renderer.RemoveAllViewProps()
+            self.renderer.SetDraw(self.renderer is before)  # its drawing lays nothing out
             for added in [each for each in window.GetRenderers() if each not in renderers]:
                 window.RemoveRenderer(added)
             window.SetNumberOfLayers(layers)
-            renderer.SetActiveCamera(camera)
+            self.renderer = before
+            before.SetActiveCamera(camera)
             raise
 
     def paintEvent(self, _event: QPaintEvent) -> None:
@@ -222,30 +227,20 @@ class RasterCanvas(_Canvas):
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
 
         self._pixels = vtkUnsignedCharArray()
-        self.is_open = True
-        _OPEN.add(self)
-        self._take(self.screen_ahead())
-
-    def screen_ahead(self) -> OffScreen:
-        """Return another screen to draw before it is shown; the caller gives it back."""
         from app.drawings.off_screen import take_screen
 
-        screen = take_screen(*self._size_px)
+        self.is_open = True
+        _OPEN.add(self)
+        self._screen = screen = take_screen(*self._size_px)
         screen.quicken_fxaa()
         screen.render_window.SwapBuffersOff()
-        return screen
-
-    def show_screen(self, screen: OffScreen) -> OffScreen:
-        """Show a screen of `screen_ahead` from now on; return the screen before."""
-        before = self._screen
-        assert before is not None
-        self._take(screen)
-        return before
-
-    def _take(self, screen: OffScreen) -> None:
-        self._screen = screen
         self.render_window, self.renderer = screen.render_window, screen.renderer
         self.redraw()
+
+    def draw_unseen(self) -> None:
+        """Let VTK draw a picture that is not shown, so that its shaders are compiled."""
+        self._is_stale |= self._is_unread
+        self.render_window.Render()
 
     @property
     def _size_px(self) -> tuple[int, int]:

@@ -11,7 +11,6 @@ import sys
 import time
 from collections.abc import Callable, Sequence
 from contextlib import nullcontext
-from functools import partial
 from typing import Any
 
 from PySide6.QtCore import QPointF, QRectF, Qt, QTimer, Signal
@@ -24,9 +23,9 @@ from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera
 from app.picking.picking import Probe
-from widgets.panes.ahead import DrawingsAhead
 from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand, release_context
 from widgets.panes.header import Header
+from widgets.panes.resting import Resting, RestingDrawings
 from widgets.parts.clock import Clock
 from widgets.parts.layouts import tool_button
 from widgets.parts.panel import PROJECTION, Changed, ShownData
@@ -136,7 +135,7 @@ class Pane(QFrame):
         self.rest_pointer()
         self.header.setCursor(Qt.CursorShape.ArrowCursor)
         self.header.tools.setCursor(Qt.CursorShape.ArrowCursor)
-        self.ahead = DrawingsAhead(self.canvas, make_drawing)
+        self.resting = RestingDrawings(self.canvas, make_drawing, AS_BUILT)
         self.canvas.setAccessibleName(title)
         self.is_aimed_at = False  # whether a question asks for a place in the picture
         self.hand = Hand(self.canvas, orbits=orbits)
@@ -153,9 +152,10 @@ class Pane(QFrame):
         self._clock = Clock(self, self._pass_time)
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
-        self._former: Drawing | None = None  # is released in a pause: that takes time
+        self._told = dict(AS_BUILT)  # of `requested`, what the drawing shows
+        self._in_first: ShownData | None = None  # what it shows, and nothing else happened to it
         self._releasing = QTimer(self, singleShot=True, interval=500)
-        self._releasing.timeout.connect(partial(setattr, self, "_former", None))
+        self._releasing.timeout.connect(self.resting.release)
         self._has_changed = True
         self.canvas.drawn.connect(self._plan_refining)
         self.canvas.painted.connect(lambda ms: self.timed.emit(self._matrices_ms, ms))
@@ -189,7 +189,9 @@ class Pane(QFrame):
         `anew`, a drawing that was made with the same arguments stays.
         """
         self.shown, self.built_with = shown, args
-        self._to_build = args if anew or args != self._drawn_with else None
+        if anew and args == self._drawn_with:
+            self._drawn_with = None  # other words: the drawing of now is not shown again
+        self._to_build = args if args != self._drawn_with else None
         self._due |= {"projection", "view"}
         self.requested["view"] = view
         self._refresh()
@@ -265,7 +267,9 @@ class Pane(QFrame):
         is_old = self._waits or self._to_build is not None
         if not self.isVisible() or is_old or self.drawing is None:
             self._due.add("highlight")
-        elif self.drawing.show_highlight(highlighted):
+            return
+        self._told["highlight"] = highlighted
+        if self.drawing.show_highlight(highlighted):
             self.canvas.redraw()
 
     def _point_at(self, place: QPointF | None = None) -> None:
@@ -282,8 +286,9 @@ class Pane(QFrame):
         shown = self.shown
         if not self.isVisible() or shown is None or not self.canvas.is_open or self._waits:
             return
-        if self._to_build is not None:
-            self._build(shown, self._to_build)
+        args = self._to_build
+        if args is not None:
+            self._build(shown, args)
         if "bare" in self._due:
             self._due = self._due - {"bare"} | {"layers"}
         if self._due & {"detail", "layers"}:
@@ -314,6 +319,11 @@ class Pane(QFrame):
                         drawing.show_view(wanted)
                 else:
                     _SHOW[what](drawing, wanted)
+        self._told = dict(self.requested)
+        if args is not None:  # none that has failed rests
+            self._drawn_with, self._in_first = args, shown
+        elif self._due & {"projection", "view"}:
+            self._in_first = None
         self._due.clear()
         self._has_changed = True
         self._watch_labels()
@@ -333,28 +343,26 @@ class Pane(QFrame):
             self.canvas.redraw()
 
     def _build(self, shown: ShownData, args: tuple[object, ...]) -> None:
-        taken, before = self.ahead.take(args, self.drawing), None
-        if taken is not None:
-            before, self.drawing = taken
-        else:
-            if self.drawing is not None:
-                self.drawing.remove()
-                self._former = self.drawing
-                self._releasing.start()
-            self.drawing = self._drawn_with = None
-            with self.canvas.or_empty():
+        self.glide(1.0)
+        taken = self.resting.take(args)
+        if self.drawing is not None:
+            before = Resting(self._drawn_with, self.drawing, self._told, self._in_first)
+            self.resting.put(before)
+            self._releasing.start()
+        self.drawing = self._drawn_with = None
+        if taken is None:
+            with self.canvas.new_page():
                 self.drawing = self.make_drawing(self.canvas, *args)
-        assert self.drawing is not None
-        self._drawn_with = args
+            taken = Resting(args, self.drawing, AS_BUILT, None)
+        self.drawing = taken.drawing
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
         self.requested["detail"] = None
-        others = {what for what, wanted in self.requested.items() if wanted != AS_BUILT[what]}
-        self._due = others | {"smoothing"}
-        if before is None or before.document != shown.document:
+        self._due = {what for what, now in self.requested.items() if now != taken.told[what]}
+        is_same = taken.shown is not None and taken.shown.document == shown.document
+        if not is_same or self._due & {"stage", "from_left", "former"}:
             self._due |= {"projection", "view"}
-        elif "stage" in others:  # the view depends on it
-            self._due.add("view")
+        self._due.add("smoothing")
 
     def rest_pointer(self) -> None:
         """Show the pointer of turning the view, where a drag does nothing else."""
@@ -443,6 +451,7 @@ class Pane(QFrame):
         self._watch_labels()
 
     def _view_moved(self) -> None:
+        self._in_first = None
         self.glide(1.0)  # the user's hand decides
         if self.drawing is not None:
             self.drawing.reset_clipping_range(afresh=not self.hand.is_down)
@@ -474,8 +483,8 @@ class Pane(QFrame):
 
     def close_canvas(self) -> None:
         """Release VTK's objects; call it before the window closes, and its GL context with it."""
-        self.drawing = self._former = None
-        self.ahead.keep()
+        self.resting.clear()
+        self.drawing = None
         self.canvas.close()
 
     def moveEvent(self, event: QMoveEvent) -> None:

@@ -5,6 +5,7 @@ are framed.
 """
 
 from collections.abc import Sequence
+from functools import partial
 
 from PySide6.QtCore import QPointF, QRectF, Qt, Signal
 from PySide6.QtGui import QColor, QFont, QPainter, QPaintEvent, QPen
@@ -60,7 +61,7 @@ class EquationSlide(QWidget):
         self._is_slide = False
         self.cells: list[QRectF] = []  # cells and names; of a 0 its digit alone
         self.brackets: list[QRectF] = []
-        self._readable = Readable(self, self._fill, lambda: self._is_slide)
+        self._readable = Readable(self, self._fill, partial(getattr, self, "_is_slide"))
         self.begin_gesture = self._readable.begin_gesture
         self.end_gesture = self._readable.end_gesture
         self.hide()

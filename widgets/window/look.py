@@ -129,14 +129,11 @@ class Look(QObject):
 
         If not `anew`, drawings in the same style stay: their words are the same.
         """
-        self.forget_ahead()  # they may have been drawn with other words
+        if anew:  # they were drawn with other words
+            for pane in self._panes.values():
+                pane.resting.clear()
         if self._shown is not None:
             self._build(cameras(self._panes), anew=anew)
-
-    def forget_ahead(self) -> None:
-        """Discard the drawings that `draw_ahead` has made."""
-        for pane in self._panes.values():
-            pane.ahead.keep()
 
     def _build(self, turned: Mapping[str, Camera], *, anew: bool = True) -> None:
         shown = self._shown
@@ -167,7 +164,7 @@ class Look(QObject):
         return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
 
     def draw_ahead(self, steps: Sequence[ShownData]) -> Iterator[None]:
-        """Draw scenes that may be shown next, piece by piece; discard those of an earlier call.
+        """Draw scenes that may be shown next, piece by piece.
 
         The steps show other scenes than the current one, with its quality.
         """
@@ -182,10 +179,8 @@ class Look(QObject):
             for name, pane in self._panes.items()
             if self._is_seen_at(step, name)
         ]
-        for pane in self._panes.values():
-            pane.ahead.keep(*(arguments for _, _, arguments in plan))
         for pane, step, arguments in plan:
-            pane.ahead.draw(step, *arguments)
+            pane.resting.draw(step, pane.drawing, *arguments)
             yield
 
     def _is_seen_at(self, step: ShownData, name: str) -> bool:

@@ -42,9 +42,8 @@ class StepPreparation(QObject):
         self._rest.start()
 
     def forget(self) -> None:
-        """Stop, and drop what was prepared."""
+        """Stop; what was prepared may be shown later."""
         self._slice.stop()
-        self._look.forget_ahead()
 
     def _go_on(self) -> None:
         """Do one piece, and schedule the next one for when Qt is idle."""

@@ -1,0 +1,114 @@
+"""Drawings of scenes that were visited rest in their pane's window, and are shown again."""
+
+import gc
+import weakref
+from collections import Counter
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+from app.drawings.actors import FlatActor
+from app.drawings.labels import Board
+from app.lecture.highlight import NOTHING
+from app.picking.picking import Probe
+from tests.support.window import edit, pixels, settle, show_scene, turn
+from widgets.panes import resting
+from widgets.panes.pane import AS_BUILT
+from widgets.window.main_window import MainWindow
+
+PROBES = (Probe(1, point=(0.5, 0.5, 0.5)),)
+
+
+def shown(window: MainWindow) -> dict[str, np.ndarray]:
+    settle()
+    return {name: pixels(window, name) for name, pane in window.panes.items() if pane.isVisible()}
+
+
+def assert_same(window: MainWindow, expected: dict[str, np.ndarray]) -> None:
+    now = shown(window)
+    assert now.keys() == expected.keys()
+    assert not [name for name in now if not np.array_equal(now[name], expected[name])]
+
+
+def test_a_scene_that_is_come_back_to_makes_no_actor_and_places_no_label(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = shown(show_scene(window, "cube"))
+    show_scene(window, "posts")
+    counted: Counter[str] = Counter()
+    for of, method in ((FlatActor, "__init__"), (Board, "settle")):
+        done = getattr(of, method)
+
+        def count(*args: Any, done: Any = done, **how: Any) -> Any:
+            counted[done.__qualname__] += 1
+            return done(*args, **how)
+
+        monkeypatch.setattr(of, method, count)
+    assert_same(show_scene(window, "cube"), first)
+    assert not counted
+
+
+ACTS: dict[str, Callable[[MainWindow], object]] = {
+    "edit": edit,
+    "turn": lambda window: [turn(window, name) for name in ("world", "ndc")],
+    "names": lambda window: window.panes["world"].request("names", frozenset()),
+    "layers": lambda window: window.panes["image"].request("layers", frozenset({"grid", "labels"})),
+    "stage": lambda window: window.strip.go_to(1.5),
+    "probes": lambda window: window.panes["world"].request("probes", PROBES),
+    "fixed": lambda window: window.panes["world"].request("fixed", "top"),
+    "step": lambda window: window.panes["world"].request("step", 2),
+    "highlight": lambda window: window.panes["ndc"].show_highlight(frozenset({"near"})),
+}
+
+
+@pytest.mark.parametrize("act", ACTS)
+def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(
+    window: MainWindow, act: str
+) -> None:
+    first = shown(show_scene(show_scene(window, "posts"), "letter-f"))
+    before = window.panes["world"].drawing
+    ACTS[act](window)
+    settle()
+    show_scene(window, "posts")
+    for pane in window.panes.values():
+        pane.show_highlight(NOTHING)
+        for what in ("names", "layers", "probes", "fixed", "step"):
+            pane.request(what, AS_BUILT[what])
+    assert_same(show_scene(window, "letter-f"), first)
+    assert window.panes["world"].drawing is before
+
+
+def test_another_size_and_other_words_are_seen_in_a_scene_that_is_come_back_to(
+    window: MainWindow,
+) -> None:
+    show_scene(show_scene(window, "letter-f"), "posts")
+    window.resize(window.width() - 150, window.height() - 100)
+    settle()
+    resized = shown(show_scene(window, "letter-f"))
+    window.look.rebuild()
+    assert_same(window, resized)
+    show_scene(window, "posts")
+    window.look.set_letters("004")
+    lettered = shown(show_scene(window, "letter-f"))
+    window.look.rebuild()
+    assert_same(window, lettered)
+
+
+def test_few_and_small_drawings_rest(
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, qtbot: Any
+) -> None:
+    monkeypatch.setattr(resting, "MOST", 2)
+    pane, left = window.panes["world"], []
+    for name in ("cube", "posts", "view-volumes", "letter-f"):
+        show_scene(window, name)
+        assert pane.drawing is not None
+        left.append(weakref.ref(pane.drawing))
+    del name
+    qtbot.waitUntil(lambda: gc.collect() >= 0 and left[0]() is None)
+    assert [each.drawing for each in pane.resting.all] == [each() for each in left[1:3]]
+    assert pane.canvas.render_window.GetRenderers().GetNumberOfItems() == 3
+    monkeypatch.setattr(resting, "MOST_CELLS", 0)
+    show_scene(window, "cube")
+    assert left[3]() not in [each.drawing for each in pane.resting.all]
