@@ -251,16 +251,14 @@ class Dimensions(Layer):
             below = float(face[0, 1]) - 1.2 * self._em
             self._rule("width", (x, below), (right, below), self._half_text(0, half_width))
         if has_interval(self._state, self._state.own.fixed):
-            self._interval(spots[2:6], float(drawn[:, 1].min()), ground.limits)
+            self._interval(spots[2:6], float(drawn[:, 1].min()), ground)
 
-    def _interval(
-        self, window: Array, lowest: float, limits: tuple[float, float, float, float]
-    ) -> None:
+    def _interval(self, window: Array, lowest: float, ground: Ground) -> None:
         """Two lines of numbers below what is drawn: from l to r, and from -1 to 1.
 
         The probes stand on both, with their x in the cube.
         """
-        em = self._em
+        em, limits = self._em, ground.limits
         left, right = float(window[0, 0]), float(window[1, 0])
         foot = float(window[:2, 1].min())
         names_width = "width" in self._state.names

@@ -537,8 +537,7 @@ def _stray_costs(
     em: float,
 ) -> Floats:  # fmt: skip
     """The cost of a label nearer to another label's mark, or with a leader across that mark."""
-    apart = np.linalg.norm(marks[of][:, None] - marks, axis=2)
-    foreign = apart > _SAME_EM * em  # two names may have one mark
+    foreign = np.linalg.norm(marks[of][:, None] - marks, axis=2) > _SAME_EM * em
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])

@@ -126,14 +126,10 @@ class EquationSlide(QWidget):
         return len(self._laid) > 1
 
     @property
-    def _has_words(self) -> bool:
-        """Whether words below a matrix say what its parts do."""
-        return [each.term.matrix.name for each in self._laid] == ["view_from_world"]
-
-    @property
     def _caption_em(self) -> float:
-        """The height in em of what stands below the matrices."""
-        return 2.0 * _CAPTION if self._is_product else 1.5 * self._has_words
+        """The height in em of what stands below: names, or words that say what parts do."""
+        has_words = self._laid[0].term.matrix.name == "view_from_world"
+        return 2.0 * _CAPTION if self._is_product else 1.5 * has_words
 
     @property
     def _has_result(self) -> bool:
@@ -205,7 +201,7 @@ class EquationSlide(QWidget):
                 y = top + sum(heights) + 0.55 * caption
                 self._draw(painter, name, _CAPTION * em, at, y, QColor(self._style.muted))
             x += self._gap_em * em
-            if self._has_words:
+            if caption and not self._is_product:
                 y, three = top + sum(heights), left + BRACKET_EM * em
                 words = self.tr("turns"), self.tr("moves")
                 spans = (three, sum(widths[:3])), (three + sum(widths[:3]), widths[3])

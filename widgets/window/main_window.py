@@ -515,12 +515,11 @@ class MainWindow(QMainWindow):
         self.body.setAutoFillBackground(on)
         self.menus.fit_icons()
         dock, whole, shared = self._before_presenting
-        if not on:
+        if on:
+            self.setFocus()  # no pane of the slide has a ring
+        else:
             self.slots.arrange(self.slots.layout_name, self.slots.large, whole)
             self.slots.set_presenting(False)
-        else:
-            self.setFocus()  # no pane of the slide has a ring
-        if not on:
             self.menus.controls.setChecked(dock)
             QTimer.singleShot(0, self, partial(self.split.setSizes, shared))
         self.show_beside()
