@@ -9,6 +9,7 @@ from app.drawings.label_placement import (
     Floats,
     Ground,
     Places,
+    Spot,
     Wish,
     around,
     crossed,
@@ -50,9 +51,8 @@ def beside(
             foreign = marks[np.linalg.norm(marks - point, axis=1) > rim]
             rims = np.hstack([foreign - rim, foreign + rim])
             others = np.vstack([lines[~overlap(own[None], lines)[0]], rims])
-            places = partial(
-                _clear, point, (wide, high), em, gap - 0.3 * em, others, foreign, frame
-            )
+            near = gap - 0.3 * em
+            places = partial(_clear, point, (wide, high), em, near, others, foreign, frame)
             wishes.append(Wish(i, (wide, high), [(point[0], point[1])], places, i))
     placed = place(wishes, ground, untangled=True)
     labels = (placed.get(i) for i in range(len(points)))
@@ -65,13 +65,9 @@ def beside(
 
 
 def _clear(
-    point: Floats, size: tuple[float, float], em: float, rim: float, lines: Floats, foreign: Floats,
-    frame: Floats,
-) -> Places:  # fmt: skip
-    """The places round a point that are nearest to it, and whose leaders cross no line's box.
-
-    In the frame, unless a leader says whose a name is that slides into it.
-    """
+    point: Floats, size: Spot, em: float, rim: float, lines: Floats, foreign: Floats, frame: Floats
+) -> Places:
+    """The places nearest to a point, whose leaders cross no line; only with one they slide."""
     places, half = around(point, size, em, rim), np.array(size) / 2.0
     boxes = np.hstack([places.centres - half, places.centres + half])
     far = places.away > LEADER_FROM_EM * em
