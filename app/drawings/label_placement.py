@@ -109,6 +109,8 @@ class Wish(NamedTuple):
             )
             beside = np.abs(inside - places.anchors) >= half  # not over its own mark
             slides = beside.any(axis=1) & (places.turns == 0.0)
+            if len(self.spots) > 1:  # nor, beside a line, over that
+                slides &= places.away > LEADER_FROM_EM * ground.em
             places = places._replace(centres=np.where(slides[:, None], inside, centres))
         return self, places
 

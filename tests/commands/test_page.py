@@ -31,7 +31,9 @@ def slots_of(text: str) -> Iterator[list[str]]:
         yield slots
 
 
-MOVES = r' transform="[^"]*"| d="[^"]*"(?=/><g stroke=)'  # with a label: its leader is before it
+MOVES = (  # with a label: its leader is before it, and its halo has the tint below it
+    r' transform="[^"]*"| d="[^"]*"(?=/><g stroke=)| stroke="[^"]*"(?= stroke-width="[^"]*" opacity=)'
+)
 
 
 def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_path: Path) -> None:

@@ -27,7 +27,7 @@ from tests.support.drawings import (
 )
 
 Mask = NDArray[np.bool_]
-LARGE, SMALL = (580, 640), (300, 200)
+LARGE, SMALL = (580, 640), (420, 203)  # as in a window of 1366 x 768
 SLOT_PX = 584, 690
 """Of the world in a window of 1366 x 768."""
 

@@ -133,6 +133,17 @@ def test_a_leader_does_not_cross_the_mark_of_another_label() -> None:
     assert placed["a"].centre == beyond_it
 
 
+@pytest.mark.parametrize("number", [1, 2])
+def test_what_names_more_than_a_point_does_not_slide_beside_it(number: int) -> None:
+    """It could come to lie over the line between its points."""
+    frame, size = room(16.0 * EM, 16.0 * EM, EM), (12.0 * EM, EM)
+    spots = [(5.0 * EM, y * EM) for y in (5.0, 11.0)][:number]
+    made = around(np.mean(spots, axis=0), size, EM)
+    _, places = Wish("near", size, spots, lambda: made).choices(Ground(frame, EM))
+    near = made.away <= LEADER_FROM_EM * EM
+    assert (places.centres[near] == made.centres[near]).all() == (number == 2)
+
+
 @pytest.mark.parametrize(("halo", "is_above"), [(0.0, True), (0.14 * EM, False)])
 def test_on_paper_no_halo_bites_a_line_beside_the_letters(halo: float, is_above: bool) -> None:
     """The line runs below the letters; a line as far away as a plane's own edge is not bitten."""
