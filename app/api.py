@@ -318,8 +318,7 @@ def _clouded(
     rgb = None if colours is None else _rgb(colours, len(points))
     if alone:
         return cloud_alone(points, rgb, widths)
-    scene = load_scene(document.scene, mesh=document.mesh)
-    return scene.with_cloud(points, rgb, widths)
+    return load_scene(document.scene, mesh=document.mesh).with_cloud(points, rgb, widths)
 
 
 def _rgb(colours: Any, count: int) -> Colours:

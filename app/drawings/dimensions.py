@@ -321,13 +321,13 @@ class Dimensions(Layer):
     def _write(self, name: str, text: str) -> None:
         self._board.label((_KEY, name)).set_text(self._words.get(text, text))
 
-    def _rule(self, name: str, start: Way, end: Way, text: str = "", side: float = 1.0) -> Way:
+    def _rule(self, name: str, start: Way, end: Way, text: str, side: float = 1.0) -> Way:
         """A level or upright line with a tick at either end, and its letters in a gap of it.
 
         Letters that are too long for the gap stand beside the line, at the right or, for a `side`
         of -1, at the left. Returns where they begin and end.
         """
-        self._write(name, text or name)
+        self._write(name, text)
         key, em = (_KEY, name), self._em
         (wide, high), ((x0, y0), (x1, y1)) = self._board.label(key).size_px, sorted((start, end))
         tick, is_level = _TICK_EM * em, y0 == y1

@@ -276,8 +276,7 @@ def clipped(segments: Floats, frame: Sequence[float]) -> Floats:
     begin = starts + spans * first[:, None]
     inside = (first < last) & (begin >= np.array(frame[:2]) - 0.5).all(axis=1)
     inside &= (begin <= np.array(frame[2:]) + 0.5).all(axis=1)
-    parts = np.stack([begin, starts + spans * last[:, None]], axis=1)
-    return np.asarray(parts[inside])
+    return np.asarray(np.stack([begin, starts + spans * last[:, None]], axis=1)[inside])
 
 
 # --------------------------------------------------------------------------- what is there

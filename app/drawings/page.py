@@ -223,9 +223,7 @@ def _stored(slots: Sequence[Sequence[Sequence[str]]]) -> list[str]:
     places: dict[str, int] = {}
     states = []
     for state in slots:
-        runs = []
-        for slot in state:
-            runs.append(_runs([places.setdefault(part, len(places)) for part in slot]))
+        runs = (_runs([places.setdefault(part, len(places)) for part in slot]) for slot in state)
         states.append(";".join(runs))
     return [
         '<script type="text/plain" id="parts">', *places, "</script>",

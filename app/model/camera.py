@@ -299,8 +299,7 @@ def world_from_opencv(rotation: Array, translation: Array) -> Array:
 
     The camera's axes are OpenCV's and COLMAP's: x right, y down, z forward.
     """
-    axes = rotation.T * (1.0, -1.0, -1.0)
-    return np.column_stack([axes, -rotation.T @ translation])
+    return np.column_stack([rotation.T * (1.0, -1.0, -1.0), -rotation.T @ translation])
 
 
 class TakenApart(NamedTuple):

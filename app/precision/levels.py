@@ -422,9 +422,7 @@ def _divide(projection: Projection, clip: list[Any]) -> list[Any]:
     """Return NDC, image and depth, 3 + 2 + 1, from clip coordinates with w > 0."""
     x, y, z, w = clip
     x_ndc, y_ndc, z_ndc = x / w, y / w, z / w
-    depth = z_ndc
-    if projection.depth == "opengl":
-        depth = (z + w) / (w * 2)
+    depth = (z + w) / (w * 2) if projection.depth == "opengl" else z_ndc
     half_width, half_height = (Fraction(side, 2) for side in projection.image_size)
     return [x_ndc, y_ndc, z_ndc, (x_ndc + 1) * half_width, (-y_ndc + 1) * half_height, depth]
 

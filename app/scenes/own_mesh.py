@@ -101,6 +101,5 @@ def values_of(array: "vtkDataArray") -> NDArray[Any]:
 
 def cells_of(cells: "vtkCellArray") -> tuple[Ints, Ints]:
     cells.ConvertTo64BitStorage()
-    offsets = values_of(cells.GetOffsetsArray())
-    corners = values_of(cells.GetConnectivityArray())
-    return offsets.astype(np.int64), corners.astype(np.int64)
+    offsets, corners = cells.GetOffsetsArray(), cells.GetConnectivityArray()
+    return values_of(offsets).astype(np.int64), values_of(corners).astype(np.int64)

@@ -17,13 +17,7 @@ from app.model.refusal import QT_TRANSLATE_NOOP, Refusal, shown_limits
 from widgets.parts.clock import Clock, Playing
 from widgets.parts.fields import CheckRow, ChoiceRow, Option, Row
 from widgets.parts.layouts import tool_button
-from widgets.parts.messages import (
-    limits_text,
-    of_phenomena,
-    parameter_text,
-    seen_from,
-    translated,
-)
+from widgets.parts.messages import limits_text, of_phenomena, parameter_text, seen_from, translated
 from widgets.parts.number_rows import NumberRow, VectorRow
 from widgets.parts.scales import Doubling, Linear, Log, Scale
 from widgets.parts.section import Rows

@@ -25,10 +25,7 @@ class RestingDrawings:
     """
 
     def __init__(
-        self,
-        canvas: AnyCanvas,
-        make_drawing: Callable[..., Drawing],
-        as_built: Mapping[str, Any],
+        self, canvas: AnyCanvas, make_drawing: Callable[..., Drawing], as_built: Mapping[str, Any]
     ) -> None:
         self._canvas, self._make_drawing, self._as_built = canvas, make_drawing, as_built
         self.all: list[Resting] = []

@@ -100,8 +100,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
 
 def _at(camera: Camera, distance: float) -> Camera:
     """The camera at another distance from its target, on the same line."""
-    eye = vector(camera.target + distance * camera.frame[2])
-    return Camera(eye, camera.target, camera.up)
+    return replace(camera, eye=vector(camera.target + distance * camera.frame[2]))
 
 
 def _from_preset(projection: Projection, settings: Settings, factor: float) -> Projection:

@@ -81,8 +81,7 @@ def _tree(level: int) -> Coloured:
 @cache
 def places() -> Array:
     """Where the trees stand, (2 TREES, 3)."""
-    z = -SPACING * np.arange(TREES)
-    return np.array([(x, 0.0, at) for x in ROWS for at in z])
+    return np.array([(x, 0.0, z) for x in ROWS for z in -SPACING * np.arange(TREES)])
 
 
 @cache

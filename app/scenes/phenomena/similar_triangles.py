@@ -56,9 +56,7 @@ def projected(projection: Projection, distance: float, place: Array) -> tuple[fl
     ``d x / w, d y / w`` (002, similar triangles); None for a point that is not in front.
     """
     x, y, z = projection.trace(place).view.tolist()
-    if z >= 0.0:
-        return None
-    return distance * x / -z, distance * y / -z
+    return None if z >= 0.0 else (distance * x / -z, distance * y / -z)
 
 
 def lecture_matrix(distance: float) -> Array:

@@ -185,8 +185,7 @@ def _geometry() -> tuple[Coloured, Coloured]:
     corners = (1.2, 0.8, 1.0), (1.2, 1.6, 1.0), (-0.4, 2.4, 1.0), (0.4, 2.4, 1.0)
     floors = (edges_of(box_faces((-1.2, 0.0, -1.0), each)) for each in corners)
     grid = ground_grid((-5.0, -12.0), (5.0, 5.0), (1.0, 1.0), 0.0)
-    lines = joined(grid, edges_of(block), *floors)
-    return (block, shades), lines
+    return (block, shades), joined(grid, edges_of(block), *floors)
 
 
 def _show(projection: Projection, settings: Settings, subject: Subject) -> Illustration:
