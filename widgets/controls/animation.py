@@ -233,9 +233,7 @@ class AnimationBar(QWidget, Playing):
             return WORDS.say("above")
         if error.bound == REFUSALS["not-the-eye"]:
             return WORDS.say("at-target")
-        if error.bound == REFUSALS["not-parallel"]:
-            return WORDS.say("along-up")
-        return sentence(error)
+        return WORDS.say("along-up") if error.bound == REFUSALS["not-parallel"] else sentence(error)
 
     # -- where the walk is
 
@@ -303,8 +301,7 @@ class AnimationBar(QWidget, Playing):
     # -- shown
 
     def _show_state(self) -> None:
-        word = self._name_button("{0}", WORDS.say("walk"), WORDS.say("pause"))
-        self.button.setText(word)
+        self.button.setText(self._name_button("{0}", WORDS.say("walk"), WORDS.say("pause")))
         for row in (self.lowest, self.highest):
             row.setVisible(self.height_mode.value() != "fixed")
         self.walked.emit(self._turn())

@@ -20,7 +20,7 @@ from app.lecture.highlight import Highlight, made_of
 from app.model.lenses.perspective import FOV_Y
 from app.model.parameter import PARTS, Computed
 from app.model.parameters import DISTANCE, EYE, FOV_X, FX, KIND, TARGET, TILES, parameters
-from app.model.projection import LARGEST, LENSES, Camera, Projection
+from app.model.projection import LARGEST, LENSES, Projection
 from app.model.refusal import REFUSALS, Refusal
 from widgets.controls.animation import AnimationBar
 from widgets.controls.chain_editor import ChainEditor
@@ -102,7 +102,9 @@ class Controls(Dock, RowHolder):
         self._make_rows({"lens": self._front[0], "camera": self._front[1], **named})
         self._lens = LensSliders(self._bindings, self)
         self.animation = AnimationBar()
-        self.animation.edited.connect(self._adopt_camera)
+        self.animation.edited.connect(
+            lambda camera: self._adopt(replace(self._projection, camera=camera))
+        )
         named["animation"].add(self.animation)
         for section in self.sections.values():
             section.toggled.connect(partial(self._folded, section))
@@ -306,7 +308,6 @@ class Controls(Dock, RowHolder):
     # -- looking for a control
 
     def find_control(self) -> None:
-        """Give the focus to the search box."""
         self.search.setFocus(Qt.FocusReason.ShortcutFocusReason)
         self.search.selectAll()
 
@@ -450,9 +451,6 @@ class Controls(Dock, RowHolder):
         if projection != self._projection:
             self._show(projection)
             self.edited.emit(projection)
-
-    def _adopt_camera(self, camera: Camera) -> None:
-        self._adopt(replace(self._projection, camera=camera))
 
     def _reveal(self, row: Row) -> None:
         if row.error and row.isVisible():

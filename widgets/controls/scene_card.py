@@ -155,14 +155,12 @@ class SceneCard(QWidget, RowHolder):
         for name, row in self.rows.items():
             there = name not in self._without_effect if matches is None else row in matches
             row.setVisible(there)
-        for part in (self.title, self.readout):
+        for part in (self.title, self.readout, *self.comparisons):
             part.setVisible(matches is None)
         self.tries.setVisible(matches is None and not self._is_guided)
         self.warning.setVisible(matches is None and bool(self.warning.text()))
         for button, offered in self._offered.items():
             button.setVisible(matches is None and offered and not self._is_for_class)
-        for button in self.comparisons:
-            button.setVisible(matches is None)
 
     def set_presenting(self, on: bool) -> None:
         """Hide the buttons that a class does not need."""

@@ -145,8 +145,7 @@ class MeasurePanel(DiagramPanel):
         self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
         WORDS.name(self.list, "list")
         for name, title in chart.TITLES.items():
-            item = QListWidgetItem(of_measure(title), self.list)
-            item.setData(_NAME, name)
+            QListWidgetItem(of_measure(title), self.list).setData(_NAME, name)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._withdraw_refusal)
         self.list.currentItemChanged.connect(self._readable.changed)
@@ -261,7 +260,6 @@ class MeasurePanel(DiagramPanel):
             self.list.item(row).setSelected(row in rows)
 
     def run(self) -> None:
-        """Measure the chosen trades and sweeps."""
         if self.measuring.running:
             return
         self._withdraw_refusal()

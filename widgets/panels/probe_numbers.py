@@ -97,9 +97,8 @@ class ProbeNumbers(QObject):
         signs = clip_signs(projection, lettering.now)
         clip = _cells(point.clip * signs)
         outside_of = ", ".join(map(plane_name, _outside_of(point)))
-        inside = self.tr("inside")
-        if outside_of:
-            inside = self.tr("outside of: {0}").format(outside_of)
+        outside = self.tr("outside of: {0}").format(outside_of)
+        inside = outside if outside_of else self.tr("inside")
         lines = list[Cells]()
         for left in (projection.placement, *(left for *_, left in self._moves)):
             try:

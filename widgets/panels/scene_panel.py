@@ -59,13 +59,12 @@ class ScenePanel(DiagramPanel):
         self.show_illustration(shown.illustration)
 
     def show_illustration(self, illustration: Illustration | None) -> None:
-        if illustration is self._illustration:
-            return
-        anew = self._illustration is None
-        self._illustration = illustration
-        self._readable.changed()
-        if anew:  # the diagrams of the previous scene are gone
-            self._readable.settle()
+        if illustration is not self._illustration:
+            anew = self._illustration is None
+            self._illustration = illustration
+            self._readable.changed()
+            if anew:  # the diagrams of the previous scene are gone
+                self._readable.settle()
 
     def _fill(self) -> None:
         self._show_diagrams(() if self._illustration is None else self._illustration.diagrams)
@@ -85,11 +84,10 @@ class ScenePanel(DiagramPanel):
             for columns, rows in ((max(1, count), 1), (max(1, half), 2))
         )
         columns = half if count > MOST_ABREAST and above > abreast else max(1, count)
-        if self._drawn.count() == count and columns == self._columns_of_diagrams:
-            return
-        self._columns_of_diagrams = columns
-        for place, view in enumerate(self.diagrams):
-            self._drawn.addWidget(view, place // columns, place % columns)
+        if self._drawn.count() != count or columns != self._columns_of_diagrams:
+            self._columns_of_diagrams = columns
+            for place, view in enumerate(self.diagrams):
+                self._drawn.addWidget(view, place // columns, place % columns)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Resize and watched is self._diagram_column:

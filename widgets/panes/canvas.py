@@ -402,7 +402,10 @@ class Hand(QObject):
         # By Tab only: a click leaves the focus in a field that is being typed.
         canvas.setFocusPolicy(Qt.FocusPolicy.TabFocus)
         FocusRing(canvas)
-        self._set_tips()
+        self.tip, keys = WORDS["turns" if orbits else "moves"]
+        set_tip(canvas, self.tip)
+        self._keys = f"{keys} {WORDS.say('cursor')}"
+        self.describe("")
         kinds = QEvent.Type
         self._takes: dict[QEvent.Type, Any] = {
             kinds.MouseButtonPress: self._press,
@@ -416,12 +419,6 @@ class Hand(QObject):
             kinds.ToolTip: lambda _event: not self.has_tooltip,
         }
         canvas.installEventFilter(self)
-
-    def _set_tips(self) -> None:
-        self.tip, keys = WORDS["turns" if self._orbits else "moves"]
-        set_tip(self._canvas, self.tip)
-        self._keys = f"{keys} {WORDS.say('cursor')}"
-        self.describe("")
 
     def describe(self, about: str) -> None:
         """Describe what the pane shows to a screen reader, before the keys."""
@@ -577,7 +574,9 @@ class Hand(QObject):
         camera = self.camera
         camera.Azimuth(-ORBIT_DEG_PER_PX * right_px)
         # Turntable, not trackball: the world's vertical stays vertical, so the pole is a stop.
-        elevation_deg = _elevation_deg(camera)
+        up, forwards = camera.GetViewUp(), camera.GetDirectionOfProjection()
+        sine = -sum(f * u for f, u in zip(forwards, up, strict=True)) / math.hypot(*up)
+        elevation_deg = math.degrees(math.asin(max(-1.0, min(1.0, sine))))
         turned = elevation_deg + ORBIT_DEG_PER_PX * down_px
         camera.Elevation(max(-HIGHEST_DEG, min(HIGHEST_DEG, turned)) - elevation_deg)
 
@@ -599,11 +598,3 @@ class Hand(QObject):
             (camera.GetFocalPoint, camera.SetFocalPoint),
         ):
             put(*(p + s for p, s in zip(get(), shift, strict=True)))
-
-
-def _elevation_deg(camera: Any) -> float:
-    up = camera.GetViewUp()
-    away = [-d for d in camera.GetDirectionOfProjection()]
-    length = math.hypot(*up)
-    sine = sum(a * b for a, b in zip(away, up, strict=True)) / length
-    return math.degrees(math.asin(max(-1.0, min(1.0, sine))))

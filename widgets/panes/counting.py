@@ -51,12 +51,10 @@ class Counting(QObject):
     def _rest(self) -> None:
         if self._busy():
             self._timer.start()
-            return
-        if self._shown is None:
-            return
-        share = self._count(*self._shown)
-        if share is not None:
-            self.counted.emit(self._shown[2], share)
+        elif self._shown is not None:
+            share = self._count(*self._shown)
+            if share is not None:
+                self.counted.emit(self._shown[2], share)
 
     def _count(
         self, scene: Scene, projection: Projection, illustration: Illustration
@@ -64,9 +62,7 @@ class Counting(QObject):
         rendering = illustration.rendering
         if not any(reading.counted for reading in illustration.readings) or rendering is None:
             return None
-        if rendering.buffer is None or not illustration.copies:
-            return None
-        if not 0 < scene.faces <= MOST_FACES:
+        if rendering.buffer is None or not (illustration.copies and 0 < scene.faces <= MOST_FACES):
             return None
         from app.drawings.off_screen import off_screen
         from app.drawings.rasterising import counted_wrong_share

@@ -150,10 +150,9 @@ class Interactor(QOpenGLWidget):
         self._copy()
         state.Pop()
         self._canvas.tell_drawn()
-        if not self._canvas.timed:
-            return
-        window.WaitForCompletion()  # drawing goes on after the call otherwise
-        self._canvas.painted.emit(1e3 * (time.perf_counter() - began))
+        if self._canvas.timed:
+            window.WaitForCompletion()  # drawing goes on after the call otherwise
+            self._canvas.painted.emit(1e3 * (time.perf_counter() - began))
 
     def _copy(self) -> None:
         """Copy VTK's picture into the widget's framebuffer, as opaque."""

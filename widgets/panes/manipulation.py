@@ -151,9 +151,8 @@ class Manipulation(Gestures, QObject):
     def _describe(self) -> None:
         """Say what a drag of a handle does, and the present value."""
         handle = self._pointed
-        if handle is None:
-            return
-        set_tip(self._pane.canvas, f"{self._does(handle)[1]}: {self.now(handle)}")
+        if handle is not None:
+            set_tip(self._pane.canvas, f"{self._does(handle)[1]}: {self.now(handle)}")
 
     def now(self, handle: Handle) -> str:
         """Return a handle's field and value: ``Near = 4``; empty if the handle is gone."""
@@ -165,9 +164,7 @@ class Manipulation(Gestures, QObject):
             drawing = self._pane.drawing
             is_gone = drawing is None or not drawing.handles.has_object
         else:
-            is_gone = not projection.has_camera
-            if handle.face:
-                is_gone = projection.lens.planes is None
+            is_gone = projection.lens.planes is None if handle.face else not projection.has_camera
         if is_gone:
             return ""
         values = handles.present(projection, self._does(handle)[0])
@@ -233,9 +230,8 @@ class Manipulation(Gestures, QObject):
     def take_picture(self, pixel: QPointF) -> None:
         """Take hold of what lies where a drag in the image pane starts, or of the picture."""
         drawing = self._image.drawing
-        if self.take_handle("image", pixel) or drawing is None:
-            return
-        if drawing.image_pixel(pixel.x(), pixel.y()):
+        is_taken = self.take_handle("image", pixel)
+        if not is_taken and drawing is not None and drawing.image_pixel(pixel.x(), pixel.y()):
             self._start(_Drag(self._image, self._projection))
 
     def _start(self, drag: "_Drag") -> None:

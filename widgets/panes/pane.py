@@ -346,8 +346,7 @@ class Pane(QFrame):
         self.glide(1.0)
         taken = self.resting.take(args)
         if self.drawing is not None:
-            before = Resting(self._drawn_with, self.drawing, self._told, self._in_first)
-            self.resting.put(before)
+            self.resting.put(Resting(self._drawn_with, self.drawing, self._told, self._in_first))
             self._releasing.start()
         self.drawing = self._drawn_with = None
         if taken is None:
@@ -398,12 +397,11 @@ class Pane(QFrame):
             self._rest.start(REST_MS if self._has_changed else 0)
 
     def _refine(self) -> None:
-        if self.drawing is None or not self.isVisible():
-            return
-        self._has_changed = False
-        release_context()
-        self.drawing.refine()
-        self.canvas.redraw()
+        if self.drawing is not None and self.isVisible():
+            self._has_changed = False
+            release_context()
+            self.drawing.refine()
+            self.canvas.redraw()
 
     # -- the pane's own camera
 
@@ -434,21 +432,18 @@ class Pane(QFrame):
 
     def glide(self, part: float) -> None:
         """Show a part of the way, 0 to 1."""
-        if self._goes_to is None or self.drawing is None:
-            return
-        if part == 1.0:
-            self._goes_to = None
-        self.drawing.glide(part)
-        self.canvas.redraw()
+        if self._goes_to is not None and self.drawing is not None:
+            if part == 1.0:
+                self._goes_to = None
+            self.drawing.glide(part)
+            self.canvas.redraw()
 
     def refit(self) -> None:
         """Frame again what an edit has carried out of a view that the user has not moved."""
-        drawing, is_still = self.drawing, self._goes_to is None
-        if drawing is None or not (is_still and self.isVisible()):
-            return
-        if drawing.refit():
-            self.canvas.redraw()
-        self._watch_labels()
+        if self.drawing is not None and self._goes_to is None and self.isVisible():
+            if self.drawing.refit():
+                self.canvas.redraw()
+            self._watch_labels()
 
     def _view_moved(self) -> None:
         self._in_first = None
@@ -520,8 +515,7 @@ class Pane(QFrame):
 
     def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
         place = event.position().toPoint()
-        bars = self.header, self.header.tools
-        if any(bar.geometry().contains(place) for bar in bars):
+        if any(bar.geometry().contains(place) for bar in (self.header, self.header.tools)):
             self.enlarge_requested.emit()
         elif not self.is_aimed_at:
             self.double_clicked.emit()

@@ -74,7 +74,6 @@ class RestingDrawings:
         return None
 
     def clear(self) -> None:
-        """Release all drawings."""
         self._old += [each.drawing for each in self.all]
         self.all.clear()
         self.release()

@@ -253,12 +253,11 @@ class StageStrip(FittedWidget, QWidget, Playing):
 
     def play(self) -> None:
         """Run from here to the picture with a rest at each stop; from the end, run all stages."""
-        if self.playing or self.isHidden():
-            return
-        self._set_playing(True)
-        if self.position >= IMAGE:
-            self._stand_at(float(self.first))
-        self._rest_s = 0.0
+        if not self.playing and not self.isHidden():
+            self._set_playing(True)
+            if self.position >= IMAGE:
+                self._stand_at(float(self.first))
+            self._rest_s = 0.0
 
     def advance(self, seconds: float) -> None:
         """Run for some seconds; while paused, do nothing."""

@@ -70,12 +70,11 @@ class NoteLabel(FittedWidget, LetteredWidget, PlainLabel):
         self._whole = ""
 
     def setText(self, text: str) -> None:
-        if text == self._whole:  # the usual case while something is dragged
-            return
-        self._whole = text
-        set_tip(self, text)
-        self.setAccessibleDescription(text)
-        self._fit()
+        if text != self._whole:  # seldom while something is dragged
+            self._whole = text
+            set_tip(self, text)
+            self.setAccessibleDescription(text)
+            self._fit()
 
     def text(self) -> str:
         return self._whole

@@ -227,10 +227,9 @@ class MessageBar(QFrame):
 
     def done(self) -> None:
         """Hide a sentence that is no longer true; an offer stays."""
-        if self.choices:
-            return
-        self.hide()
-        self._offer_again()
+        if not self.choices:
+            self.hide()
+            self._offer_again()
 
     def put_off(self, waits: bool) -> None:
         """Hide an offer from a class, or show it again."""

@@ -213,15 +213,13 @@ class NumberRow(_TypedRow):
         A slider that is being dragged and a text that is being typed stay until the user finishes.
         """
         value = float(value)
-        if value == self._value:
-            return
-        self._value = value
-        if not self._open:
-            self.clear_error()
-            self._show_value()
+        if value != self._value:
+            self._value = value
+            if not self._open:
+                self.clear_error()
+                self._show_value()
 
     def setScale(self, scale: Scale) -> None:
-        """Change the slider's ends and steps."""
         self.scale = scale
         self.slider.stops = scale.stops
         with QSignalBlocker(self.slider):

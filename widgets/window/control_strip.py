@@ -46,10 +46,10 @@ class ControlStrip(FittedWidget, QFrame):
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Offer the first controls of another scene."""
         phenomenon = shown.scene.phenomenon
-        own = [each.path for each in phenomenon.settings] if phenomenon else []
+        self._of_scene = USUAL
         if phenomenon is not None:
-            own += phenomenon.controls
-        self._of_scene = (own or list(USUAL))[:MOST_ON_SLIDE]
+            own = (*(each.path for each in phenomenon.settings), *phenomenon.controls)
+            self._of_scene = (own or USUAL)[:MOST_ON_SLIDE]
         self._fill()
 
     def show_controls(self, paths: tuple[str, ...]) -> None:

@@ -198,9 +198,7 @@ class Files(QObject):
     def open_recovered(self, document: Document) -> bool:
         """Open a document from an autosave, as unsaved work."""
         scene = self._try(lambda: self.scene(document.scene, document.mesh))
-        if scene is None:
-            return False
-        return self._change_to(document, None, saved=False)
+        return scene is not None and self._change_to(document, None, saved=False)
 
     def choose_scene(self, name: str) -> bool:
         """Change to a built-in scene, as one undo step."""
@@ -294,9 +292,7 @@ class Files(QObject):
         box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         box.setDefaultButton(buttons.Save)
         answer = box.exec()
-        if answer == buttons.Save:
-            return self.save()
-        return answer == buttons.Discard
+        return self.save() if answer == buttons.Save else answer == buttons.Discard
 
     # -- helpers
 

@@ -325,11 +325,10 @@ class LessonCard(QFrame):
 
     def check(self) -> None:
         """Say what is wrong in the lesson's file, or that nothing is."""
-        if self._player is None or self._player.sheet is not None:
-            return
-        mistakes = self._lessons.mistakes()
-        if mistakes is not None:
-            self._show_notice(mistakes or self.tr("Nothing is wrong in this lesson's file."))
+        if self._player is not None and self._player.sheet is None:
+            mistakes = self._lessons.mistakes()
+            if mistakes is not None:
+                self._show_notice(mistakes or self.tr("Nothing is wrong in this lesson's file."))
 
     # -- the end
 

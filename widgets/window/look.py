@@ -197,11 +197,10 @@ class Look(QObject):
 
     def rest(self) -> None:
         """Draw at full quality, and refit views that objects have left, once the input stops."""
-        if self._glides:
-            return
-        self.adaptive.step(dragging=False)
-        for pane in self._panes.values():
-            pane.refit()
+        if not self._glides:
+            self.adaptive.step(dragging=False)
+            for pane in self._panes.values():
+                pane.refit()
 
     # -- theme and text
 

@@ -498,11 +498,9 @@ class MainWindow(QMainWindow):
         self.look.set_waiting(True)  # only the panes of the slide take another size and style
         if on:
             self.slots.set_presenting(True)
-        self.menus.blank.setEnabled(on)
-        self.menus.pointer.setEnabled(on)
+        for action in (self.menus.blank, self.menus.pointer, self.menus.strip, self.menus.pen):
+            action.setEnabled(on)
         self.menus.pointer.setChecked(False)
-        self.menus.strip.setEnabled(on)
-        self.menus.pen.setEnabled(on)
         self.slide.pen.switch(False)
         self.slide.pen.setVisible(on)
         self.look.set_presenting(on)

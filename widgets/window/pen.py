@@ -175,14 +175,12 @@ class Pen(QWidget):
         self._show_bar()
 
     def undo(self) -> None:
-        """Remove the last stroke of the step."""
         self._finish()
         if self.here:
             self.here.pop()
             self._show_strokes()
 
     def clear(self) -> None:
-        """Remove all strokes of the step."""
         self._drawn = []
         self.strokes.pop(self._step, None)
         self._show_strokes()
@@ -303,9 +301,8 @@ class Pen(QWidget):
         self._show_bar()
 
     def paintEvent(self, _event: QPaintEvent) -> None:
-        strokes = self.here
-        if self._drawn:
-            strokes = [*strokes, Stroke(self.colour, tuple(self._drawn))]
+        drawn = [Stroke(self.colour, tuple(self._drawn))] if self._drawn else []
+        strokes = [*self.here, *drawn]
         if strokes:
             painter = QPainter(self)
             paint_strokes(painter, QRectF(self.rect()), strokes, self._style)

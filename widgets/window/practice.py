@@ -154,8 +154,7 @@ class Practice(QObject):
             name: (course.lesson.title, sum(1 for _ in practice.exercises_of(course)))
             for name, course in topics().items()
         }
-        number = random.randint(1, LARGEST_SEED)
-        dialog = SelfTestDialog(counts, number, self._window)
+        dialog = SelfTestDialog(counts, random.randint(1, LARGEST_SEED), self._window)
         if dialog.exec():
             self.begin_test(dialog.topics, int(dialog.number.text()))
         dialog.deleteLater()

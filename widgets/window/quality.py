@@ -146,17 +146,14 @@ class DrawnQuality(QObject):
         quality = document.quality
         precision = quality.rung
         if precision == AUTO:
-            tolerance_px = self._settings.tolerance_px
-            is_enough = max(bounds_px(projection, scene)) <= tolerance_px
+            is_enough = max(bounds_px(projection, scene)) <= self._settings.tolerance_px
             precision = "float32" if is_enough else "float64"
-        smoothing = quality.smoothing
-        if smoothing == AUTO:
-            smoothing = self._look.adaptive.smoothing(True)
+        automatic = self._look.adaptive.smoothing(True)
         return {
             "rung": precision,
             "depth_format": quality.depth_format or "fixed24",
             "depth_mapping": quality.depth_mapping or projection.depth,
-            "smoothing": smoothing,
+            "smoothing": automatic if quality.smoothing == AUTO else quality.smoothing,
             "detail": f"{quality.detail:g}",
             "scene": document.scene,
             **{

@@ -115,7 +115,7 @@ class SpeakerWindow(QWidget):
     def _make(self) -> None:
         self._number, self._clock, self._elapsed, self._plan = (PlainLabel() for _ in range(4))
         wrapped = (PlainLabel(wordWrap=True) for _ in range(3))
-        self._title, self._next_title, self._message = wrapped
+        self._title, self._next_title, self.message = wrapped
         self.notes = ReadText()
         self.notes.setAccessibleName(self.tr("Notes"))
         self.now, self.picture = _PictureLabel(self.tr("The slide")), _PictureLabel(self.tr("Next"))
@@ -145,7 +145,7 @@ class SpeakerWindow(QWidget):
         layout.addWidget(self.notes, 3, 0)
         beside = in_column(self._next_title, (self.picture, 3), (self.steps, 2))
         layout.addLayout(beside, 1, 1, 3, 1)
-        layout.addLayout(in_row(*buttons, 8, (self._message, 1)), 4, 0, 1, 2)
+        layout.addLayout(in_row(*buttons, 8, (self.message, 1)), 4, 0, 1, 2)
         layout.setColumnStretch(0, 3)
         layout.setColumnStretch(1, 2)
         layout.setRowStretch(2, 4)
@@ -219,10 +219,6 @@ class SpeakerWindow(QWidget):
         self._settings.notes_px = max(LEAST_NOTES_PX, min(LARGEST_NOTES_PX, size))
         if self._player is not None:
             self._show_notes(self._player.step)
-
-    def show_message(self, text: str) -> None:
-        """Show a short message; an empty one hides it."""
-        self._message.setText(text)
 
     # -- the next step's picture
 

@@ -161,10 +161,8 @@ class StatusLine(QStatusBar):
         if predictions is not None:
             # Whatever computes the picture, a rasteriser gets float32 in the end.
             at_least_px = max(self._projection.image_size) * 2.0**-24 if self._projection else 0.0
-            drawn_px = float32_px
-            if drawn != "float32":
-                drawn_px = max(drawn_px, predictions[drawn].px)
-            drawn_text = _error_text(max(drawn_px, at_least_px))
+            predicted_px = predictions[drawn].px if drawn != "float32" else 0.0
+            drawn_text = _error_text(max(float32_px, predicted_px, at_least_px))
             text = WORDS.say("errors", drawn, drawn_text, read, _error_text(predictions[read].px))
         self.precision.setText(text)
 

@@ -31,11 +31,10 @@ class TalkWriter(QObject):
     def add_state(self) -> None:
         """Ask for a title, and write the current state into the open file as a new step."""
         lesson = self._lessons.lesson
-        if lesson is None or self._is_gone(lesson):
-            return
-        title = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
-        if title is not None:
-            self.write_step(*title)
+        if lesson is not None and not self._is_gone(lesson):
+            title = self._ask_title(self.tr("Add this state as a step"), "", self._store.seen)
+            if title is not None:
+                self.write_step(*title)
 
     def _is_gone(self, lesson: Lesson) -> bool:
         """Say that the file is missing, if it is."""

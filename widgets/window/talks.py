@@ -263,13 +263,13 @@ class Talks(QObject):
         text = self.tr("To step {0}…").format(digits) if digits else ""
         self._band.show_message(text)
         if self.speaker is not None:
-            self.speaker.show_message(text or self._refusal or self._mistake)
+            self.speaker.message.setText(text or self._refusal or self._mistake)
 
     def _show_message(self, text: str) -> None:
         self._keys.forget_later()
         self._band.show_message(text)
         if self.speaker is not None:
-            self.speaker.show_message(text)
+            self.speaker.message.setText(text)
 
     def _show_mistake(self, text: str) -> None:
         """Show the speaker the mistake in the open file; tell the class only that it is old."""
@@ -277,18 +277,15 @@ class Talks(QObject):
         if text:
             self._forget_refusal()
         self._mistake = text
-        if text and self.is_on and not self._is_apart:
+        speaker = self.speaker
+        is_apart = speaker is not None and speaker.screen() is not self._window.screen()
+        if text and self.is_on and not is_apart:
             self._show_message(self.tr("The file was changed, and cannot be read."))
-        if self.speaker is not None:
-            self.speaker.show_message(self._refusal or text)
+        if speaker is not None:
+            speaker.message.setText(self._refusal or text)
         is_talk = self._lessons.lesson is not None and self._lessons.lesson.is_talk
         if text and is_talk and not self.is_on:  # the speaker's window may be hidden behind it
             self._messages.show_message(text)
-
-    @property
-    def _is_apart(self) -> bool:
-        """Whether the speaker has a screen that the class does not see."""
-        return self.speaker is not None and self.speaker.screen() is not self._window.screen()
 
     def _refuse(self, text: str) -> None:
         """Say why a step cannot be shown, to the speaker alone if the speaker's window is open."""

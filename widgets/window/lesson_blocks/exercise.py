@@ -63,11 +63,9 @@ class ExerciseView(BlockView):
         return self.asked.response or [self.asked]
 
     def restore(self) -> None:
-        if self.asked is None:
-            return
-        if self.played.is_test:
+        if self.asked is not None and self.played.is_test:
             self.asked.show_kept_answer()
-        else:
+        elif self.asked is not None:
             self.asked.restore()
 
     def open_up(self) -> None:
