@@ -31,9 +31,9 @@ def slots_of(text: str) -> Iterator[list[str]]:
         yield slots
 
 
-MOVES = (  # with a label: its leader is before it, and its halo has the tint below it
-    r' transform="[^"]*"| d="[^"]*"(?=/><g stroke=)| stroke="[^"]*"(?= stroke-width="[^"]*" opacity=)'
-)
+# With a label: its leader is before it, and its halo has the tint below it.
+HALO = r' stroke="[^"]*"(?= stroke-width="[^"]*" opacity=)'
+MOVES = rf' transform="[^"]*"| d="[^"]*"(?=/><g stroke=)|{HALO}'
 
 
 def test_a_page_has_every_state_whole_and_the_middle_one_without_scripts(tmp_path: Path) -> None:
