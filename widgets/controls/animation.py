@@ -281,18 +281,13 @@ class AnimationBar(QWidget, Playing):
         self._forget_refusals()
         if self._start is not None and self._shown is not None:
             self._go_on_from(self._shown, self._start.target[1])
-        height, look = self.height_mode.value(), self.look.value()
+        speed, height, look = (row.value() for row in (self.speed, self.height_mode, self.look))
         low, high = self.lowest.value(), self.highest.value()
         limits_moved = (low, high) != (self._motion.lowest, self._motion.highest)
         limits_moved |= height != "fixed" and self._motion.height == "fixed"
         rising = self._motion.rising
         self._motion = replace(
-            self._motion,
-            speed_deg_s=self.speed.value(),
-            height=height,
-            look=look,
-            lowest=low,
-            highest=high,
+            self._motion, speed_deg_s=speed, height=height, look=look, lowest=low, highest=high
         )
         if limits_moved and self._start is not None:
             self._motion = self._motion.at(self._start.eye[1], rising=rising)

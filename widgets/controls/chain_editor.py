@@ -277,7 +277,6 @@ class ChainEditor(QWidget, RowHolder):
         self._attempt(lambda: self._chain.with_tile(place, typed(), over=1), refuse)
 
     def join(self, card: _TileCard, key: str, row: Row) -> None:
-        """Follow a new row."""
         row.edited.connect(partial(self.type_in, card, key))
         row.highlighted.connect(partial(self._point_at, card, key))
         self._join(row)

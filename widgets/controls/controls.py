@@ -422,10 +422,8 @@ class Controls(Dock, RowHolder):
             projection = binding.parameter.put(before, value)
         except Refusal as error:
             seen = seen_from(binding.field, binding.row.name, value, error)
-            general = seen.bound == REFUSALS["finite-number"] or seen.limits in (
-                (LARGEST,),
-                (-LARGEST,),
-            )
+            ends = (LARGEST,), (-LARGEST,)
+            general = seen.bound == REFUSALS["finite-number"] or seen.limits in ends
             if isinstance(value, float) and abs(value) > LARGEST and general:
                 seen = binding.limit(before, value) or seen
             binding.row.show_error(sentence(_as_shown(seen, value)))

@@ -84,14 +84,9 @@ class LensSliders(QObject):
         if projection.lens.central and projection.image_size != self._scaled_to:
             self._scaled_to = width, height = projection.image_size
             focal = Log(1e-2 * max(width, height), 1e2 * max(width, height))
-            self._set_scales(
-                {
-                    FX: focal,
-                    FY: focal,
-                    CX: Linear.about((width - 1) / 2.0, 1.5 * width),
-                    CY: Linear.about((height - 1) / 2.0, 1.5 * height),
-                }
-            )
+            centre_x = Linear.about((width - 1) / 2.0, 1.5 * width)
+            centre_y = Linear.about((height - 1) / 2.0, 1.5 * height)
+            self._set_scales({FX: focal, FY: focal, CX: centre_x, CY: centre_y})
 
     def _set_scales(self, scales: dict[Parameter, Scale]) -> None:
         for parameter, scale in scales.items():

@@ -375,8 +375,7 @@ class SceneCard(QWidget, RowHolder):
         label = of_phenomena(other.title)
         if isinstance(wanted, bool):
             return WORDS.say("switched", label)
-        text = of_phenomena(dict(other.choices)[str(wanted)])
-        return WORDS.say("only", label, text)
+        return WORDS.say("only", label, of_phenomena(dict(other.choices)[str(wanted)]))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden

@@ -60,8 +60,7 @@ def note_on(matrix: WrittenMatrix, projection: Projection, letters: Letters) -> 
     if matrix.name == "clip_from_world":
         return WORDS.say("divided")
     if not projection.lens.has_steps:
-        stated = properties(projection, matrix.name, read_text)
-        return _words(stated, "\n")
+        return _words(properties(projection, matrix.name, read_text), "\n")
     if matrix.name != "clip_from_view" or not has_own_signs(projection, letters):
         return ""
     if projection.depth != "opengl":
@@ -168,7 +167,6 @@ class MatrixPanel(ReadablePanel):
     # -- words
 
     def sentence(self, matrix: WrittenMatrix, row: int, column: int) -> str:
-        """Explain a cell."""
         writing = self._writing
         typed = matrix.name in EDITABLE and not writing.formulas
         return self._words.sentence(

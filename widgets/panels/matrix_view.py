@@ -544,5 +544,4 @@ def add_copies(menu: QMenu, copy: Callable[[str], object]) -> None:
 
 def rich(text: str) -> Markup:
     """Write the letters of vectors in bold: few fonts can put an arrow above a letter."""
-    escaped = Markup.of("<p>{}</p>", text)
-    return Markup(re.sub(f"(.){ARROW}", r"<b>\1</b>", escaped))
+    return Markup(re.sub(f"(.){ARROW}", r"<b>\1</b>", Markup.of("<p>{}</p>", text)))

@@ -408,8 +408,7 @@ class MeasurePanel(DiagramPanel):
                 said = f"{chart.title(part)}. {said}"
             said = f"{words} {said}" if words else said
             if not self._is_shipped:
-                facts = said, chart.where(shown), chart.seen(shown)
-                said = "\n".join(filter(None, facts))
+                said = "\n".join(filter(None, (said, chart.where(shown), chart.seen(shown))))
         self.sentence.setText(said)
         self.sentence.setVisible(bool(said))
 

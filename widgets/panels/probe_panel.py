@@ -21,7 +21,7 @@ from widgets.panels.probe_numbers import ProbeNumbers
 from widgets.panels.probe_table import ProbeTable
 from widgets.parts.icons import Combo, icon
 from widgets.parts.labels import RefusalLabel
-from widgets.parts.layouts import Part, in_column, in_row
+from widgets.parts.layouts import LetteredWidget, Part, in_column, in_row
 from widgets.parts.messages import all_digits, lettering, sentence
 from widgets.parts.number_field import ShortField, refusal
 from widgets.parts.panel import PROJECTION, Changed, ReadablePanel, ShownData
@@ -32,7 +32,7 @@ WORDS = Wording(__file__)
 _PIN_SHEET = read_content(Path(__file__).with_name("content") / "pin.qss")
 
 
-class ProbePanel(ReadablePanel):
+class ProbePanel(LetteredWidget, ReadablePanel):
     """The probes, the buttons that change them, and the table of their numbers."""
 
     concerns = PROJECTION
@@ -223,11 +223,9 @@ class ProbePanel(ReadablePanel):
         self._is_new = True
         self._readable.changed()
 
-    def changeEvent(self, event: QEvent) -> None:
-        super().changeEvent(event)
-        if event.type() == QEvent.Type.FontChange:
-            self.table.fit_rows(self.font())
-            self._turn()
+    def _fit(self) -> None:
+        self.table.fit_rows(self.font())
+        self._turn()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         self._projection = shown.projection

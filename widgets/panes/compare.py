@@ -100,12 +100,8 @@ class _Other(QWidget):
         self.setAttribute(Qt.WidgetAttribute.WA_NoMousePropagation)
         self.picture = picture
         self._of = pane
-        self.pane = Pane(
-            f"{pane.accessibleName()}: {picture.name}",
-            pane.make_drawing,
-            orbits=False,
-            make_canvas=RasterCanvas,
-        )
+        name = f"{pane.accessibleName()}: {picture.name}"
+        self.pane = Pane(name, pane.make_drawing, orbits=False, make_canvas=RasterCanvas)
         self.pane.setFrameShape(Pane.Shape.NoFrame)
         self.pane.header.set_presenting(True, named=False)
         self.pane.canvas.setFocusPolicy(Qt.FocusPolicy.NoFocus)

@@ -185,8 +185,7 @@ class Cursor(QObject):
         assert self._scene is not None and drawing is not None and now is not None
         at = self._thing.number if isinstance(self._thing, Vertex) else None
         shown = (self._scene, now.projection, drawing.sight, drawing.picture_rectangle_px)
-        ratio = self._pane.canvas.pixel_ratio
-        number = next_vertex(*shown, ratio, at, forwards=forwards)
+        number = next_vertex(*shown, self._pane.canvas.pixel_ratio, at, forwards=forwards)
         return None if number is None else Vertex(number)
 
     def _next_to_hold(self, forwards: bool) -> Thing | None:

@@ -48,8 +48,7 @@ def _reach_display() -> Callable[[], object] | None:
         return None
     display = os.environ.get("DISPLAY", "")
     if not x11 or not display:
-        name = "DISPLAY" if x11 else "WAYLAND_DISPLAY"
-        raise _unreachable(said("opens-none", name))
+        raise _unreachable(said("opens-none", "DISPLAY" if x11 else "WAYLAND_DISPLAY"))
     return _reach_x11(display)
 
 

@@ -271,10 +271,8 @@ def _part(number: int, exercise: Numbered, width: float, share: float) -> PageBl
         if is_roomy:
             left = 0.0 if is_beside else width - room
             _squares(painter, QRectF(left, body_end, room, squares))
-        _squares(
-            painter,
-            QRectF(0.0, picture_end, width, height - answer.height - picture_end - BETWEEN_PT),
-        )
+        free = height - answer.height - picture_end - BETWEEN_PT
+        _squares(painter, QRectF(0.0, picture_end, width, free))
         _draw(painter, answer, 0.0, height - answer.height)
 
     return PageBlock(least, paint)

@@ -79,13 +79,8 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     shown, here = course.shown(place).document, course.at(place)
     asked = [part for part in step.parts if part.reveals or part in step.asked]
     texts = [part.text for part in step.parts if part not in asked]
-    yield StepFigure(
-        shown,
-        texts,
-        _note(step) if answers else "",
-        _drawn_on(course, step.name),
-        bool(asked) and not answers,
-    )
+    note, slide = _note(step) if answers else "", _drawn_on(course, step.name)
+    yield StepFigure(shown, texts, note, slide, has_question=bool(asked) and not answers)
     if not any("\n|" in part.text for part in step.parts if not part.reveals):
         yield EquationTables(list(_equation(shown)))
     before = course.shown(place - 1).document if place else None

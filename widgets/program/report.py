@@ -28,12 +28,9 @@ class ErrorReport(QDialog):
         self.setWindowTitle(self.tr("Something went wrong"))
         self._log_file, self._details = log_file, ""
         self.count = 0  # the errors since the report was closed
-        self._sentence, self._place = (
-            PlainLabel(
-                wordWrap=True, textInteractionFlags=Qt.TextInteractionFlag.TextSelectableByMouse
-            )
-            for _ in range(2)
-        )
+        selectable = Qt.TextInteractionFlag.TextSelectableByMouse
+        labels = (PlainLabel(wordWrap=True, textInteractionFlags=selectable) for _ in range(2))
+        self._sentence, self._place = labels
         self._sentence.setMinimumWidth(420)
         buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
         copy = buttons.addButton(self.tr("Copy details"), QDialogButtonBox.ButtonRole.ActionRole)

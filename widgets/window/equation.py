@@ -174,13 +174,11 @@ class EquationSlide(QWidget):
         if not self._is_product:
             usual, high = USUAL_CELL * self._screen_px, min(high, 0.86 * self.height())
             free = room / em - self._least_width
-            own = self._laid[0].widths
-            stretch = max(0.0, min(free, 4.0 * WIDEST_EM - sum(own)))
+            stretch = max(0.0, min(free, 4.0 * WIDEST_EM - sum(self._laid[0].widths)))
         needed = [em * max(each.heights[row] for each in self._laid) for row in range(4)]
         level = min((high - sum(sorted(needed)[low:])) / low for low in (1, 2, 3, 4))
         heights = [max(each, min(usual, level)) for each in needed]
-        whole = em * (self._least_width + stretch)
-        x = (self.width() - whole) / 2.0
+        x = (self.width() - em * (self._least_width + stretch)) / 2.0
         top = (self.height() - sum(heights) - caption) / 2.0
         middle = top + sum(heights) / 2.0
         ink = QColor(self._style.ink)

@@ -29,10 +29,8 @@ PLACES += product(INNER, INNER)  # inside a picture, rather than over a side of 
 LETTERS = (0.036, 0.033, 0.0305)  # sizes of letters, in heights of the screen, the best first
 INK_SHARE = 0.0005  # ink in shares of the slide that makes a place worse
 EDGE_SHARE = 0.02  # free on each side, in heights of the screen
-CHOICE = re.compile(
-    r"  \n(\*\*\w\*\*) "
-)  # how a choice begins; on the line of others it begins so:
-BESIDE = "\N{EM SPACE}\N{EM SPACE} \\1\N{NO-BREAK SPACE}"
+CHOICE = re.compile(r"  \n(\*\*\w\*\*) ")  # how a choice begins
+BESIDE = "\N{EM SPACE}\N{EM SPACE} \\1\N{NO-BREAK SPACE}"  # on the line of others
 
 HiddenInk: TypeAlias = Callable[[Floats], Floats]
 

@@ -253,7 +253,6 @@ class Settings:
             return default
 
     def write(self, key: str, text: str) -> None:
-        """Keep a value, and save it."""
         self._for_now.pop(key, None)
         self._refused.discard(key)
         self._values[key] = text

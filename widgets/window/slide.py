@@ -52,8 +52,7 @@ class Slide(QWidget):
         equation.set_is_slide(has_equation)
         equation.setVisible(has_equation)
         is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
-        has_pane = any(name in PANES for name in slots.given)
-        slots.setVisible(not is_wide or has_pane)
+        slots.setVisible(not is_wide or any(name in PANES for name in slots.given))
         direction = QBoxLayout.Direction
         self._row.setDirection(direction.TopToBottom if is_wide else direction.LeftToRight)
         share = EQUATION_HEIGHT if is_wide else EQUATION_SHARE

@@ -87,9 +87,8 @@ class _PictureLabel(FittedWidget, PlainLabel):
         ratio = self.devicePixelRatioF()
         keep, smooth = Qt.AspectRatioMode.KeepAspectRatio, Qt.TransformationMode
         image = self._image.scaled(self.size() * ratio, keep, smooth.SmoothTransformation)
-        pixmap = QPixmap.fromImage(image)
-        pixmap.setDevicePixelRatio(ratio)
-        self.setPixmap(pixmap)
+        image.setDevicePixelRatio(ratio)
+        self.setPixmap(QPixmap.fromImage(image))
 
 
 class SpeakerWindow(QWidget):

@@ -35,8 +35,7 @@ TITLE_SHARE, LINE_SHARE = 0.055, 0.09
 """Largest heights of the title and of the line below it, in heights of the screen."""
 GAP_SHARE = 0.0075
 """Free between the title and the line, in heights of the screen: a fraction fills the line."""
-TITLES = (0.036, 0.033, 0.0305)
-LINES = (0.036, 0.033, 0.0305)
+TITLES = LINES = (0.036, 0.033, 0.0305)
 """Sizes of letters, in heights of the screen: the largest that fit are taken. Capitals of the
 smallest are 2.2 % high."""
 SMALLER = (0.028, 0.025, 0.022)  # sizes for a text of which no part fits in those letters

@@ -133,6 +133,5 @@ class TradesCard(CoverCard):
         scaling, whole = Qt.TransformationMode, Qt.AspectRatioMode.KeepAspectRatio
         how = scaling.SmoothTransformation if is_smooth else scaling.FastTransformation
         drawn = image_of(figure.pixels()).scaled(QSize(*self._picture_px) * ratio, whole, how)
-        pixmap = QPixmap.fromImage(drawn)
-        pixmap.setDevicePixelRatio(ratio)
-        return pixmap
+        drawn.setDevicePixelRatio(ratio)
+        return QPixmap.fromImage(drawn)
