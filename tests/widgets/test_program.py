@@ -793,6 +793,12 @@ def test_a_window_is_closed_before_its_panes_are_filled() -> None:
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
 
+def test_a_window_that_is_closed_while_it_is_shown_ends_the_program() -> None:
+    closing = "window.show = lambda show=window.show: (show(), window.close())"
+    done = drive("pass", when=closing)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
 def test_no_picture_is_taken_of_a_window_that_is_not_whole(tmp_path: Path) -> None:
     picture = tmp_path / "window.png"
     command = ["--screenshot", str(picture)]

@@ -210,7 +210,8 @@ def run_window(
             if options.screenshot:
                 _take_screenshot(application, window, options.screenshot, watch)
             else:
-                application.exec()
+                if window.isVisible():  # or its close is over, and nothing would end the loop
+                    application.exec()
                 from app.drawings import kept_labels
 
                 kept_labels.save(labels_path())
