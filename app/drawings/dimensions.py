@@ -47,7 +47,7 @@ Way = tuple[float, float]
 class Dimensions(Layer):
     """The lines and their letters, created when a flat view is first shown."""
 
-    of = "own.fixed"
+    needs = "own.fixed"
 
     def __init__(self, state: WorldState) -> None:
         self._state = state

@@ -242,11 +242,11 @@ class PaneState:
 class Layer:
     """One idea in a pane. A method without an override has nothing to do, and is not called.
 
-    `of` names the field of the state without which there is nothing to show: nothing of the layer
-    is called before it has a value for the first time.
+    `needs` names the field of the state without which it has nothing to show: no method is called
+    before that has a value for the first time.
     """
 
-    of: ClassVar[str] = ""
+    needs: ClassVar[str] = ""
 
     def show(self) -> None:
         """Set the matrices of what the state shows."""
@@ -284,7 +284,7 @@ class Layers:
 
     def __init__(self, state: PaneState, *layers: Layer) -> None:
         self._state, self._layers = state, layers
-        self._waiting = {layer: attrgetter(layer.of) for layer in layers if layer.of}
+        self._waiting = {layer: attrgetter(layer.needs) for layer in layers if layer.needs}
         self._kept: dict[str, list[Layer]] = {}
         self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
 

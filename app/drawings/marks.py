@@ -73,7 +73,7 @@ class MarksDrawing(Layer):
     With `lifts_copies`, copies are brought forward here, and not by their matrices.
     """
 
-    of = "illustration"
+    needs = "illustration"
     is_empty = True  # whether there has been no illustration yet
 
     def __init__(

@@ -56,7 +56,7 @@ class ProbeMark(NamedTuple):
 class Probes(Layer):
     """The marks of the state's probes in one pane, which knows where each is (`marks`)."""
 
-    of = "probes"
+    needs = "probes"
 
     def __init__(self, state: PaneState) -> None:
         self._state = state

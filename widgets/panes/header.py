@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from PySide6.QtCore import QEvent, QObject
+from PySide6.QtCore import QEvent, QObject, QSize
 from PySide6.QtWidgets import QToolButton, QWidget
 
 from widgets.parts.labels import Title
@@ -67,9 +67,9 @@ class Header(QWidget):
 
     def fit(self) -> None:
         """Share out the width, after a change of the pane's size or font."""
-        self.setMinimumHeight(self.tools.sizeHint().height())
-        tools_px = 0 if self.tools.isHidden() else self.tools.sizeHint().width()
-        room = max(0, self._pane.width() - tools_px)
+        tools = QSize(0, 0) if self.tools.isHidden() else self.tools.sizeHint()
+        self.setMinimumHeight(tools.height())
+        room = max(0, self._pane.width() - tools.width())
         bar = self._title_bar
         margins = bar.contentsMargins()
         taken = margins.left() + self.title.sizeHint().width() + bar.spacing() + margins.right()

@@ -439,6 +439,8 @@ class MainWindow(QMainWindow):
         turn = {keys.Key_PageDown: menu.next, keys.Key_PageUp: menu.back}.get(Qt.Key(event.key()))
         if turn is not None and not event.modifiers():
             turn.trigger()
+        else:
+            super().keyPressEvent(event)
 
     def statusBar(self) -> StatusLine:
         """Return our own status line; Qt's method would create a second one below it."""
