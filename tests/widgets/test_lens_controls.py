@@ -89,6 +89,14 @@ def test_the_windows_sliders_are_in_proportion_to_it(column: Column) -> None:
         assert top < 5.0 * right
 
 
+def test_focal_lengths_have_sliders_that_suit_the_image(column: Column) -> None:
+    show(column, START)
+    for size in ((100, 50), (3000, 2000)):
+        show(column, replace(START, image_size=size))
+        ends = [number(column, key).scale for key in ("fx", "fy")]
+        assert [(each.low, each.high) for each in ends] == [(1e-2 * size[0], 1e2 * size[0])] * 2
+
+
 def test_a_window_that_shrinks_in_the_hand_gets_finer_sliders_afterwards(column: Column) -> None:
     show(column, replace(START, lens=Frustum(-0.01, 1.0, -0.01, 0.01, 1.0, 30.0)))
     row = number(column, "right")
