@@ -82,7 +82,7 @@ def _draw_moving(options: argparse.Namespace, out: str, file: str | None) -> str
     names = sweep.names(out, len(order))
     for name in names or [out]:
         _check(options, name, ENDINGS if names else FILMS)
-    if not names and (options.crop or options.width):
+    if not names and (options.crop or options.width is not None):
         option = "crop" if options.crop else "width"
         raise CliError("--{0}: is for single figures; frames of a film have one size.", option)
     if options.transparent and _ending(out) in (".gif", ".mp4"):
@@ -159,7 +159,7 @@ def _check(options: argparse.Namespace, out: str, endings: Sequence[str]) -> Non
         raise CliError("--scale: is for .png; shapes are as fine at every scale.")
     if has_pixels and options.hidden:
         raise CliError("--hidden: is for .svg, .pdf, .tex and .html, whose lines are shapes.")
-    if options.width and (options.size or options.crop):
+    if options.width is not None and (options.size or options.crop):
         raise CliError("--width: is cropped, and its height is free; leave out --size and --crop.")
     if "/" in options.panes and "," in options.panes:
         raise CliError("--panes = {0!r}: must be a row or a column, not both.", options.panes)
@@ -203,7 +203,7 @@ def _figure(
             options.transparent, width=options.width, fit=options.fit,
         )  # fmt: skip
     except Refusal as error:
-        asked = "width" if options.width else "size" if options.size else ""
+        asked = "size" if options.size else "" if options.width is None else "width"
         of_size = asked and str(error).startswith(("width", "height"))
         text = str(error).replace(
             "text size =", "--text-size =", int(error.bound == REFUSALS["text"])

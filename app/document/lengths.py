@@ -40,8 +40,12 @@ def parse_size(text: str) -> Size:
 
 
 def parse_length(text: str) -> float:
-    """Parse ``84mm`` into pixels; raises a `ValueError` as `parse_size` does."""
-    return parse_size(f"{text}x{text}").px[0]
+    """Parse ``84mm`` into pixels, of a length in px an integer if it is one.
+
+    Raises a `ValueError` as `parse_size` does.
+    """
+    size = parse_size(f"{text}x{text}")
+    return int(size.width) if size.unit == "px" and size.width.is_integer() else size.px[0]
 
 
 def parse_points(text: str) -> float:

@@ -128,7 +128,7 @@ class Figure:
         if not 0.0 < self.scale <= LARGEST_PX:  # NaN fails too
             raise Refusal.saying(REFUSALS["scale"], f"{self.scale:g}", LARGEST_PX)
         size, divided = self.full_size, (not self.column, self.column)
-        if self.width is not None and not float(self.width).is_integer():  # it was a length
+        if isinstance(self.width, float):  # it was a length
             wide, high = (round(side / PX_PER["mm"], 6) for side in size.px)
             size = Size(wide, high, "mm")
         per_px = PX_PER[size.unit]
@@ -154,17 +154,18 @@ class Figure:
         if self.panes == ("equation",):  # or a `Refusal`
             room = self.width or (0.0 if asked is None else asked.px[0])
             needed = self._equation((room, 0.0)).needed
-            return asked or Size(self.width or needed[0], needed[1])
+            return asked or Size(needed[0] if self.width is None else self.width, needed[1])
         if asked is not None:
             return asked
         if self.panes == ("image",):
             wide, high = self.document.projection.image_size
-            return Size(self.width or wide, (self.width or wide) * high / wide)
+            across = wide if self.width is None else self.width
+            return Size(across, across * high / wide)
         count = len(self.panes)
         if not self.column:
-            side = self.width / count if self.width else PANE_PX
+            side = PANE_PX if self.width is None else self.width / count
             return Size(count * side, side)
-        side = self.width or PANE_PX
+        side = PANE_PX if self.width is None else self.width
         return Size(side, count * side * (1.0 if self.width is None else _HIGH))
 
     @property
