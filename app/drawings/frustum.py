@@ -207,7 +207,8 @@ class FrustumDrawing(Layer):
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
-        offsets = [grip.point - standing.camera.eye for grip in self._state.grips.values()]
+        shown = self._state.illustration
+        offsets = [grip.point - standing.camera.eye for grip in (shown.grips if shown else ())]
         largest = _HELD_NEAR * self._state.scene.size
         near = [offset for offset in offsets if math.hypot(*offset) <= largest]
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)

@@ -7,6 +7,7 @@ texture.
 import math
 import re
 import weakref
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
@@ -119,7 +120,7 @@ def surrounded(piece: str, is_tex: bool) -> Outline:
     if piece != " ":
         return drawn
     lines = [(drawn.width * x, y) for x in SPACE_LINES for y in (0.0, SPACE_HIGH_EM)]
-    return drawn._replace(vertices=np.array(lines), codes=np.array([1, 2, 1, 2], dtype=np.uint8))
+    return replace(drawn, vertices=np.array(lines), codes=np.array([1, 2, 1, 2], dtype=np.uint8))
 
 
 def rim_px(em: float) -> int:
