@@ -24,8 +24,8 @@ from app.drawings.actors import Space, applied
 from app.drawings.label_placement import NOWHERE, SQUARE_EM, Ground, flanking
 from app.drawings.labels import DOT_EM, SIDE, want_plane, written_distance
 from app.drawings.layer import Layer
-from app.drawings.names import QUIET
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
+from app.drawings.style import QUIET
 from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolume, WorldState
 from app.lecture.highlight import ENDS, SIDES, WINDOW
 from app.model.parameters import FAR, NEAR
