@@ -7,6 +7,7 @@ texture.
 import math
 import re
 import weakref
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
@@ -122,10 +123,8 @@ def surrounded(piece: str, is_tex: bool) -> Outline:
     if piece not in FILLED:
         return drawn
     lines = [(drawn.width * x, y) for x in FILLED_AT for y in (0.0, FILLED_EM)]
-    return drawn._replace(
-        vertices=np.vstack([drawn.vertices, lines]),
-        codes=np.append(drawn.codes, np.array([1, 2, 1, 2], dtype=np.uint8)),
-    )
+    codes = np.append(drawn.codes, np.array([1, 2, 1, 2], dtype=np.uint8))
+    return replace(drawn, vertices=np.vstack([drawn.vertices, lines]), codes=codes)
 
 
 def rim_px(em: float) -> int:

@@ -32,11 +32,12 @@ def assert_same(window: MainWindow, expected: dict[str, np.ndarray]) -> None:
     assert not [name for name in now if not np.array_equal(now[name], expected[name])]
 
 
+@pytest.mark.parametrize("between", ["posts", "clipping"])  # in panes of the same size, of others
 def test_a_scene_that_is_come_back_to_makes_no_actor_and_places_no_label(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, between: str
 ) -> None:
     first = shown(show_scene(window, "cube"))
-    show_scene(window, "posts")
+    show_scene(window, between)
     counted: Counter[str] = Counter()
     for of, method in ((FlatActor, "__init__"), (Board, "settle")):
         done = getattr(of, method)
@@ -67,11 +68,11 @@ ACTS: dict[str, Callable[[MainWindow], object]] = {
 def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(
     window: MainWindow, act: str
 ) -> None:
-    first = shown(show_scene(show_scene(window, "posts"), "letter-f"))
+    first = shown(show_scene(show_scene(window, "clipping"), "letter-f"))  # in panes of other sizes
     before = window.panes["world"].drawing
     ACTS[act](window)
     settle()
-    show_scene(window, "posts")
+    show_scene(window, "clipping")
     for pane in window.panes.values():
         pane.show_highlight(NOTHING)
         for what in ("names", "layers", "probes", "fixed", "step"):
