@@ -28,9 +28,8 @@ from app.drawings.label import HALO_EM
 from app.drawings.label_placement import Ground, room
 from app.drawings.labels import Board
 from app.drawings.moved_vertices import MovedVertices
-from app.drawings.names import Names
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import Emphasis
+from app.drawings.pointing import Emphasis, Names
 from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import textured
 from app.drawings.style import TITLE_EM
