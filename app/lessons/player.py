@@ -2,7 +2,7 @@
 
 ::
 
-    Player.go(place) -> unfold(): the texts of the step, and its questions as `PlayedBlock`s
+    Player.turn_to(place) -> unfold(): the step's texts, and its questions as `PlayedBlock`s
     PlayedBlock.submit(typed) -> a Verdict, kept in `Player.progress` and in the record
     Player.reveal() -> a class is asked a question, then told its answer
 
