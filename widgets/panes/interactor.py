@@ -149,7 +149,7 @@ class Interactor(QOpenGLWidget):
         self.makeCurrent()
         self._copy()
         state.Pop()
-        self._canvas.tell_drawn()
+        self._canvas.emit_drawn()
         if self._canvas.timed:
             window.WaitForCompletion()  # drawing goes on after the call otherwise
             self._canvas.painted.emit(1e3 * (time.perf_counter() - began))
