@@ -1280,6 +1280,24 @@ def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
 
 
 @pytest.mark.undrawn
+def test_the_numbers_of_a_lessons_next_exercise_are_drawn_and_set_while_it_is_read(
+    window: MainWindow, tmp_path: Path, qtbot: Any
+) -> None:
+    window.present.end()
+    path = tmp_path / "lesson.md"
+    exercise = "```exercise e\nvary n: 31..39\nHow much is $Q = {=n}$?\nvalue: n\n```\n"
+    steps = lesson_of("scene=letter-f", "").replace("```note\nminutes: 1\n```\n", exercise)
+    path.write_text(steps, encoding="utf-8")
+    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+    drawn = window.lessons.course.variants
+    qtbot.waitUntil(lambda: any("Q = 3" in formula for formula in SET) and bool(drawn))
+    made, texts = set(SET), dict(drawn)
+    assert window.lessons.go(1)
+    (block,) = window.lessons.player.blocks
+    assert SET.keys() == made and block.variant is texts[1, "e", 1]
+
+
+@pytest.mark.undrawn
 def test_f5_presents_where_one_is_and_with_shift_from_the_beginning(window: MainWindow) -> None:
     press(window, Qt.Key.Key_Escape)
     go_to(window.lessons, 1)
