@@ -538,6 +538,18 @@ def test_the_strip_shows_the_values_of_the_step_that_has_come(window: MainWindow
 
 
 @pytest.mark.undrawn
+def test_a_strip_that_comes_is_filled_once(window: MainWindow) -> None:
+    stripped = "settings.volume=cone\nview.controls=settings.volume"
+    change(window, lesson_of("scene=view-volumes", stripped))
+    go_to(window.lessons, 0)
+    settle()
+    filled = list[object]()
+    window.control_strip.grips_wanted.connect(filled.append)
+    assert window.lessons.go(1)
+    assert window.control_strip.isVisible() and len(filled) == 1
+
+
+@pytest.mark.undrawn
 def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) -> None:
     band = window.band
     assert band.isVisible()
