@@ -2,7 +2,7 @@
 
 ::
 
-    Player.go(place) -> unfold(): the texts of the step, and its questions as `PlayedBlock`s
+    Player.turn_to(place) -> unfold(): the step's texts, and its questions as `PlayedBlock`s
     PlayedBlock.submit(typed) -> a Verdict, kept in `Player.progress` and in the record
     Player.reveal() -> a class is asked a question, then told its answer
 
@@ -332,7 +332,7 @@ class Player:
         return 2 * len(self.questions) - self.revealed
 
     @property
-    def told_state(self) -> State | None:
+    def revealed_state(self) -> State | None:
         """What the last of the given answers shows; None for what the step does."""
         answered = self.questions[: self.revealed // 2]
         return next((each.show for each in reversed(answered) if each.show is not None), None)
