@@ -34,6 +34,7 @@ from tests.support.window import (
     LEFT,
     MakeWindow,
     activate,
+    edit,
     move_mouse,
     pixels,
     point_of,
@@ -277,6 +278,20 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
     assert world(window).handles.held is None
     canvas.render_window.RemoveObserver(observer)
+
+
+def test_under_a_still_mouse_what_lies_there_now_is_lit(window: MainWindow, qtbot: Any) -> None:
+    (near, spot), before = mark(window, "near"), model(window)
+    move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
+    edit(window)
+    qtbot.waitUntil(lambda: world(window).handles.held != near)
+    window.store.undo()
+    assert model(window) == before
+    qtbot.waitUntil(lambda: world(window).handles.held == near)
+    wheel(window, -10.0, "world")
+    qtbot.waitUntil(lambda: world(window).handles.held != near)
+    wheel(window, 10.0, "world")
+    qtbot.waitUntil(lambda: world(window).handles.held == near)
 
 
 def held_line(window: MainWindow) -> QLabel:

@@ -24,7 +24,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 from weakref import WeakSet
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QColor,
@@ -60,6 +60,8 @@ ARROWS = {  # right and down
 }
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """On many keyboards plus is on the key of =."""
+
+REST_MS = 80  # so long after the last change of a picture, what waits for it is done
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
@@ -392,6 +394,7 @@ class Hand(QObject):
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None  # where the left button went down, if perhaps a click
         self._dragged_from: QPointF | None = None
+        self.at: QPointF | None = None  # where the mouse is still, as it was `hovered`
         self._holds = False
         self.has_tooltip = True  # whether the canvas has a tooltip
         self.may_turn: Callable[[], bool] = lambda: True
@@ -419,6 +422,9 @@ class Hand(QObject):
             kinds.ToolTip: lambda _event: not self.has_tooltip,
         }
         canvas.installEventFilter(self)
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        self._rest.timeout.connect(self._hover_again)
+        canvas.drawn.connect(lambda: self.at is not None and self._rest.start())
 
     def describe(self, about: str) -> None:
         """Describe what the pane shows to a screen reader, before the keys."""
@@ -475,11 +481,22 @@ class Hand(QObject):
         return True
 
     def _leave(self, _event: QEvent) -> bool:
+        self.at = None
         self.left.emit()
         return False
 
+    def _hover(self, position: QPointF) -> None:
+        self.at = self._middle(position)
+        self.hovered.emit(self.at)
+
+    def _hover_again(self) -> None:
+        """Another thing may lie under the mouse than before the picture changed."""
+        if self.at is not None:
+            self.hovered.emit(self.at)
+
     def _press(self, event: QMouseEvent) -> bool:
         event.accept()
+        self.at = None
         if self._dragged_from is None:  # another button does not belong to a drag
             self._last = event.position()
             is_left = event.button() == Qt.MouseButton.LeftButton
@@ -496,7 +513,7 @@ class Hand(QObject):
             self._dragged_from = None
             self.drag_ended.emit()
             if self._canvas.rect().contains(event.position().toPoint()):
-                self.hovered.emit(self._middle(event.position()))  # perhaps over another thing
+                self._hover(event.position())  # perhaps over another thing
         if self._pressed is not None:
             middle = self._middle(self._pressed)
             self._pressed = None
@@ -515,7 +532,7 @@ class Hand(QObject):
     def _move(self, event: QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
-            self.hovered.emit(self._middle(event.position()))
+            self._hover(event.position())
             return True
         ratio = self._canvas.pixel_ratio
         is_shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)

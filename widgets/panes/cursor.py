@@ -175,6 +175,7 @@ class Cursor(QObject):
         spot, drawing = self._spot(), self._pane.drawing
         if spot is not None and drawing is not None:
             drawing.hold(self._thing if isinstance(self._thing, Handle) else None)
+            self._pane.hand.at = None
             self._pane.hand.hovered.emit(spot)
         return spot
 
