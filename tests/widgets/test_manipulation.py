@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QHelpEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
@@ -292,6 +292,24 @@ def test_under_a_still_mouse_what_lies_there_now_is_lit(window: MainWindow, qtbo
     qtbot.waitUntil(lambda: world(window).handles.held != near)
     wheel(window, 10.0, "world")
     qtbot.waitUntil(lambda: world(window).handles.held == near)
+
+
+def test_a_tooltip_hides_no_name(window: MainWindow, qtbot: Any) -> None:
+    canvas = window.panes["world"].canvas
+    for name in ("near", "far"):
+        drawing = world(window)
+        left, right, bottom, top = drawing.board.label(name).box_px
+        at = QPoint(round((left + right) / 2.0), round(canvas.height() - (bottom + top) / 2.0))
+        for place in (at, at - QPoint(0, 20)):  # on it, and above it
+            QApplication.sendEvent(
+                canvas, QHelpEvent(QEvent.Type.ToolTip, place, canvas.mapToGlobal(place))
+            )
+            (shown,) = (w for w in QApplication.topLevelWidgets() if w.inherits("QTipLabel"))
+            qtbot.waitUntil(shown.isVisible)
+            box = QRect(canvas.mapFromGlobal(shown.pos()), shown.size()).toRectF()
+            boxes, _ = named_on(canvas, window.panes["world"])
+            assert not [each for each in boxes if each.intersects(box)], (name, box)
+            shown.close()
 
 
 def held_line(window: MainWindow) -> QLabel:

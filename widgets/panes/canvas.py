@@ -28,6 +28,7 @@ from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, 
 from PySide6.QtGui import (
     QCloseEvent,
     QColor,
+    QHelpEvent,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -41,7 +42,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
 from widgets.parts.layouts import FocusRing, in_column
-from widgets.parts.plain import set_tip
+from widgets.parts.plain import set_tip, show_tip_off
 from widgets.parts.wording import Wording
 
 if TYPE_CHECKING:
@@ -399,6 +400,7 @@ class Hand(QObject):
         self.has_tooltip = True  # whether the canvas has a tooltip
         self.may_turn: Callable[[], bool] = lambda: True
         """Whether a drag turns the camera; otherwise it only shifts it."""
+        self.names: Callable[[], list[QRectF]] = list  # boxes that no tooltip shall hide
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
@@ -419,7 +421,7 @@ class Hand(QObject):
             kinds.KeyPress: self._key,
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
-            kinds.ToolTip: lambda _event: not self.has_tooltip,
+            kinds.ToolTip: self._show_tip,
         }
         canvas.installEventFilter(self)
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
@@ -484,6 +486,11 @@ class Hand(QObject):
         self.at = None
         self.left.emit()
         return False
+
+    def _show_tip(self, event: QHelpEvent) -> bool:
+        if self.has_tooltip:
+            show_tip_off(self.names(), event.pos(), self._canvas)
+        return True
 
     def _hover(self, position: QPointF) -> None:
         self.at = self._middle(position)

@@ -140,6 +140,7 @@ class Pane(QFrame):
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
+        self.hand.names = lambda: named_on(self.canvas, self)[0]
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(
             lambda place: (self.aimed if self.is_aimed_at else self.clicked).emit(place)

@@ -9,13 +9,15 @@ escapes the texts that are filled in.
 import html
 import re
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 from PySide6 import QtGui
-from PySide6.QtCore import QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, Qt, QUrl
 from PySide6.QtGui import (
     QAbstractTextDocumentLayout,
     QAction,
+    QFontMetrics,
     QKeySequence,
     QMouseEvent,
     QPainter,
@@ -23,6 +25,8 @@ from PySide6.QtGui import (
     QTextDocument,
 )
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QTextEdit, QToolTip, QWidget
+
+_QT_PUTS = QPointF(2.0, 16.0)  # a tooltip so far right of and below the place that Qt is given
 
 
 class Markup(str):
@@ -74,6 +78,20 @@ def set_tip(target: QWidget | QAction | QTableWidgetItem, text: str) -> None:
 
 def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
     QToolTip.showText(place, tip_of(text), widget)
+
+
+def show_tip_off(boxes: Iterable[QRectF], place: QPoint, widget: QWidget) -> None:
+    """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
+    size = QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
+
+    def hidden(way: QPointF) -> float:
+        meets = [QRectF(place.toPointF() + way, size).intersected(box) for box in boxes]
+        return sum(each.width() * each.height() for each in meets)
+
+    lines = (_QT_PUTS.y(), -8.0 - size.height(), 2.5 * _QT_PUTS.y())
+    ways = [QPointF(right, down) for down in lines for right in (_QT_PUTS.x(), -size.width())]
+    at = place.toPointF() + min(ways, key=hidden) - _QT_PUTS
+    QToolTip.showText(widget.mapToGlobal(at.toPoint()), widget.toolTip(), widget)
 
 
 class PlainLabel(QLabel):
