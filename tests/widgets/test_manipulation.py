@@ -765,6 +765,21 @@ def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow
     assert not np.allclose(turned / np.linalg.norm(turned), np.array([-1, 2, 1]) / math.sqrt(6.0))
 
 
+def test_a_point_that_is_dragged_beyond_the_horizon_of_the_cube_is_at_infinity(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("similar-triangles")
+    drawing: Any = window.panes["ndc"].drawing
+    spots = {handle.setting: spot for handle, spot in drawing.handles.shown}
+    at = point_of(spots["point"])
+    press(window, "ndc", at)
+    for way in (200, 700):
+        move(window, "ndc", at + QPoint(way, 0))
+    bar = held_line(window)
+    assert bar.text() == "Point P = ∞: must be three finite numbers x, y, z."
+    release(window, "ndc", at)
+
+
 def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     make_scene: Callable[[str], MainWindow],
 ) -> None:
