@@ -104,6 +104,11 @@ class Manipulation(Gestures, QObject):
             else:
                 self._point_out(self._pane, None)
 
+    @property
+    def reached(self) -> QPointF | None:
+        """How far the model has allowed the drag to go; None if nothing is dragged."""
+        return None if self._drag is None else QPointF(self._drag.reached)
+
     # -- what is under the mouse
 
     def _hover(self, name: str, pixel: QPointF) -> None:
