@@ -118,20 +118,19 @@ class StartCard(CoverCard):
         yield WORDS.tool("open", act, icon="open", flat=True)
         for path in recent[:MOST_RECENT]:
             act = partial(self._choose, self.file_chosen.emit, path)
-            title = _title_of(path)
+            title, icon = _head_of(path)
             tip = path if title == file_title(path) else f"{title} – {path}"
             lines = wrap(title, LINE_LETTERS, max_lines=2, placeholder="…")
-            text = "\n".join(lines).replace("&", "&&")
-            button = tool_button(text, tip, act, name=Path(path).name, flat=True)
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            yield button
+            text, name = "\n".join(lines).replace("&", "&&"), Path(path).name
+            yield tool_button(text, tip, act, icon=icon, name=name, flat=True)
 
 
-def _title_of(path: str) -> str:
-    """Return the title of a recent file: a lesson's own, if it can be read."""
+def _head_of(path: str) -> tuple[str, str]:
+    """Return the title and the icon of a recent file: a lesson's own, if it can be read."""
     if is_lesson(path):
         try:
-            return head_of(Path(path)).title
+            head = head_of(Path(path))
+            return head.title, "present" if head.is_talk else "lesson"
         except Refusal:  # opening the file reports the problem
             pass
-    return file_title(path)
+    return file_title(path), "open"
