@@ -425,7 +425,8 @@ class Hand(QObject):
         }
         canvas.installEventFilter(self)
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
-        self._rest.timeout.connect(self._hover_again)
+        # Another thing may lie under the mouse than before the picture changed.
+        self._rest.timeout.connect(lambda: self.at is not None and self.hovered.emit(self.at))
         canvas.drawn.connect(lambda: self.at is not None and self._rest.start())
 
     def describe(self, about: str) -> None:
@@ -489,17 +490,12 @@ class Hand(QObject):
 
     def _show_tip(self, event: QHelpEvent) -> bool:
         if self.has_tooltip:
-            show_tip_off(self.names(), event.pos(), self._canvas)
+            show_tip_off(self.names(), event.pos().toPointF(), self._canvas)
         return True
 
     def _hover(self, position: QPointF) -> None:
         self.at = self._middle(position)
         self.hovered.emit(self.at)
-
-    def _hover_again(self) -> None:
-        """Another thing may lie under the mouse than before the picture changed."""
-        if self.at is not None:
-            self.hovered.emit(self.at)
 
     def _press(self, event: QMouseEvent) -> bool:
         event.accept()

@@ -26,8 +26,6 @@ from PySide6.QtGui import (
 )
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QTextEdit, QToolTip, QWidget
 
-_QT_PUTS = QPointF(2.0, 16.0)  # a tooltip so far right of and below the place that Qt is given
-
 
 class Markup(str):
     """HTML of this program; every other text is plain."""
@@ -80,17 +78,16 @@ def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
     QToolTip.showText(place, tip_of(text), widget)
 
 
-def show_tip_off(boxes: Iterable[QRectF], place: QPoint, widget: QWidget) -> None:
+def show_tip_off(boxes: Iterable[QRectF], place: QPointF, widget: QWidget) -> None:
     """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
     size = QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
 
     def hidden(way: QPointF) -> float:
-        meets = [QRectF(place.toPointF() + way, size).intersected(box) for box in boxes]
+        meets = [QRectF(place + way, size).intersected(box) for box in boxes]
         return sum(each.width() * each.height() for each in meets)
 
-    lines = (_QT_PUTS.y(), -8.0 - size.height(), 2.5 * _QT_PUTS.y())
-    ways = [QPointF(right, down) for down in lines for right in (_QT_PUTS.x(), -size.width())]
-    at = place.toPointF() + min(ways, key=hidden) - _QT_PUTS
+    ways = [QPointF(x, y) for y in (16.0, -8.0 - size.height(), 40.0) for x in (2.0, -size.width())]
+    at = place + min(ways, key=hidden) - ways[0]  # Qt adds the first way itself
     QToolTip.showText(widget.mapToGlobal(at.toPoint()), widget.toolTip(), widget)
 
 
