@@ -52,6 +52,7 @@ from tests.support.window import (
     MakeWindow,
     activate,
     arrive,
+    click,
     enter,
     go_to,
     pixels,
@@ -343,6 +344,9 @@ def test_the_tips_name_both_keys_and_no_frame_is_left_behind(window: MainWindow)
     card.leave()
     settle()
     assert keyboard() is window
+    dock = window.controls.viewport()
+    click(dock, (dock.width() - 3.0, dock.height() - 3.0))
+    assert keyboard() is window, "nor does a click beside the rows draw one"
 
 
 def buttons_of(widget: QWidget) -> dict[str, QPushButton]:
