@@ -21,9 +21,9 @@ from app.scenes.scene import Scene
 if TYPE_CHECKING:
     from app.drawings.labels import Board
     from app.drawings.layer import Layers, PaneState
-    from app.drawings.names import Names
     from app.drawings.own_view import OwnView
     from app.drawings.pane_view import Pose
+    from app.drawings.pointing import Names
     from app.drawings.stage_view import StageView
 
 

@@ -1127,6 +1127,12 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
+    for beside in (None, 3.0):
+        named[:] = [] if beside is None else [QRectF(place.right() + beside, place.top(), 5, 5)]
+        question.show_text("How wide is it?  \n**A** 1  \n**B** 2", 600.0)
+        place = question.geometry()
+    clear = QRectF(place).adjusted(-5.0, -5.0, 5.0, 5.0)
+    assert not any(clear.intersects(each) for each in named), "it does not touch a name"
     named[:] = [QRectF(175.0, 0.0, 825.0, 600.0), QRectF(0.0, 0.0, 175.0, 310.0)]
     question.show_text("It is turned by 90° about z, then moved by 3. How high is it?", 600.0)
     assert question.geometry().right() < 175, "narrow, beside the bracket of a matrix"

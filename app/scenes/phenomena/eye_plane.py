@@ -325,7 +325,7 @@ def _world_marks(
         Polyline(eye + reach * _RULED @ np.stack([u, v]), "v", 0.5, (), "w=0"),
         Dot(eye, "eye"),
         *(named(name, at, size=1.2) for name, at in zip("AB", ends, strict=True)),
-        Text("w=0", corners[2], "v", text="{eye_plane}"),
+        Text("w=0", corners[3], "v", away_from=eye, text="{eye_plane}"),
         *([Dot(crossing, "v", 1.6)] if share else []),
     ]
     low, high = kept
