@@ -82,12 +82,14 @@ def show_tip_off(boxes: Iterable[QRectF], place: QPointF, widget: QWidget) -> No
     """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
     size = QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
 
-    def hidden(way: QPointF) -> float:
-        meets = [QRectF(place + way, size).intersected(box) for box in boxes]
+    def hidden(corner: QPointF) -> float:
+        meets = [QRectF(place + corner, size).intersected(box) for box in boxes]
         return sum(each.width() * each.height() for each in meets)
 
-    ways = [QPointF(x, y) for y in (16.0, -8.0 - size.height(), 40.0) for x in (2.0, -size.width())]
-    at = place + min(ways, key=hidden) - ways[0]  # Qt adds the first way itself
+    corners = [
+        QPointF(x, y) for y in (16.0, -8.0 - size.height(), 40.0) for x in (2.0, -size.width())
+    ]
+    at = place + min(corners, key=hidden) - corners[0]  # Qt adds the first corner itself
     QToolTip.showText(widget.mapToGlobal(at.toPoint()), widget.toolTip(), widget)
 
 
