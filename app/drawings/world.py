@@ -181,7 +181,6 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
-        self.fit = "named"  # what the pane frames, as in `Figure`
         self._goes_to: Framed | None = None  # what is framed where the pane's present way ends
         self._name()
         self.show_projection(scene.start)

@@ -312,8 +312,7 @@ def _world_marks(
     projection: Projection, subject: Subject, ends: Array, depths: Array, kept: tuple[float, float]
 ) -> Marks:
     """The eye plane, and the segment: what is drawn of it, and dashed what has no image."""
-    eye = np.array(projection.camera.eye)
-    u, v, _ = projection.camera.frame
+    eye, (u, v, _) = np.array(projection.camera.eye), projection.camera.frame
     start, end = depths.tolist()
     share = start / (start - end) if (start > 0.0) != (end > 0.0) else 0.0
     crossing = (1.0 - share) * ends[0] + share * ends[1]
