@@ -98,6 +98,7 @@ class Drawing:
     state: PaneState
     layers: Layers
     own: OwnView | StageView | None = None
+    fit = "named"  # what the world frames, as in `Figure`
     _probes: Sequence[Probe] = ()
     former: Chain | None = None  # the object's moves before an edit, which are shown pale
     _way: tuple[Chain, Chain] | None = None  # the whole chain and the moves made, if they differ

@@ -64,7 +64,7 @@ class StageView(PaneCamera):
         after = _LOOKED_FROM_DEG[VIEW][0]
         azimuth = self._start.orbit.azimuth_deg + _BEHIND_DEG
         aside = math.remainder(azimuth - after, 360.0)
-        return after + (aside / 2.0 if self._stands else aside), _WORLD_ELEVATION_DEG
+        return after + (0.75 * aside if self._stands else aside), _WORLD_ELEVATION_DEG
 
     def axes(self, stop: float) -> Array:
         return axes_from(*self._looked_from(stop))

@@ -9,7 +9,7 @@
 """
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -19,8 +19,8 @@ from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
-from widgets.panes.canvas import MULTISAMPLES, SMOOTHINGS
-from widgets.panes.pane import REST_MS, Pane
+from widgets.panes.canvas import MULTISAMPLES, REST_MS, SMOOTHINGS
+from widgets.panes.pane import Pane
 from widgets.parts.progress import progress_dialog
 
 AT_FIRST = 200_000
@@ -79,11 +79,11 @@ class Adaptive(QObject):
             self._scene, self.quality = scene, quality
             self._plan()
 
-    def reduce_ahead(self, scene: Scene) -> None:
-        """Make the coarser versions of a scene that may be shown next."""
-        if self._target_ms > 0.0:
-            for share in shares_for_dragging(scene):
-                reduced(scene, share)
+    def reduce_ahead(self, scene: Scene) -> Iterator[None]:
+        """Make the coarser versions of a scene that may be shown next, one by one."""
+        for share in shares_for_dragging(scene) if self._target_ms > 0.0 else ():
+            reduced(scene, share)
+            yield
 
     def set_target(self, target_ms: float) -> None:
         """Set the longest frame while a control is dragged; 0 for any."""

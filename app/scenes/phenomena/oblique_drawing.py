@@ -71,7 +71,7 @@ def measured(ends_px: Array) -> DrawnEdge | None:
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
     """The same camera with an oblique lens; the picture of the plane through the target stays.
 
-    `scale` and `angle_deg` as in `app.model.lenses.oblique_angles`.
+    `scale` and `angle_deg` as in `app.model.lenses.oblique.oblique_angles`.
     """
     straight = projection.with_lens("orthographic")
     lens: Any = straight.lens
