@@ -80,7 +80,7 @@ class BlockView(QFrame):
         self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None  # the button of the right answer, once it is offered
-        self._words: QWidget = LessonText(question.text)
+        self._words: QWidget = LessonText("" if question.varies else question.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
         self._column = in_column(self._words, self._feedback, on=self, margins=(9, 7, 9, 8), gap=5)
