@@ -26,15 +26,7 @@ from app.lessons.practice import Sheet, marked
 from app.lessons.record import Attempt, Record
 from app.lessons.text import escaped
 from app.model.refusal import Refusal
-from widgets.parts.layouts import (
-    FREE,
-    TOP,
-    in_column,
-    in_row,
-    label_button,
-    push_button,
-    tool_button,
-)
+from widgets.parts import layouts
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.messages import sentence
 from widgets.parts.plain import PlainLabel
@@ -85,9 +77,9 @@ class LessonCard(QFrame):
         self.is_on = False  # whether the card shows a lesson, or that one is finished
         self._title = PlainLabel(wordWrap=True, objectName="paneTitle")
         forget = self.tr("Begin again: forget the answers of this lesson")
-        self.anew = tool_button("", forget, self.begin_again, icon="reset", flat=True)
+        self.anew = layouts.tool_button("", forget, self.begin_again, icon="reset", flat=True)
         tip = self.tr("Close the lesson")
-        close = tool_button("", tip, self.leave, icon="close", flat=True)
+        close = layouts.tool_button("", tip, self.leave, icon="close", flat=True)
         self._marks = StepMarks()
         self._marks.chosen.connect(self.go_to)
         self.page = StepPage()
@@ -95,9 +87,9 @@ class LessonCard(QFrame):
         self.page.show_wanted.connect(self._show_aside)
         self.page.posed.connect(lessons.pose)
         self._notice = PlainLabel(wordWrap=True, objectName="notice", visible=False)
-        head = in_row((self._title, 1), (self.anew, TOP), (close, TOP))
+        head = layouts.in_row((self._title, 1), (self.anew, layouts.TOP), (close, layouts.TOP))
         parts = head, self._marks, (self.page, 1), self._notice, self._foot()
-        in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
+        layouts.in_column(*parts, on=self, margins=(9, 6, 6, 6), gap=5)
         self.page.hinting_changed.connect(self.hint.setEnabled)
         self._looking = QTimer(self, singleShot=True)
         self._looking.timeout.connect(self._look)
@@ -113,7 +105,7 @@ class LessonCard(QFrame):
         self.back, self.again, self.hint, self.next = (_push("", "", act) for act in acts)
         self.next.setObjectName("nextStep")
         self._name_buttons()
-        return in_row(self.back, self.again, FREE, self.hint, self.next, gap=4)
+        return layouts.in_row(self.back, self.again, layouts.FREE, self.hint, self.next, gap=4)
 
     def _name_buttons(self) -> None:
         """Name the buttons in the language of the lesson."""
@@ -128,7 +120,7 @@ class LessonCard(QFrame):
             (self.hint, self.tr("H&int"), self.tr("Show the next hint (Alt+I)")),
             (self.next, self.tr("&Next"), self.tr("Next step ({0})").format(next_key)),
         ):
-            label_button(button, text, tip)
+            layouts.label_button(button, text, tip)
         self.again.setAccessibleName(self.tr("Show the step again"))
 
     # -- what is open
@@ -402,7 +394,7 @@ class LessonCard(QFrame):
     ) -> None:
         """Show a last page with its buttons, the first of which gets the focus."""
         page = QWidget()
-        in_column(said, *buttons, *below, FREE, on=page)
+        layouts.in_column(said, *buttons, *below, layouts.FREE, on=page)
         self.page.setWidget(page)
         self._show_step_buttons(False)
         buttons[0].setFocus(Qt.FocusReason.OtherFocusReason)
@@ -463,6 +455,6 @@ def _after(path: Path) -> Head | None:
 
 
 def _push(text: str, tip: str, act: object) -> QPushButton:
-    button = push_button(text, tip, act)
+    button = layouts.push_button(text, tip, act)
     button.setAutoDefault(True)  # Enter presses it
     return button
