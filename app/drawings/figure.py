@@ -189,11 +189,6 @@ class Figure:
             return self.text_pt or 7.0
         return max(_LEAST_TEXT_PX, USUAL_TEXT * self._side) * 72.0 / DPI
 
-    @property
-    def has_one_size(self) -> bool:
-        """Whether letters of formulas are as large as words: on paper, and if a size is asked."""
-        return bool(self.text_pt or self.width) or PALETTES[self.palette].on_paper
-
     @cached_property
     def description(self) -> Description:
         """What it shows, for those who do not see it."""
@@ -415,9 +410,9 @@ class Figure:
 
     def _style(self, scale: float) -> Style:
         style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
-        return replace(
-            style, margin=style.background, font_size=em_px, one_size=self.has_one_size
-        ).enlarged(scale)
+        one_size = bool(self.text_pt or self.width) or style.on_paper  # also in formulas
+        style = replace(style, margin=style.background, font_size=em_px, one_size=one_size)
+        return style.enlarged(scale)
 
     def _equation(self, size: tuple[float, float]) -> EquationPicture:
         from app.drawings.equation_picture import EquationPicture

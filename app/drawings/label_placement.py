@@ -536,7 +536,7 @@ def _costs(
     first = np.cumsum(counts) - counts
     parts = (np.split(each, first[1:]) for each in (costs, brief))
     firsts = 0 if ground.halo else _TRIED  # of so many places the cheapest ones are annealed
-    tried = [cheapest(*part, firsts) for part in zip(*parts, strict=True)]
+    tried = [cheapest(alone, short, firsts) for alone, short in zip(*parts, strict=True)]
     at = np.array([start + each for start, here in zip(first, tried, strict=True) for each in here])
     at = at.astype(np.int64)
     boxes, leads = boxes[at], leads[at]
