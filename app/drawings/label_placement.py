@@ -105,7 +105,7 @@ class Wish(NamedTuple):
         """Make its candidates; level ones that a leader may join slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
         if self.rank > CLOSE and ground.halo and places.leads and len(self.spots) == 1:
-            finer = partial(around, ways=_FINELY, gaps_em=_FINE_GAPS_EM)
+            finer = partial(around, sides=_FINELY, gaps_em=_FINE_GAPS_EM)
             places = joined(places, finer(self.spots, self.size, ground.em))
         if self.short is not None and len(places.centres):
             whole, places = len(places.centres), joined(places, self.short[1]())
@@ -157,7 +157,7 @@ def around(
     em: float,
     rim: float = 0.0,
     way: Spot | None = None,
-    ways: Floats = _ROUND,
+    sides: Floats = _ROUND,
     gaps_em: Sequence[float] = _GAPS_EM,
 ) -> Places:
     """Imhof's positions round points, first near, then farther away; towards `way` first."""
@@ -165,10 +165,10 @@ def around(
     half = np.array(size) / 2.0
     if way is not None and math.hypot(*way) > 0.0:
         turned = _ROUND / np.linalg.norm(_ROUND, axis=1, keepdims=True) @ np.array(way)
-        ways = _ROUND[np.argsort(-turned, kind="stable")]
+        sides = _ROUND[np.argsort(-turned, kind="stable")]
     gaps = np.array(gaps_em) * em + rim
-    gap = np.repeat(gaps, len(ways))[:, None]
-    side = np.tile(ways, (len(gaps), 1))
+    gap = np.repeat(gaps, len(sides))[:, None]
+    side = np.tile(sides, (len(gaps), 1))
     # At a corner the letters come a little nearer: their box is empty there.
     near = np.where(np.abs(side).sum(axis=1, keepdims=True) > 1.0, 0.6, 1.0)
     offsets = side * (half + gap * near)
