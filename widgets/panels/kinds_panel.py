@@ -7,18 +7,8 @@ from dataclasses import replace
 from functools import lru_cache, partial
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRect, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QFont,
-    QFontMetrics,
-    QKeyEvent,
-    QPainter,
-    QPaintEvent,
-    QPalette,
-    QPen,
-    QPolygonF,
-    QResizeEvent,
-)
 from PySide6.QtWidgets import QAbstractButton, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
@@ -92,30 +82,30 @@ class _Node(QAbstractButton):
     def nextCheckState(self) -> None:
         """Do nothing: a click changes the projection, which then highlights a node."""
 
-    def font_of(self) -> QFont:
+    def font_of(self) -> QtGui.QFont:
         """Return a bold font on the path, because colour is never the only sign."""
-        font = QFont(self.font())
+        font = QtGui.QFont(self.font())
         font.setBold(self._on_path)
         font.setPointSizeF(self.scale * font.pointSizeF())
         return font
 
     def sizeHint(self) -> QSize:
-        bold = QFont(self.font())
+        bold = QtGui.QFont(self.font())
         bold.setBold(True)
-        metrics = QFontMetrics(bold)
+        metrics = QtGui.QFontMetrics(bold)
         high = metrics.height() + _PAD_PX + (_LEAST_ICON + _PAD_PX if self.is_leaf else 0)
         return QSize(metrics.horizontalAdvance(self.text()) + 3 * _PAD_PX, high)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, roles = QPainter(self), QPalette.ColorRole
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, roles = QtGui.QPainter(self), QtGui.QPalette.ColorRole
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         lit, colours = self.isChecked(), self.palette()
         edge = colours.color(roles.Highlight if self._on_path else roles.PlaceholderText)
         wide = 2.0 if self._on_path else 1.0
         box = QRectF(self.rect()).adjusted(1.5, 1.5, -1.5, -1.5)
         hovered = self.underMouse() or self.hasFocus()
         ground = roles.Highlight if lit else roles.Midlight if hovered else roles.Base
-        painter.setPen(QPen(edge, wide))
+        painter.setPen(QtGui.QPen(edge, wide))
         painter.setBrush(colours.color(ground))
         painter.drawRoundedRect(box, 4.0, 4.0)
         painter.setFont(self.font_of())
@@ -133,24 +123,24 @@ class _Node(QAbstractButton):
         painter.drawText(below, Qt.AlignmentFlag.AlignCenter, self.text())
         if self.hasFocus():
             painter.setBrush(Qt.BrushStyle.NoBrush)
-            painter.setPen(QPen(colours.color(roles.Text), RING_PX))
+            painter.setPen(QtGui.QPen(colours.color(roles.Text), RING_PX))
             painter.drawRoundedRect(box.adjusted(1.0, 1.0, -1.0, -1.0), 3.0, 3.0)
         painter.end()
 
-    def _paint_cube(self, painter: QPainter, room: QRectF) -> None:
+    def _paint_cube(self, painter: QtGui.QPainter, room: QRectF) -> None:
         faces = _cube(self._kind.name)
         corners = np.concatenate([face for _, face in faces])
         low, size = corners.min(axis=0), np.ptp(corners, axis=0)
         scale = min(room.width() / size[0], room.height() / size[1])
         middle = np.array([room.center().x(), room.center().y()])
         names = self._style.u, self._style.v, self._style.n
-        painter.setPen(QPen(self.palette().color(QPalette.ColorRole.Text), 1.0))
+        painter.setPen(QtGui.QPen(self.palette().color(QtGui.QPalette.ColorRole.Text), 1.0))
         for number, face in faces:
             painter.setBrush(faded(names[_ACROSS[number]], _TINT))
             places = middle + scale * (face - low - size / 2.0)
-            painter.drawPolygon(QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
+            painter.drawPolygon(QtGui.QPolygonF([QPointF(x, y) for x, y in places.tolist()]))
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter):
             self.click()
         else:
@@ -186,7 +176,7 @@ class _Tree(QWidget):
     def sizeHint(self) -> QSize:
         return self.minimumSizeHint()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.place()
 
@@ -213,20 +203,20 @@ class _Tree(QWidget):
             node.setGeometry(QRect(left, top, size.width(), size.height()))
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
-        painter, roles = QPainter(self), QPalette.ColorRole
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
+        painter, roles = QtGui.QPainter(self), QtGui.QPalette.ColorRole
         branches = [(kind.parent, name) for name, kind in KINDS.items() if kind.parent]
         # The path to the picture's kind is drawn last, over the other lines.
         for parent, name in sorted(branches, key=lambda way: self.nodes[way[1]].font_of().bold()):
             on_path = self.nodes[name].font_of().bold()
             colour = self.palette().color(roles.Highlight if on_path else roles.PlaceholderText)
-            painter.setPen(QPen(colour, 2.0 if on_path else 1.0))
+            painter.setPen(QtGui.QPen(colour, 2.0 if on_path else 1.0))
             above, below = self.nodes[parent].geometry(), self.nodes[name].geometry()
             start = QPointF(above.center().x(), above.bottom())
             end = QPointF(below.center().x(), below.top())
             bend = start.y() + _GAP_PX / 2.0
             corners = [start, QPointF(start.x(), bend), QPointF(end.x(), bend), end]
-            painter.drawPolyline(QPolygonF(corners))
+            painter.drawPolyline(QtGui.QPolygonF(corners))
         painter.end()
 
 

@@ -9,22 +9,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
+from PySide6 import QtGui
 from PySide6.QtCore import QCoreApplication, QEvent, QPointF, QRectF, QSize, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QContextMenuEvent,
-    QFocusEvent,
-    QFont,
-    QFontMetricsF,
-    QGuiApplication,
-    QHelpEvent,
-    QKeyEvent,
-    QKeySequence,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-)
 from PySide6.QtWidgets import QLineEdit, QMenu, QSizePolicy, QWidget
 
 from app.drawings.style import LIGHT, Style
@@ -99,7 +85,7 @@ def is_a_cameras(matrix: WrittenMatrix) -> bool:
 
 def clipboard_text() -> str:
     """Return the text of the clipboard, or as much of it as shows that it is not a matrix."""
-    return QGuiApplication.clipboard().text()[: LONGEST + 1]
+    return QtGui.QGuiApplication.clipboard().text()[: LONGEST + 1]
 
 
 def is_one_number(text: str) -> bool:
@@ -125,7 +111,7 @@ class _CellField(QLineEdit):
 
     def cover(self, cell: QRectF) -> None:
         """Lie over a cell, as wide as the typed text needs."""
-        wide = QFontMetricsF(self._view.font()).horizontalAdvance(self.text() + "00") + 8.0
+        wide = QtGui.QFontMetricsF(self._view.font()).horizontalAdvance(self.text() + "00") + 8.0
         room = float(self._view.width())
         wide = min(max(wide, cell.width()), room)
         left = max(min(cell.right() - wide, room - wide), 0.0)
@@ -134,7 +120,7 @@ class _CellField(QLineEdit):
     def event(self, event: QEvent) -> bool:
         kinds, keys = QEvent.Type, Qt.Key
         takes = event.type() in (kinds.ShortcutOverride, kinds.KeyPress)
-        if takes and isinstance(event, QKeyEvent):
+        if takes and isinstance(event, QtGui.QKeyEvent):
             acts: dict[Qt.Key, Callable[[], object]] = {
                 keys.Key_Return: self.returnPressed.emit,
                 keys.Key_Enter: self.returnPressed.emit,
@@ -144,7 +130,7 @@ class _CellField(QLineEdit):
             }
             act = acts.get(keys(event.key()))
             text = clipboard_text()
-            if event.matches(QKeySequence.StandardKey.Paste) and not is_one_number(text):
+            if event.matches(QtGui.QKeySequence.StandardKey.Paste) and not is_one_number(text):
                 act = partial(self.pasted.emit, text)
             if act is not None:
                 event.accept()  # QLineEdit forwards Enter to the view, which would open a cell
@@ -189,7 +175,7 @@ class MatrixView(QWidget):
         """The first changed digit, by row and column of the cells that differ from before."""
         self._columns = self._fitting = [0.0] * 4
         """Widths of the columns, and the widths that the present texts need."""
-        self._heights = [QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
+        self._heights = [QtGui.QFontMetricsF(self.font()).height() + ROW_GAP_PX] * 4
         self._writing = MatrixNotation()
         self._written: tuple[object, ...] = ()
         self._highlight = self._pointed_at = NOTHING
@@ -223,14 +209,14 @@ class MatrixView(QWidget):
 
     # -- places
 
-    def _small(self) -> QFont:
+    def _small(self) -> QtGui.QFont:
         return resized(self.font(), 0.75)
 
     def _typeset(self, text: str) -> Typeset:
         return typeset(text, self.font(), is_formula=self._writing.formulas)
 
     def _measure(self, anew: bool) -> None:
-        height = QFontMetricsF(self.font()).height()
+        height = QtGui.QFontMetricsF(self.font()).height()
         cells = [[self._typeset(text) for text in row] for row in self.texts]
         widths = [max(row[j].width for row in cells) + 0.8 * height for j in range(4)]
         # While numbers change quickly, columns only grow, because a jumping row cannot be read.
@@ -263,7 +249,7 @@ class MatrixView(QWidget):
 
         Space for letters above is always reserved, so that all matrices are aligned.
         """
-        plate = QFontMetricsF(self._small()).height() + 2.0
+        plate = QtGui.QFontMetricsF(self._small()).height() + 2.0
         return (plate + 8.0 if self._axes_are_rows else 8.0), plate + 2.0
 
     @property
@@ -287,14 +273,14 @@ class MatrixView(QWidget):
 
     # -- painting
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
         if self._matrix is None:
             return
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
-        ink, accent = self.palette().windowText().color(), QColor(self._writing.style.accent)
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
+        ink, accent = self.palette().windowText().color(), QtGui.QColor(self._writing.style.accent)
         self._paint_axes(painter, self._matrix)
-        painter.setPen(QPen(ink, RULE_PX))
+        painter.setPen(QtGui.QPen(ink, RULE_PX))
         (left, top), wide, high = self._margin, sum(self._columns), sum(self._heights)
         paint_brackets(painter, QRectF(left - 2.0, top, wide + 4.0, high), FOOT_PX)
         for i, row in enumerate(self.texts):
@@ -302,21 +288,21 @@ class MatrixView(QWidget):
                 rect = self.cell_rect(i, j)
                 if (i, j) in self._changed:
                     painter.fillRect(rect.adjusted(1, 1, -1, -1), faded(accent, 0.3))
-                    painter.setPen(QPen(accent, 1.0))
+                    painter.setPen(QtGui.QPen(accent, 1.0))
                     painter.drawRect(rect.adjusted(1.5, 1.5, -1.5, -1.5))
                 if self.is_marked(i, j):
                     paint_highlight(self, painter, rect.adjusted(1, 1, -1, -1))
                 painter.setPen(faded(ink, 0.45) if text == "0" else ink)
                 self._paint_text(painter, rect, text, self._changed.get((i, j)))
         if self.hasFocus():
-            painter.setPen(QPen(self.palette().highlight().color(), 2.0))
+            painter.setPen(QtGui.QPen(self.palette().highlight().color(), 2.0))
             painter.drawRect(self.cell_rect(*self.place).adjusted(1, 1, -1, -1))
         painter.end()
 
-    def _paint_axes(self, painter: QPainter, matrix: WrittenMatrix) -> None:
+    def _paint_axes(self, painter: QtGui.QPainter, matrix: WrittenMatrix) -> None:
         left, top = self._margin
         painter.setFont(self._small())
-        plate = QFontMetricsF(self._small()).height()
+        plate = QtGui.QFontMetricsF(self._small()).height()
         third = written("axis_n", self._writing.letters).removesuffix(ARROW)
         style = self._writing.style
         names = ("u", "v", third) if is_a_cameras(matrix) else ("x", "y", "z")
@@ -329,21 +315,23 @@ class MatrixView(QWidget):
                 cell = self.cell_rect(0, k)
                 rect = QRectF(cell.left() + 2.0, 0.0, cell.width() - 4.0, plate)
                 band = QRectF(cell.left(), top, cell.width(), sum(self._heights))
-            colour = QColor(shade)
+            colour = QtGui.QColor(shade)
             painter.fillRect(band, faded(colour, 0.12))
             painter.fillRect(rect, colour)
-            painter.setPen(QColor(style.text_on(colour.name())))
+            painter.setPen(QtGui.QColor(style.text_on(colour.name())))
             painter.drawText(rect, Qt.AlignmentFlag.AlignCenter, name)
         painter.setFont(self.font())
 
-    def _paint_text(self, painter: QPainter, rect: QRectF, text: str, mark: int | None) -> None:
-        metrics, cell = QFontMetricsF(self.font()), self._typeset(text)
+    def _paint_text(
+        self, painter: QtGui.QPainter, rect: QRectF, text: str, mark: int | None
+    ) -> None:
+        metrics, cell = QtGui.QFontMetricsF(self.font()), self._typeset(text)
         end = rect.right() - 0.4 * metrics.height()
         base = rect.center().y() + cell.below_middle
         cell.paint(painter, end - cell.width, base)
         if mark is not None:
             start = end - metrics.horizontalAdvance(text[mark:] or text[-1:])
-            painter.setPen(QPen(painter.pen().color(), 2.0))
+            painter.setPen(QtGui.QPen(painter.pen().color(), 2.0))
             painter.drawLine(QPointF(start, base + 3.0), QPointF(end, base + 3.0))
 
     # -- typing
@@ -422,7 +410,7 @@ class MatrixView(QWidget):
                 self.setFocus()
             self.update()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         cell = self._cell_at(event.position())
         if cell is not None and event.button() == Qt.MouseButton.LeftButton:
             self.edit_cell(*cell)
@@ -442,7 +430,7 @@ class MatrixView(QWidget):
         if self._matrix is not None and self._described is not None and self.field is None:
             self.pointed.emit(self._explain(self._matrix, *self._described))
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         cell = self._cell_at(event.position())
         if cell is not None and self._matrix is not None:
             self._described = cell
@@ -473,22 +461,22 @@ class MatrixView(QWidget):
             names |= {f"clip_{'xyzw'[column if self._writing.rows else row]}"}
         return bool(names & made_of(self._highlight))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         self.place = self._cell_at(event.position()) or self.place
         self.sought.emit(False)
         self._describe_cell()
         self.update()
         super().mousePressEvent(event)
 
-    def focusInEvent(self, event: QFocusEvent) -> None:
+    def focusInEvent(self, event: QtGui.QFocusEvent) -> None:
         super().focusInEvent(event)
         self._pointed_at = NOTHING  # the view that has lost the focus has removed the highlight
         self._describe_cell()
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.matches(QtGui.QKeySequence.StandardKey.Copy):
             self.copied.emit("text", self._matrix)
-        elif event.matches(QKeySequence.StandardKey.Paste) and self._editable:
+        elif event.matches(QtGui.QKeySequence.StandardKey.Paste) and self._editable:
             self._paste()
         elif event.key() in _STEPS:
             down, right = _STEPS[Qt.Key(event.key())]
@@ -513,7 +501,7 @@ class MatrixView(QWidget):
 
     def event(self, event: QEvent) -> bool:
         kinds = QEvent.Type
-        if isinstance(event, QHelpEvent) and event.type() == kinds.ToolTip and self._matrix:
+        if isinstance(event, QtGui.QHelpEvent) and event.type() == kinds.ToolTip and self._matrix:
             cell = self._cell_at(QPointF(event.pos()))
             if cell is not None:
                 show_tip(event.globalPos(), rich(self._explain(self._matrix, *cell)), self)
@@ -523,7 +511,7 @@ class MatrixView(QWidget):
             self._point_at(None)
         return done
 
-    def contextMenuEvent(self, event: QContextMenuEvent) -> None:
+    def contextMenuEvent(self, event: QtGui.QContextMenuEvent) -> None:
         menu = QMenu(self)
         menu.setAttribute(Qt.WidgetAttribute.WA_DeleteOnClose)
         matrix = self._matrix

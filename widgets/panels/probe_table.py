@@ -4,18 +4,8 @@ import math
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
+from PySide6 import QtGui
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
-from PySide6.QtGui import (
-    QAction,
-    QBrush,
-    QFont,
-    QFontMetrics,
-    QGuiApplication,
-    QKeyEvent,
-    QKeySequence,
-    QPainter,
-    QPalette,
-)
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHeaderView,
@@ -92,8 +82,8 @@ class _Model(QAbstractTableModel):
         row, column = index.row(), index.column()
         if role == _Role.BackgroundRole:
             marked = self.highlight_at(index) & self._highlighted
-            highlight = QGuiApplication.palette().highlight().color()
-            return QBrush(faded(highlight, 0.35)) if marked else None
+            highlight = QtGui.QGuiApplication.palette().highlight().color()
+            return QtGui.QBrush(faded(highlight, 0.35)) if marked else None
         if role not in (_Role.DisplayRole, _Role.ToolTipRole, FORMULA, EXACT):
             return None
         if column == 0:
@@ -133,7 +123,7 @@ class ProbeTable(QTableView):
         self.highlight_at = self._model.highlight_at
         self.show_highlight = self._model.show_highlight
         self.setItemDelegateForColumn(0, _FormulaDelegate(self))
-        copy = QAction(self.tr("Copy, with all digits"), self)
+        copy = QtGui.QAction(self.tr("Copy, with all digits"), self)
         copy.triggered.connect(self._copy)
         self.addAction(copy)
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
@@ -147,7 +137,7 @@ class ProbeTable(QTableView):
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setMinimumSectionSize(0)
 
-    def show_numbers(self, content: ProbeRows, font: QFont, *, anew: bool) -> None:
+    def show_numbers(self, content: ProbeRows, font: QtGui.QFont, *, anew: bool) -> None:
         """Show the probes' numbers; columns may shrink if they are written `anew`.
 
         The font is the panel's: a change of font may reach this table too late.
@@ -157,17 +147,17 @@ class ProbeTable(QTableView):
             self.fit_rows(font)
         self._widen(content, font, anew)
 
-    def fit_rows(self, font: QFont) -> None:
+    def fit_rows(self, font: QtGui.QFont) -> None:
         """Make each row as high as its formula: a fraction needs more than a line."""
-        rows, line = self.verticalHeader(), QFontMetrics(font).height()
+        rows, line = self.verticalHeader(), QtGui.QFontMetrics(font).height()
         rows.setDefaultSectionSize(line + 4)
         for row, (_, formula) in enumerate(self._model.content.lines):
             needed = math.ceil(typeset(formula, font).height)
             rows.resizeSection(row, max(line, needed) + 4)
 
-    def _widen(self, content: ProbeRows, font: QFont, anew: bool) -> None:
+    def _widen(self, content: ProbeRows, font: QtGui.QFont, anew: bool) -> None:
         """Make every number fully visible: without its last digits it would be wrong."""
-        metrics = QFontMetrics(font)
+        metrics = QtGui.QFontMetrics(font)
         digit = metrics.horizontalAdvance("0")
         if anew:
             widest = max(typeset(formula, font).width for _, formula in content.lines)
@@ -203,10 +193,10 @@ class ProbeTable(QTableView):
         rows: dict[int, list[str]] = {}
         for index in sorted(self.selectedIndexes(), key=lambda at: (at.row(), at.column())):
             rows.setdefault(index.row(), []).append(index.data(EXACT) or "")
-        QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows.values())))
+        QtGui.QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows.values())))
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if event.matches(QKeySequence.StandardKey.Copy):
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if event.matches(QtGui.QKeySequence.StandardKey.Copy):
             self._copy()
         else:
             super().keyPressEvent(event)
@@ -219,15 +209,15 @@ class _FormulaDelegate(QStyledItemDelegate):
         super().initStyleOption(option, index)
         option.text = ""  # the delegate paints only the background
 
-    def paint(self, painter: QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+    def paint(self, painter: QtGui.QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
         super().paint(painter, option, index)
         own = QStyleOptionViewItem(option)
         self.initStyleOption(own, index)
         formula = typeset(index.data(FORMULA), own.font)
-        roles = QPalette.ColorRole
+        roles = QtGui.QPalette.ColorRole
         is_selected = bool(own.state & QStyle.StateFlag.State_Selected)
         painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(own.palette.color(roles.HighlightedText if is_selected else roles.Text))
         base = QRectF(own.rect).center().y() + formula.below_middle
         formula.paint(painter, own.rect.left() + 3.0, base)

@@ -24,20 +24,8 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 from weakref import WeakSet
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QCloseEvent,
-    QColor,
-    QHelpEvent,
-    QImage,
-    QKeyEvent,
-    QMouseEvent,
-    QOpenGLContext,
-    QPainter,
-    QPaintEvent,
-    QResizeEvent,
-    QWheelEvent,
-)
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
@@ -81,7 +69,7 @@ def smooth_window(window: Any, smoothing: str) -> None:
 
 def release_context() -> None:
     """Release Qt's OpenGL context before VTK draws off the screen, or VTK may use it as its own."""
-    current = QOpenGLContext.currentContext()
+    current = QtGui.QOpenGLContext.currentContext()
     if current is not None:
         current.doneCurrent()
 
@@ -168,8 +156,8 @@ class _Canvas(QWidget):
             before.SetActiveCamera(camera)
             raise
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
-        painter = QPainter(self)
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
+        painter = QtGui.QPainter(self)
         painter.fillRect(self.rect(), self.palette().base())
         painter.end()
 
@@ -203,11 +191,11 @@ class GlCanvas(_Canvas):
     def redraw(self) -> None:
         self._inside.update()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._inside.resize(self.size())
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         self._inside.close()
         super().closeEvent(event)
 
@@ -224,7 +212,7 @@ class RasterCanvas(_Canvas):
         self.drawn.connect(self.shown, Qt.ConnectionType.QueuedConnection)
         self._screen: OffScreen | None = None
         self._is_stale = self._is_unread = True
-        self._image = QImage()
+        self._image = QtGui.QImage()
 
     def open(self) -> None:
         from vtkmodules.vtkCommonCore import vtkUnsignedCharArray
@@ -258,7 +246,7 @@ class RasterCanvas(_Canvas):
         self._is_stale = True
         self.update()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if self._screen is None:
             super().paintEvent(event)
             return
@@ -274,9 +262,9 @@ class RasterCanvas(_Canvas):
             self._read()
             if self.timed:
                 self.painted.emit(1e3 * (time.perf_counter() - began))
-        painter = QPainter(self)
+        painter = QtGui.QPainter(self)
         if self._finer != 1.0:
-            painter.setRenderHint(QPainter.RenderHint.SmoothPixmapTransform)
+            painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
         painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
         painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
         painter.end()
@@ -302,12 +290,12 @@ class RasterCanvas(_Canvas):
         self._is_unread = False
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
         data = vtk_to_numpy(self._pixels).data  # type: ignore[no-untyped-call]
-        self._image = QImage(data, width, height, QImage.Format.Format_RGBX8888)
+        self._image = QtGui.QImage(data, width, height, QtGui.QImage.Format.Format_RGBX8888)
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         _OPEN.discard(self)
         if self._screen is not None:
-            self._image = QImage()
+            self._image = QtGui.QImage()
             self._screen.give_back()
             self._screen = None
         super().closeEvent(event)
@@ -324,15 +312,15 @@ class CanvasHolder(QWidget):
         super().__init__()
         self._margins = in_column(canvas, on=self, margins=(0, 0, 0, 0))
         self._room: QRect | None = None
-        self.beside: QColor | None = None  # colour beside the canvas; None for the window's
+        self.beside: QtGui.QColor | None = None  # colour beside the canvas; None for the window's
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if self._room is not None and self.beside is not None:
-            painter = QPainter(self)
+            painter = QtGui.QPainter(self)
             painter.fillRect(event.rect(), self.beside)
             painter.end()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self.fit()
 
@@ -458,7 +446,7 @@ class Hand(QObject):
 
     # Each returns whether the canvas does not get the event; an ignored event goes to the pane.
 
-    def _key(self, event: QKeyEvent) -> bool:
+    def _key(self, event: QtGui.QKeyEvent) -> bool:
         modifiers, key = event.modifiers(), event.key()
         is_shifted = bool(modifiers & Qt.KeyboardModifier.ShiftModifier)
         plain = Qt.KeyboardModifier.ShiftModifier | Qt.KeyboardModifier.KeypadModifier
@@ -488,7 +476,7 @@ class Hand(QObject):
         self.left.emit()
         return False
 
-    def _show_tip(self, event: QHelpEvent) -> bool:
+    def _show_tip(self, event: QtGui.QHelpEvent) -> bool:
         if self.has_tooltip:
             show_tip_off(self.names(), event.pos().toPointF(), self._canvas)
         return True
@@ -497,7 +485,7 @@ class Hand(QObject):
         self.at = self._middle(position)
         self.hovered.emit(self.at)
 
-    def _press(self, event: QMouseEvent) -> bool:
+    def _press(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         self.at = None
         if self._dragged_from is None:  # another button does not belong to a drag
@@ -506,7 +494,7 @@ class Hand(QObject):
             self._pressed = event.position() if is_left else None
         return True
 
-    def _release(self, event: QMouseEvent) -> bool:
+    def _release(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
             self._last = None
@@ -527,12 +515,12 @@ class Hand(QObject):
         """Return the middle of the pixel at a position, in device pixels."""
         return (position + QPointF(0.5, 0.5)) * self._canvas.pixel_ratio
 
-    def _double_click(self, event: QMouseEvent) -> bool:
+    def _double_click(self, event: QtGui.QMouseEvent) -> bool:
         self._pressed = None
         event.ignore()  # the pane resets the view
         return True
 
-    def _move(self, event: QMouseEvent) -> bool:
+    def _move(self, event: QtGui.QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
             self._hover(event.position())
@@ -557,7 +545,7 @@ class Hand(QObject):
         self.moved.emit()
         return True
 
-    def _wheel(self, event: QWheelEvent) -> bool:
+    def _wheel(self, event: QtGui.QWheelEvent) -> bool:
         event.accept()
         steps = event.angleDelta().y() / 120.0
         if self._dragged_from is not None:  # the held thing would move away from the mouse

@@ -13,23 +13,8 @@ from dataclasses import dataclass, field, replace
 from functools import cache, lru_cache
 from itertools import islice
 
+from PySide6 import QtGui
 from PySide6.QtCore import QLineF, QPointF, QRectF, QSize, Qt
-from PySide6.QtGui import (
-    QAction,
-    QBrush,
-    QColor,
-    QFont,
-    QFontDatabase,
-    QFontMetricsF,
-    QGuiApplication,
-    QKeyEvent,
-    QKeySequence,
-    QPainter,
-    QPainterPath,
-    QPaintEvent,
-    QPen,
-    QTransform,
-)
 
 from app.lecture.typesetting import Outline, font_file, line_of, piece_of
 from app.model.formula import ARROW
@@ -56,13 +41,13 @@ _IS_FORMULA = re.compile(  # not the powers of ten of a number
 
 @cache
 def bring_font() -> None:
-    QFontDatabase.addApplicationFont(font_file("DejaVuSans"))
+    QtGui.QFontDatabase.addApplicationFont(font_file("DejaVuSans"))
 
 
-def words_font() -> QFont:
+def words_font() -> QtGui.QFont:
     """The font of words on paper and in charts; only Linux has it without matplotlib's file."""
     bring_font()
-    return QFont("DejaVu Sans")
+    return QtGui.QFont("DejaVu Sans")
 
 
 @dataclass(frozen=True)
@@ -76,8 +61,8 @@ class Typeset:
     width: float
     ascent: float
     descent: float
-    letters: QPainterPath = field(default_factory=QPainterPath, hash=False)
-    runs: tuple[tuple[float, float, str, QFont], ...] = ()
+    letters: QtGui.QPainterPath = field(default_factory=QtGui.QPainterPath, hash=False)
+    runs: tuple[tuple[float, float, str, QtGui.QFont], ...] = ()
     rules: tuple[QLineF, ...] = field(default=(), hash=False)
     cells: tuple[QRectF, ...] = field(default=(), hash=False)
 
@@ -99,28 +84,28 @@ class Typeset:
             tuple(cell.translated(x, y) for cell in self.cells),
         )  # fmt: skip
 
-    def paint(self, painter: QPainter, x: float, y: float) -> None:
+    def paint(self, painter: QtGui.QPainter, x: float, y: float) -> None:
         font, pen = painter.font(), painter.pen()
         for left, base, text, its_font in self.runs:
             painter.setFont(its_font)
             painter.drawText(QPointF(x + left, y + base), text)
         painter.setFont(font)
         painter.fillPath(self.letters.translated(x, y), pen.brush())
-        painter.setPen(QPen(pen.color(), RULE_PX))
+        painter.setPen(QtGui.QPen(pen.color(), RULE_PX))
         painter.drawLines([rule.translated(x, y) for rule in self.rules])
         painter.setPen(pen)
 
 
-def typeset(text: str, font: QFont, *, is_formula: bool = False) -> Typeset:
+def typeset(text: str, font: QtGui.QFont, *, is_formula: bool = False) -> Typeset:
     """Lay out a formula, or several lines of them; a number alone, only if it `is_formula`."""
     if not is_formula and _IS_FORMULA.search(text) is None:  # the usual case: a running number
         return words(text, font)
     return _laid_out(text, font.toString())
 
 
-def words(text: str, font: QFont) -> Typeset:
+def words(text: str, font: QtGui.QFont) -> Typeset:
     """Lay out a number or words in their own font; a letter with a subscript is a formula."""
-    parts, metrics = list[Typeset](), QFontMetricsF(font)
+    parts, metrics = list[Typeset](), QtGui.QFontMetricsF(font)
     for number, part in enumerate(_INDEXED.split(text)):
         if number % 2:
             parts.append(_letters(part, em_px(font)))
@@ -133,14 +118,14 @@ def words(text: str, font: QFont) -> Typeset:
 
 @lru_cache(maxsize=1024)
 def _laid_out(text: str, described: str) -> Typeset:
-    font = QFont()
+    font = QtGui.QFont()
     font.fromString(described)
     return below([_line(line, font) for line in text.split("\n")], font)
 
 
-def _line(text: str, font: QFont) -> Typeset:
+def _line(text: str, font: QtGui.QFont) -> Typeset:
     """Lay out fractions, matrices and what is between them."""
-    metrics, em = QFontMetricsF(font), em_px(font)
+    metrics, em = QtGui.QFontMetricsF(font), em_px(font)
     parts, at = [Typeset(0.0, metrics.ascent(), metrics.descent())], 0
     for block in _BLOCK.finditer(text):
         parts.append(_letters(text[at : block.start()], em))
@@ -167,7 +152,7 @@ def _beside(parts: Sequence[Typeset]) -> Typeset:
 
 def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset:
     """Join parts that are already placed."""
-    letters = QPainterPath()
+    letters = QtGui.QPainterPath()
     letters.setFillRule(Qt.FillRule.WindingFill)
     for part in parts:
         letters.addPath(part.letters)
@@ -182,8 +167,8 @@ def _together(parts: Sequence[Typeset], width: float, *rules: QLineF) -> Typeset
     )
 
 
-def below(lines: Sequence[Typeset], font: QFont) -> Typeset:
-    placed, y, room = [], 0.0, BETWEEN_ROWS * QFontMetricsF(font).height()
+def below(lines: Sequence[Typeset], font: QtGui.QFont) -> Typeset:
+    placed, y, room = [], 0.0, BETWEEN_ROWS * QtGui.QFontMetricsF(font).height()
     for number, line in enumerate(lines):
         y += line.ascent + lines[number - 1].descent + room if number else 0.0
         placed.append(line.at(0.0, y))
@@ -193,9 +178,11 @@ def below(lines: Sequence[Typeset], font: QFont) -> Typeset:
 @lru_cache(maxsize=512)
 def _letters(text: str, em: float) -> Typeset:
     """Lay out a line without fractions, as high as its ink."""
-    line, letters = line_of(text, formula=LETTERS_EM), QPainterPath()
+    line, letters = line_of(text, formula=LETTERS_EM), QtGui.QPainterPath()
     for piece, is_tex, size, x in line.pieces:
-        scaled = QTransform.fromScale(size * em, size * em) * QTransform.fromTranslate(x * em, 0.0)
+        scaled = QtGui.QTransform.fromScale(size * em, size * em) * QtGui.QTransform.fromTranslate(
+            x * em, 0.0
+        )
         for _, path in outlines_of(piece, is_tex):
             letters.addPath(scaled.map(path))
     _, low, _, high = line.box
@@ -213,9 +200,9 @@ def _fraction(above: str, below: str, em: float) -> Typeset:
     return replace(whole, ascent=whole.ascent + 1.0, descent=whole.descent + 1.0)
 
 
-def _matrix(text: str, font: QFont) -> Typeset:
+def _matrix(text: str, font: QtGui.QFont) -> Typeset:
     rows = [[typeset(cell, font) for cell in row.split("&")] for row in text.split(";")]
-    height = QFontMetricsF(font).height()
+    height = QtGui.QFontMetricsF(font).height()
     inside, gap = FOOT_PX + ROOM_PX, BETWEEN_COLUMNS * height
     columns = [max(cell.width for cell in column) for column in zip(*rows, strict=True)]
     placed, cells, y = [], [], 0.0
@@ -236,13 +223,13 @@ def _matrix(text: str, font: QFont) -> Typeset:
     )
     room = Typeset(width, RULE_PX, y + RULE_PX)  # for the brackets' own lines
     whole = replace(_together([*placed, room], width, *brackets), cells=tuple(cells))
-    return whole.at(0.0, -QFontMetricsF(font).strikeOutPos() - y / 2.0)
+    return whole.at(0.0, -QtGui.QFontMetricsF(font).strikeOutPos() - y / 2.0)
 
 
 # --------------------------------------------------------------------------- outlines
 
 
-def em_px(font: QFont) -> float:
+def em_px(font: QtGui.QFont) -> float:
     """Return the pixels of an em on the screen; documents for paper are laid out in them, too.
 
     Do not ask a layout's paint device: it is not a QObject, and when it is gone PySide takes
@@ -253,16 +240,16 @@ def em_px(font: QFont) -> float:
 
 @lru_cache(maxsize=1)
 def _dpi() -> float:
-    return QGuiApplication.primaryScreen().logicalDotsPerInchY()
+    return QtGui.QGuiApplication.primaryScreen().logicalDotsPerInchY()
 
 
 @lru_cache(maxsize=1024)
-def outlines_of(piece: str, is_tex: bool) -> tuple[tuple[str, QPainterPath], ...]:
+def outlines_of(piece: str, is_tex: bool) -> tuple[tuple[str, QtGui.QPainterPath], ...]:
     """Return outlines in em, y downwards, with the baseline at 0: letters and the rest.
 
     Each part has the name of its letter, as of `Outline.letters`, or none.
     """
-    whole, parts, at = piece_of(piece, is_tex), list[tuple[str, QPainterPath]](), 0
+    whole, parts, at = piece_of(piece, is_tex), list[tuple[str, QtGui.QPainterPath]](), 0
     for name, begin, end in (*whole.letters, ("", len(whole.codes), len(whole.codes))):
         if at < begin:
             parts.append(("", _path(whole, at, begin)))
@@ -272,8 +259,8 @@ def outlines_of(piece: str, is_tex: bool) -> tuple[tuple[str, QPainterPath], ...
     return tuple(parts)
 
 
-def _path(whole: Outline, place: int, end: int) -> QPainterPath:
-    path = QPainterPath()
+def _path(whole: Outline, place: int, end: int) -> QtGui.QPainterPath:
+    path = QtGui.QPainterPath()
     path.setFillRule(Qt.FillRule.WindingFill)
     draw: dict[int, Callable[..., None]]
     draw = {1: path.moveTo, 2: path.lineTo, 3: path.quadTo, 4: path.cubicTo}
@@ -288,7 +275,7 @@ def _path(whole: Outline, place: int, end: int) -> QPainterPath:
     return path
 
 
-def paint_brackets(painter: QPainter, box: QRectF, foot: float) -> None:
+def paint_brackets(painter: QtGui.QPainter, box: QRectF, foot: float) -> None:
     """Draw the brackets of a matrix with the painter's pen."""
     top, bottom = box.top(), box.bottom()
     for x, inward in ((box.left(), foot), (box.right(), -foot)):
@@ -297,12 +284,12 @@ def paint_brackets(painter: QPainter, box: QRectF, foot: float) -> None:
 
 
 def fill_line(
-    painter: QPainter,
+    painter: QtGui.QPainter,
     text: str,
     em: float,
     place: tuple[float, float],
-    brush: QBrush | QColor,
-    inks: Mapping[str, QColor],
+    brush: QtGui.QBrush | QtGui.QColor,
+    inks: Mapping[str, QtGui.QColor],
 ) -> None:
     """Draw a line of a formula; letters may have colours of their own, by their names."""
     for piece, is_tex, size, x in line_of(text, formula=1.0).pieces:
@@ -314,8 +301,8 @@ def fill_line(
         painter.restore()
 
 
-def resized(font: QFont, factor: float) -> QFont:
-    other = QFont(font)
+def resized(font: QtGui.QFont, factor: float) -> QtGui.QFont:
+    other = QtGui.QFont(font)
     if font.pointSizeF() > 0.0:
         other.setPointSizeF(factor * font.pointSizeF())
     else:
@@ -354,7 +341,7 @@ class TypesetLabel(MarkedLabel):
         super().__init__()
         self.formula, self.exact, self.shrinks = "", "", False
         self.cell: int | None = None
-        self._copy = QAction(self.tr("Copy with all digits"), self)
+        self._copy = QtGui.QAction(self.tr("Copy with all digits"), self)
         self._copy.triggered.connect(self._to_clipboard)
 
     def set_formula(self, text: str) -> None:
@@ -379,10 +366,10 @@ class TypesetLabel(MarkedLabel):
             self.setFocusPolicy(Qt.FocusPolicy.ClickFocus)
 
     def _to_clipboard(self) -> None:
-        QGuiApplication.clipboard().setText(self.exact)
+        QtGui.QGuiApplication.clipboard().setText(self.exact)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
-        if self.exact and event.matches(QKeySequence.StandardKey.Copy):
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
+        if self.exact and event.matches(QtGui.QKeySequence.StandardKey.Copy):
             self._to_clipboard()
         else:
             super().keyPressEvent(event)
@@ -403,14 +390,14 @@ class TypesetLabel(MarkedLabel):
         least = LEAST_EM * self.fontMetrics().height()
         return QSize(min(hint.width(), least), hint.height()) if self.shrinks else hint
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         if not self.formula:
             super().paintEvent(event)
             return
         laid_out, room = typeset(self.formula, self.font()), QRectF(self.contentsRect())
         wanted = laid_out.width + 2.0
-        painter = QPainter(self)
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter = QtGui.QPainter(self)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(self.palette().color(self.foregroundRole()))
         painter.save()
         is_right = bool(self.alignment() & Qt.AlignmentFlag.AlignRight)

@@ -9,18 +9,8 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QObject, QPointF, QRectF, Qt, Signal
-from PySide6.QtGui import (
-    QColor,
-    QImage,
-    QKeyEvent,
-    QKeySequence,
-    QMouseEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-    QResizeEvent,
-)
 from PySide6.QtWidgets import QApplication, QFrame, QToolButton, QWidget
 
 from app.drawings.style import LIGHT, Style
@@ -35,13 +25,13 @@ _KEYS = Qt.Key
 
 
 def paint_strokes(
-    painter: QPainter, room: QRectF, strokes: Iterable[Stroke], style: Style = LIGHT
+    painter: QtGui.QPainter, room: QRectF, strokes: Iterable[Stroke], style: Style = LIGHT
 ) -> None:
     """Draw strokes over a slide that fills a rectangle."""
     painter.save()
-    painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
     for stroke in strokes:
-        pen = QPen(QColor(getattr(style, stroke.colour)), WIDTH_SHARE * room.height())
+        pen = QtGui.QPen(QtGui.QColor(getattr(style, stroke.colour)), WIDTH_SHARE * room.height())
         pen.setCapStyle(Qt.PenCapStyle.RoundCap)
         pen.setJoinStyle(Qt.PenJoinStyle.RoundJoin)
         painter.setPen(pen)
@@ -73,7 +63,7 @@ class Pen(QWidget):
         self.setAccessibleName(WORDS.say("name"))
         self._slide = slide
         self.strokes: dict[str, list[Stroke]] = {}
-        self.pictures: dict[str, QImage] = {}
+        self.pictures: dict[str, QtGui.QImage] = {}
         self.is_on = self.erases = False
         self.colour = COLOURS[1]
         self._step = ""
@@ -221,7 +211,7 @@ class Pen(QWidget):
         x, y = place.x() / max(1, self.width()), place.y() / max(1, self.height())
         return min(1.0, max(0.0, x)), min(1.0, max(0.0, y))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         self._bar.hide()
         if event.button() == Qt.MouseButton.RightButton or self.erases:
@@ -230,7 +220,7 @@ class Pen(QWidget):
             self._drawn = [self._at(event.position())]
         self.update()
 
-    def mouseMoveEvent(self, event: QMouseEvent) -> None:
+    def mouseMoveEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         if self.erases or event.buttons() & Qt.MouseButton.RightButton:
             self._erase(event.position())
@@ -238,7 +228,7 @@ class Pen(QWidget):
             self._drawn.append(place)
         self.update()
 
-    def mouseReleaseEvent(self, event: QMouseEvent) -> None:
+    def mouseReleaseEvent(self, event: QtGui.QMouseEvent) -> None:
         event.accept()
         self._finish()
         self._bar.setVisible(self.is_on)
@@ -268,10 +258,10 @@ class Pen(QWidget):
         if watched is self._bar and kind in (QEvent.Type.Enter, QEvent.Type.Leave):
             self._unfold(kind == QEvent.Type.Enter)
         elif (
-            isinstance(event, QKeyEvent)
+            isinstance(event, QtGui.QKeyEvent)
             and isinstance(watched, QWidget)
             and watched.window() is self.window()
-            and event.matches(QKeySequence.StandardKey.Undo)
+            and event.matches(QtGui.QKeySequence.StandardKey.Undo)
         ):
             event.accept()  # it is the pen's, wherever the keyboard is
             if kind == QEvent.Type.KeyPress:
@@ -281,29 +271,29 @@ class Pen(QWidget):
 
     def event(self, event: QEvent) -> bool:
         is_asked = event.type() == QEvent.Type.ShortcutOverride
-        if is_asked and isinstance(event, QKeyEvent) and self._act(event) is not None:
+        if is_asked and isinstance(event, QtGui.QKeyEvent) and self._act(event) is not None:
             event.accept()  # otherwise it is a shortcut of the window
             return True
         return super().event(event)
 
-    def _act(self, event: QKeyEvent) -> Callable[[], object] | None:
+    def _act(self, event: QtGui.QKeyEvent) -> Callable[[], object] | None:
         return None if event.modifiers() else self._acts.get(event.key())
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         act = self._act(event)
         if act is None:
             super().keyPressEvent(event)
         else:
             act()
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         self._show_bar()
 
-    def paintEvent(self, _event: QPaintEvent) -> None:
+    def paintEvent(self, _event: QtGui.QPaintEvent) -> None:
         drawn = [Stroke(self.colour, tuple(self._drawn))] if self._drawn else []
         strokes = [*self.here, *drawn]
         if strokes:
-            painter = QPainter(self)
+            painter = QtGui.QPainter(self)
             paint_strokes(painter, QRectF(self.rect()), strokes, self._style)
             painter.end()
