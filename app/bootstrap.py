@@ -222,15 +222,15 @@ class Environment:
 
     def _pip(self, held: HeldLock, command: list[str]) -> tuple[int, list[str]]:
         output: list[str] = []
-        told: set[str] = set()  # pip names a package again after inspecting it
+        printed: set[str] = set()  # pip names a package again after inspecting it
 
         def follow(line: str) -> None:
             output.append(line)
             if line.startswith(_INSTALLING):  # everything is downloaded: pip changes nothing before
                 self.mark_unfinished()
                 held.show(said("  installing packages: {0}", line.count(",") + 1))
-            elif (text := _progress(line)) is not None and text not in told:
-                told.add(text)
+            elif (text := _progress(line)) is not None and text not in printed:
+                printed.add(text)
                 held.show(f"  {text}")
 
         return held.run(command, follow), output

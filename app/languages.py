@@ -11,7 +11,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Iterable, Mapping
-from functools import cache, wraps
+from functools import cache, lru_cache, wraps
 from pathlib import Path
 from typing import Any, ParamSpec, TypeAlias, TypeVar
 
@@ -82,13 +82,13 @@ def of_lessons() -> str:
 def cached(function: Callable[_P, _T]) -> Callable[_P, _T]:
     """Keep the results of a function, for each language."""
 
-    @cache
-    def kept(_language: str, *given: Any) -> _T:
+    @lru_cache(maxsize=1024)
+    def kept(_languages: tuple[str, str], *given: Any) -> _T:
         return function(*given)  # type: ignore[call-arg]
 
     @wraps(function)
     def result(*given: _P.args, **_named: _P.kwargs) -> _T:
-        return kept(of_lessons(), *given)
+        return kept((chosen(), of_lessons()), *given)
 
     return result
 

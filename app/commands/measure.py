@@ -115,15 +115,15 @@ def _watched(attended: bool) -> Iterator[Callable[[float], None]]:
     """Report the progress of a measurement, and stop it on Ctrl-C or ``cancel``."""
     going = threading.Event()
     going.set()
-    told = -1.0
+    reported = -1.0
 
     def watch(fraction: float) -> None:
-        nonlocal told
+        nonlocal reported
         going.wait()
         if cancelled.is_set():
             raise Cancelled
-        if abs(fraction - told) >= 0.01 and sys.stderr is not None:
-            told = fraction
+        if abs(fraction - reported) >= 0.01 and sys.stderr is not None:
+            reported = fraction
             if attended:
                 print(f"{fraction:.3f}", file=sys.stderr, flush=True)
             elif sys.stderr.isatty():

@@ -41,12 +41,12 @@ def asked(options: Namespace) -> Namespace:
 def write(
     options: Namespace,
     out: str,
-    told: Callable[[Sequence[Document]], Iterable[Document]],
+    reported: Callable[[Sequence[Document]], Iterable[Document]],
     states: Sequence[Document],
     scene: Scene,
     alone: Callable[[Document, str], Figure],
 ) -> str:
-    """Write the page of states, which `told` yields; return a warning if it is large.
+    """Write the page of states, which `reported` yields; return a warning if it is large.
 
     `alone` returns the figure of a pane.
     """
@@ -57,7 +57,7 @@ def write(
     figures = {pane: steady([sized(alone(each, pane)) for each in states], fades=False)
                for pane in panes}  # fmt: skip
     shown = []
-    for number, (value, state) in enumerate(zip(values, told(states), strict=True)):
+    for number, (value, state) in enumerate(zip(values, reported(states), strict=True)):
         about = describe(state, scene, panes)
         pictures = [drawn(figures[pane][number], said) for pane, said in about.panes.items()]
         shown.append(SliderPosition(value, pictures, about.general, (*about.cut, *about.risky)))

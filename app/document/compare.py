@@ -145,8 +145,8 @@ def in_words(
     named = {change.partition("=")[0] for each in pictures for change in each.changes}
     differing = [each for each in differing if each[0] not in named] or differing
     by_path = {setting.path: setting for setting in settings}
-    told = (_written(path, values, by_path.get(path), written) for path, values in differing)
-    return [f"{label} {ARROW.join(texts)}" if all(texts) else label for label, texts in told]
+    texts = (_written(path, values, by_path.get(path), written) for path, values in differing)
+    return [f"{label} {ARROW.join(both)}" if all(both) else label for label, both in texts]
 
 
 def names_in(

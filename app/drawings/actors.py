@@ -31,8 +31,7 @@ from vtkmodules.vtkRenderingCore import (
     vtkPolyDataMapper2D,
 )
 
-from app.drawings.names import QUIET
-from app.drawings.style import Style, rgb
+from app.drawings.style import QUIET, Style, rgb
 from app.model.projection import Array, Projection
 from app.scenes.poly_mesh import PolyMesh, cells_from
 from app.scenes.scene import Scene

@@ -31,7 +31,7 @@ _WALLS = tuple(FACES[side] for side in SIDES)
 class CameraDrawing(Layer):
     """The camera as an object in the world.
 
-    - `solid`: the body, `body_size` large in world units.
+    - `solid`: the body, `body_size` large in world units, with the corners `box`, (8, 3).
     - `shafts`, `discs`: the axes' lines; the dots at eye and target.
     - `steps`: what the frame's construction adds; None before it is first shown.
     """
@@ -109,8 +109,9 @@ class CameraDrawing(Layer):
         self.body_size = (
             most_px * float(pane.unit(depth)) / (frame.BALL + frame.BEFORE * float(growing))
         )
-        self._local_from_body = _scaled(standing.local_from_view, self.body_size)
-        self._body_space.set(self._local_from_body)
+        local_from_body = _scaled(standing.local_from_view, self.body_size)
+        self._body_space.set(local_from_body)
+        self.box = applied(local_from_body, frame.BODY_BOX)
 
     def show_step(self) -> None:
         """Build the frame up to the state's step."""
@@ -178,10 +179,6 @@ class CameraDrawing(Layer):
         reach = self._enlarged * (_WITH_NAMES if self.axes_lead else 1.0)
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
         return np.asarray(np.concatenate([frame.BODY_BOX, ends]) @ camera.frame)
-
-    @property
-    def box(self) -> Array:
-        return applied(self._local_from_body, frame.BODY_BOX)
 
     @property
     def depths(self) -> tuple[float, float]:

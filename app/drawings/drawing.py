@@ -21,9 +21,9 @@ from app.scenes.scene import Scene
 if TYPE_CHECKING:
     from app.drawings.labels import Board
     from app.drawings.layer import Layers, PaneState
-    from app.drawings.names import Names
     from app.drawings.own_view import OwnView
     from app.drawings.pane_view import Pose
+    from app.drawings.pointing import Names
     from app.drawings.stage_view import StageView
 
 
@@ -98,6 +98,7 @@ class Drawing:
     state: PaneState
     layers: Layers
     own: OwnView | StageView | None = None
+    fit = "named"  # what the world frames, as in `Figure`
     _probes: Sequence[Probe] = ()
     former: Chain | None = None  # the object's moves before an edit, which are shown pale
     _way: tuple[Chain, Chain] | None = None  # the whole chain and the moves made, if they differ

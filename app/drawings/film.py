@@ -161,14 +161,14 @@ def write_film(
     order: Sequence[int],
     fps: float,
     once: bool,
-    told: Callable[[Sequence[int]], Iterable[int]] = iter,
+    reported: Callable[[Sequence[int]], Iterable[int]] = iter,
 ) -> None:
-    """Write a film whole or not at all; `told` yields the numbers in `order`, and tells of them."""
+    """Write a film whole or not at all; `reported` yields `order` and reports the progress."""
     from app.drawings.moving import encoded, moving
 
     ending = os.path.splitext(path)[1].lower()
     done: dict[int, bytes] = {}  # there and back, a state is drawn once
-    for number in told(order):
+    for number in reported(order):
         if number not in done:
             done[number] = encoded(figures[number], ending)
     parts = [done[number] for number in order]
@@ -179,10 +179,10 @@ def write_frames(
     paths: Sequence[str],
     figures: Sequence[Figure],
     order: Sequence[int],
-    told: Callable[[Sequence[int]], Iterable[int]] = iter,
+    reported: Callable[[Sequence[int]], Iterable[int]] = iter,
 ) -> None:
     first: dict[int, str] = {}
-    for path, number in zip(paths, told(order), strict=True):
+    for path, number in zip(paths, reported(order), strict=True):
         if number in first:
             write_bytes_atomically(path, content_of(first[number], LARGEST_PICTURE))
         else:

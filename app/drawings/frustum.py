@@ -24,8 +24,8 @@ from app.drawings.actors import Space, applied
 from app.drawings.label_placement import NOWHERE, SQUARE_EM, Ground, flanking
 from app.drawings.labels import DOT_EM, SIDE, want_plane, written_distance
 from app.drawings.layer import Layer
-from app.drawings.names import QUIET
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
+from app.drawings.style import QUIET
 from app.drawings.world_state import WIDEST, CameraPose, DrawnDepths, DrawnVolume, WorldState
 from app.lecture.highlight import ENDS, SIDES, WINDOW
 from app.model.parameters import FAR, NEAR
@@ -207,7 +207,8 @@ class FrustumDrawing(Layer):
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
-        offsets = [grip.point - standing.camera.eye for grip in self._state.grips.values()]
+        shown = self._state.illustration
+        offsets = [grip.point - standing.camera.eye for grip in (shown.grips if shown else ())]
         largest = _HELD_NEAR * self._state.scene.size
         near = [offset for offset in offsets if math.hypot(*offset) <= largest]
         return max((-float(offset @ standing.camera.frame[2]) for offset in near), default=0.0)

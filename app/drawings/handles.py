@@ -134,7 +134,7 @@ class HandleMarks(Handles, Layer):
         return [(x - left, height - (y - top)) for x, y in spots]
 
     def _mark(self, handles: list[tuple[Handle, Spot]]) -> None:
-        self._state.board.rests = False  # labels keep off them
+        self._state.wake()  # labels keep off them
         self.shown = handles[:_MOST]
         listed = [handle for handle, _ in self.shown]
         if listed != self._at_rest[0]:

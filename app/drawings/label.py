@@ -7,6 +7,7 @@ texture.
 import math
 import re
 import weakref
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias
 
@@ -32,7 +33,7 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
-SPACE_HIGH_EM, SPACE_LINES = 0.45, (0.1, 0.9)  # the halo of a space is round two lines
+FILLED, FILLED_EM, FILLED_AT = " .,", 0.45, (0.1, 0.9)  # pieces with a halo round two lines, too
 _SHORT = re.compile(r"(?:[^=]* )?([^ =]+) = [^=]+")
 PARTS = 4  # of a pixel, to which a piece is placed
 
@@ -114,12 +115,16 @@ def _drawn_tile(piece: str, is_tex: bool, em: float, halo_px: float, shift: int)
 
 
 def surrounded(piece: str, is_tex: bool) -> Outline:
-    """Return what a halo surrounds: a piece, or two lines in a space, so that no gap shows."""
+    """Return what a halo surrounds: a piece, and two lines in a space or above a point.
+
+    So no line shows between words, nor as a second point above that of a number.
+    """
     drawn = piece_of(piece, is_tex)
-    if piece != " ":
+    if piece not in FILLED:
         return drawn
-    lines = [(drawn.width * x, y) for x in SPACE_LINES for y in (0.0, SPACE_HIGH_EM)]
-    return drawn._replace(vertices=np.array(lines), codes=np.array([1, 2, 1, 2], dtype=np.uint8))
+    lines = [(drawn.width * x, y) for x in FILLED_AT for y in (0.0, FILLED_EM)]
+    codes = np.append(drawn.codes, np.array([1, 2, 1, 2], dtype=np.uint8))
+    return replace(drawn, vertices=np.vstack([drawn.vertices, lines]), codes=codes)
 
 
 def rim_px(em: float) -> int:

@@ -30,7 +30,7 @@ _GAPS_EM = (0.45, 1.6, 3.0, 5.0)
 _PAST = np.array(  # beyond the tip of an arrow, in em, and how far aside; at a border even back
     [
         (gap, turn)
-        for turns in ((0.0, 0.5, -0.5, 1.0, -1.0), (1.6, -1.6, 2.2, -2.2))
+        for turns in ((0.0, 0.7, -0.7, 1.0, -1.0), (1.6, -1.6, 2.2, -2.2))
         for gap in (0.4, 1.1, 1.8)
         for turn in turns
     ]

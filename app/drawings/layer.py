@@ -28,9 +28,8 @@ from app.drawings.label import HALO_EM
 from app.drawings.label_placement import Ground, room
 from app.drawings.labels import Board
 from app.drawings.moved_vertices import MovedVertices
-from app.drawings.names import Names
 from app.drawings.pane_view import Spot
-from app.drawings.pointing import Emphasis
+from app.drawings.pointing import Emphasis, Names
 from app.drawings.prop_group import PropGroup
 from app.drawings.rasterising import textured
 from app.drawings.style import TITLE_EM
@@ -213,6 +212,12 @@ class PaneState:
     def places_labels(self) -> bool:
         return bool(self.canvas.labels_light)
 
+    def wake(self) -> None:
+        """Before a change: no labels rest, and no place for another size of the window stays."""
+        self.board.rests = False
+        if not self.canvas.is_laid_out:
+            self.canvas.relayout()
+
     @property
     @abstractmethod
     def sight(self) -> Sight:
@@ -311,8 +316,8 @@ class Layers:
         return self._kept[verb]
 
     def _changing(self, verb: str) -> list[Layer]:
-        """`_those`, before they change: no labels rest."""
-        self._state.board.rests = False
+        """`_those`, before they change."""
+        self._state.wake()
         return self._those(verb)
 
     def show(self) -> None:
@@ -345,6 +350,7 @@ class Layers:
             self._asked.append(afresh or at_rest)
             return False
         if not (state.canvas.is_laid_out and state.places_labels):
+            state.wake()
             return False
         ground = self.ground()
         for layer in self._those("want"):

@@ -42,8 +42,7 @@ from app.drawings.actors import (
 from app.drawings.label_placement import MARGIN_EM, Ground, on
 from app.drawings.labels import DOT_EM, SCENE
 from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing, together
-from app.drawings.names import QUIET, QUIET_WIDTH
-from app.drawings.style import mixed, rgb
+from app.drawings.style import QUIET, QUIET_WIDTH, mixed, rgb
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.clipping import LARGEST_CLIP, clip_polygon, clip_segments
 from app.model.parameters import NEAR

@@ -47,7 +47,6 @@ class NearPicture(FacesLayer):
         self.is_seen = False
 
     def show(self) -> None:
-        self.actors.show_moved(not self._state.projection.placement.is_identity)
         if self._changes:
             super().show()
 
@@ -75,6 +74,7 @@ class NearPicture(FacesLayer):
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
         toward = SLAB * thick * pane.way_from(corners[:4].mean(axis=0))
+        self.actors.show_moved(not projection.placement.is_identity)
         self.actors.show_slope(pane.slope_of_depth(corners[:4], *state.own.depths), pane.size_px)
         if reach is None:
             film = flatten_free(projection, state.origin, toward)

@@ -100,7 +100,7 @@ class PanePicture:
             pixels = pixels_of(window)
             if seen is not None:
                 seen(drawing, factor)
-            ends = self._ends(drawing, factor)
+            ends = _ends(drawing, factor)
         return _averaged(pixels, factor, self.transparent), ends
 
     def shapes(self, hidden: str, watch: Callable[[], None]) -> list[Shape]:
@@ -111,13 +111,7 @@ class PanePicture:
         factor = _oversampling(self.size)
         with self.drawn(factor, refuse_too_many) as (window, drawing):
             grey = rgb(mixed(self.style.ink, self.style.background, _GREY))
-            return shapes_of(window, factor, hidden, grey, watch), self._ends(drawing, factor)
-
-    def _ends(self, drawing: Drawing, factor: int) -> Ends:
-        if isinstance(drawing, ImageDrawing):
-            place = drawing.picture_rectangle_px
-            return place.left / factor, (place.left + place.width) / factor
-        return 0.0, float(self.size[0])
+            return shapes_of(window, factor, hidden, grey, watch), _ends(drawing, factor)
 
     @contextmanager
     def drawn(
@@ -148,17 +142,14 @@ class PanePicture:
             drawing.show_moves(self.document.projection, illustration, view.stage)
             if illustration is not None:  # as in the window, while nobody points at anything
                 drawing.show_highlight(frozenset(illustration.about))
-            if isinstance(drawing, StageDrawing):
-                drawing.show_stage(max(view.stage, 0.0))
+            drawing.show_stage(max(view.stage, 0.0))
             drawing.show_probes(view.probes)  # which are framed, too
-            if isinstance(drawing, WorldDrawing):
-                drawing.fit = self.fit
+            drawing.fit = self.fit
             drawing.reset_view()
             if pane in view.panes:
                 drawing.show_view(view.panes[pane])
-            if isinstance(drawing, WorldDrawing):
-                drawing.show_step(view.step)
-                drawing.show_fixed(seen_from(view, scene))
+            drawing.show_step(view.step)
+            drawing.show_fixed(seen_from(view, scene))
             if self.transparent:
                 for renderer in window.GetRenderers():
                     renderer.SetBackground(0.0, 0.0, 0.0)
@@ -172,10 +163,15 @@ class PanePicture:
             else:
                 drawing.refine(whole=True)
                 window.Render()
-                if isinstance(drawing, ImageDrawing) and drawing.problem is not None:
+                if drawing.problem is not None:
                     window.Render()  # it is known from now on
             yield window, drawing
             drawing.remove()
+
+
+def _ends(drawing: Drawing, factor: int) -> Ends:
+    place = drawing.picture_rectangle_px
+    return place.left / factor, (place.left + place.width) / factor
 
 
 def _oversampling(size: tuple[int, int]) -> int:

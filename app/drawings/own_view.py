@@ -15,43 +15,18 @@ eye     perspective, from the eye  u, v         -n (a lens with an eye)
 """
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from itertools import product
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from app.drawings.frame import BALL, BEFORE, PART_OF_PANE
-from app.drawings.pane_view import PaneCamera, PaneView, axes_from
+from app.drawings.pane_view import PaneCamera, PaneView, axes_from, nearest_place
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.model.projection import Array, Camera
 from app.scenes.phenomena.illustration import Shot
-
-
-def nearest_place(sights: Iterable[tuple[Array, Array]], least: float) -> Array:
-    """Return the nearest place that sees all points, at least so far back: right, up, back, (3,).
-
-    Each of `sights` has points, (3, n) in the view's axes, and how steeply they may be seen: left,
-    right, down and up. A view looks along its third axis. From `back` behind the origin, a place to
-    the right sees a point within its slopes if it lies between ``x - right * (toward + back)`` and
-    ``x + left * (toward + back)``; likewise up. Each lower and each higher limit meet at a
-    distance, and the largest of these decides. For a parallel view, `toward` is 0 and `back` half
-    of its height.
-    """
-    limits = [
-        (
-            ((x + left * toward).min(), left, (x - right * toward).max(), right),
-            ((y + down * toward).min(), down, (y - up * toward).max(), up),
-        )
-        for (x, y, toward), (left, right, down, up) in sights
-    ]
-    low, less, high, more = np.array(limits).T
-    meet = (high[:, :, None] - low[:, None]) / (more[:, :, None] + less[:, None])
-    back = max(least, float(meet.max()))
-    middle = ((low + less * back).min(axis=1) + (high - more * back).max(axis=1)) / 2.0
-    return np.append(middle, back)
-
 
 _HALF = math.tan(math.radians(25.0))  # slope of the free view
 _MARGIN, _LABEL_EM = 0.04, 1.3  # on each side: of the pane, and for labels
@@ -137,13 +112,9 @@ class OwnView(PaneCamera):
         self._heading_deg, self._was_shifted = framed.camera.orbit.azimuth_deg, False
         self.place(framed)
 
-    def place(self, framed: Framed) -> bool:
-        """Look from as near as the pane allows; return whether the camera has moved.
-
-        A fixed view that was shifted stays.
-        """
-        before, self.placed_px = self._now, self.size_px
-        self._left, self._rested = {}, self._key(framed)
+    def place(self, framed: Framed) -> None:
+        """Look from as near as the pane allows; a fixed view that was shifted stays."""
+        self.placed_px, self._left, self._rested = self.size_px, {}, self._key(framed)
         if self.fixed:
             if not self._was_shifted:
                 self._fixed_at = None
@@ -151,10 +122,12 @@ class OwnView(PaneCamera):
         else:
             self._stand_freely(*self._stand(self._shot_axes(framed.shot), [framed], [np.eye(3)]))
             self._placed = self._now
-        return self._now != before
 
     def rest(self, framed: Framed, *, is_cut: bool) -> bool:
-        """`place` it if something is cut; stand where it did if what led to that is undone."""
+        """`place` it if something is cut; stand where it did if what led to that is undone.
+
+        Returns whether the camera has moved.
+        """
         before, here = self._now, self._key(framed)
         if here in self._left and not self._was_shifted:
             self._fixed_at, stood = self._left[here]

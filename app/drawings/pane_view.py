@@ -1,6 +1,7 @@
 """How a pane's own camera looks at the world: what is seen where."""
 
 import math
+from collections.abc import Iterable
 from typing import Any, NamedTuple, TypeAlias
 
 import numpy as np
@@ -227,6 +228,30 @@ def axes_from(azimuth_deg: float, elevation_deg: float) -> Array:
         (-sin_e * sin_a, cos_e, -sin_e * cos_a),
         (sin_a * cos_e, sin_e, cos_a * cos_e),
     ])  # fmt: skip
+
+
+def nearest_place(sights: Iterable[tuple[Array, Array]], least: float) -> Array:
+    """Return the nearest place that sees all points, at least so far back: right, up, back, (3,).
+
+    Each of `sights` has points, (3, n) in the view's axes, and how steeply they may be seen: left,
+    right, down and up. A view looks along its third axis. From `back` behind the origin, a place to
+    the right sees a point within its slopes if it lies between ``x - right * (toward + back)`` and
+    ``x + left * (toward + back)``; likewise up. Each lower and each higher limit meet at a
+    distance, and the largest of these decides. For a parallel view, `toward` is 0 and `back` half
+    of its height.
+    """
+    limits = [
+        (
+            ((x + left * toward).min(), left, (x - right * toward).max(), right),
+            ((y + down * toward).min(), down, (y - up * toward).max(), up),
+        )
+        for (x, y, toward), (left, right, down, up) in sights
+    ]
+    low, less, high, more = np.array(limits).T
+    meet = (high[:, :, None] - low[:, None]) / (more[:, :, None] + less[:, None])
+    back = max(least, float(meet.max()))
+    middle = ((low + less * back).min(axis=1) + (high - more * back).max(axis=1)) / 2.0
+    return np.append(middle, back)
 
 
 class PaneCamera:

@@ -1,4 +1,4 @@
-"""How a pane highlights what is pointed at.
+"""What a pane names, and how it highlights what is pointed at.
 
 Everything for the highlight is created with its drawing. A highlight changes line widths, point
 sizes and visibilities, never the number of actors, and costs a slider step nothing.
@@ -12,12 +12,12 @@ from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import Space, face_actor, line_actor, point_actor
 from app.drawings.label import SceneLabel
-from app.drawings.names import QUIET, QUIET_WIDTH, Names
 from app.drawings.prop_group import PropGroup
-from app.drawings.style import Style, rgb
+from app.drawings.style import QUIET, QUIET_WIDTH, Style, rgb
 from app.lecture.highlight import CORNERS, NOTHING, SIDES, Highlight
 from app.model.parameters import FAR, NEAR
 from app.model.projection import Array
+from app.picking.handles import Handle
 
 NEAR_FACE, FAR_FACE = (0, 1, 2, 3), (4, 5, 6, 7)
 FACES = {  # the corners of each plane's face, in the order of `highlight.CORNERS`
@@ -31,6 +31,27 @@ _CORNER = 4.5  # widths of a line
 _TINT = 0.22
 # Of the far plane's edges. Vector formats round the ends of dashes, which fills short gaps.
 _DASHES, _DASH = 10, 0.45  # dashes, and the share of one in it and its gap
+
+
+class Names:
+    """The ids that a drawing names; ``id in names`` asks for one.
+
+    `wanted` is None for everything. What is `pointed` at or `held` is named in any case.
+    """
+
+    def __init__(self, wanted: frozenset[str] | None) -> None:
+        self.wanted = wanted
+        self.pointed: Highlight = NOTHING
+        self.held: Handle | None = None
+
+    def __contains__(self, name: object) -> bool:
+        if self.wanted is None or name in self.wanted or name in self.pointed:
+            return True
+        return self.held is not None and name == self.held.name
+
+    def wants(self, name: str) -> bool:
+        """Whether a thing is named without being pointed at or held: the framing depends on it."""
+        return self.wanted is None or name in self.wanted
 
 
 class Emphasis:

@@ -53,8 +53,6 @@ class PropGroup:
         """Draw at a rendering of the window, or rest while another group does."""
         for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
             renderer.SetDraw(drawn)
-        if not self.is_laid_out:  # what is shown next is placed for the window's size of now
-            self.relayout()
 
     def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
         """Add props to a renderer, the screen's own by default.

@@ -10,7 +10,7 @@ from typing import TypeAlias
 import numpy as np
 
 from app.drawings.actors import CUBE_CORNERS, axes_of
-from app.drawings.pane_view import PaneCamera, axes_from
+from app.drawings.pane_view import PaneCamera, axes_from, nearest_place
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import TITLE_EM
 from app.lecture.stages import CANONICAL_PARALLEL, CANONICAL_PERSPECTIVE, IMAGE, NDC, VIEW
@@ -34,7 +34,9 @@ _LOOKED_FROM_DEG = {
 }
 _MARGIN_EM = 2.1  # on each side, for the labels
 _CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
-_MOST_MARGIN = 1.0 / 2.0, 1.0 / 4.0  # of a small pane's width and height: both sides together
+_MOST_MARGIN = np.array(
+    [1.0 / 2.0, 1.0 / 4.0]
+)  # of a small pane's width and height: both sides together
 _Places: TypeAlias = Callable[[float], Array]  # in display space, at a position of the strip
 
 
@@ -62,7 +64,7 @@ class StageView(PaneCamera):
         after = _LOOKED_FROM_DEG[VIEW][0]
         azimuth = self._start.orbit.azimuth_deg + _BEHIND_DEG
         aside = math.remainder(azimuth - after, 360.0)
-        return after + (aside / 2.0 if self._stands else aside), _WORLD_ELEVATION_DEG
+        return after + (0.75 * aside if self._stands else aside), _WORLD_ELEVATION_DEG
 
     def axes(self, stop: float) -> Array:
         return axes_from(*self._looked_from(stop))
@@ -101,7 +103,6 @@ class StageView(PaneCamera):
     def _framing(self, stop: float, projection: Projection, framed: _Places) -> Array:
         """The view of a stop: centre x, y, z, parallel scale, azimuth, elevation."""
         width_px, height_px = self.size_px
-        right, up, _ = self.axes(stop)
         if stop <= VIEW:
             drawn = framed(stop)
         elif stop == IMAGE:
@@ -117,15 +118,12 @@ class StageView(PaneCamera):
             drawn = CUBE_CORNERS
         margins_px = 2.0 * (_CUBE_MARGIN_EM if stop == NDC else _MARGIN_EM) * self._em
         title_px = TITLE_EM * self._em
-        centre = np.zeros(3)
-        scale = 0.0
-        sides_px = width_px, height_px - title_px
-        for axis, side_px, most in zip((right, up), sides_px, _MOST_MARGIN, strict=True):
-            low, high = (drawn @ axis).min(), (drawn @ axis).max()
-            centre += (low + high) / 2.0 * axis
-            room_px = side_px - min(margins_px, most * side_px)
-            scale = max(scale, (high - low) / 2.0 * height_px / room_px)
-        centre += scale * title_px / height_px * up
+        sides_px = np.array([width_px, height_px - title_px])
+        room_px = sides_px - np.minimum(margins_px, _MOST_MARGIN * sides_px)
+        slopes = (np.repeat(room_px, 2) + np.array([0.0, 0.0, title_px, -title_px])) / height_px
+        axes = self.axes(stop) * [[1.0], [1.0], [0.0]]
+        place = nearest_place([(axes @ drawn.T, slopes)], 0.0)
+        centre, scale = place @ axes, place[2]
         return np.array([*centre, scale, *self._looked_from(stop)])
 
     @property

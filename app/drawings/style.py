@@ -15,6 +15,8 @@ from app.model.parameter import read_sections
 
 TITLE_EM = 1.5  # height of a pane's title, which lies on the picture, in ems
 BLACK, WHITE = "#000000", "#ffffff"
+QUIET = 0.6  # how much of the paper is mixed into the colour of a thing that is not named
+QUIET_WIDTH = 0.5  # of the width of its lines
 
 
 @dataclass(frozen=True)

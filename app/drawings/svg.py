@@ -11,7 +11,7 @@ from xml.sax.saxutils import escape, quoteattr
 from PIL import Image
 
 from app.document.lengths import PX_PER
-from app.drawings.label import HALO_EM, HALO_OPACITY, SPACE_HIGH_EM, SPACE_LINES, UNDER_EM
+from app.drawings.label import FILLED, FILLED_AT, FILLED_EM, HALO_EM, HALO_OPACITY, UNDER_EM
 from app.drawings.occlusion import Points
 from app.drawings.style import hexadecimal
 from app.drawings.vectors import Area, Disc, LineShape, PixelShape, Shape, TextShape
@@ -169,9 +169,9 @@ def _text(text: TextShape, name: str) -> Iterator[str]:
         # As wide as it was composed, also in another font.
         wide = f' textLength="{_n(width * size * em)}" lengthAdjust="spacingAndGlyphs"'
         if not is_tex:
-            if piece == " ":
-                high, places = _n(-SPACE_HIGH_EM * size * em), SPACE_LINES
-                spaces += "".join(f"M{_n((at + x * (end - at)) * em)} 0V{high}" for x in places)
+            if piece in FILLED:
+                high = _n(-FILLED_EM * size * em)
+                spaces += "".join(f"M{_n((at + x * (end - at)) * em)} 0V{high}" for x in FILLED_AT)
             font = "" if is_set_in_words(piece) else _SIGNS
             spans.append(f"<tspan {where}{wide}{font}>{escape(piece)}</tspan>")
             continue

@@ -217,8 +217,10 @@ def _faint(what: str, opacity: float) -> str:
 
 
 def _filled(part: str) -> str:
-    """A formula with a halo in its spaces, or a space with one."""
-    return part.replace(r"\ ", r"\gap\ ") if part != " " else r"\gap{} "
+    """A formula with a halo in its spaces and above decimal points, or a space with one."""
+    if part == " ":
+        return r"\gap{} "
+    return re.sub(r"(?<=\d)\.(?=\d)", r"\\gap.", part.replace(r"\ ", r"\gap\ "))
 
 
 def _tex(pieces: Iterable[tuple[str, bool]]) -> str:

@@ -39,7 +39,7 @@ from app.scenes.scene import Scene
 
 _WIDEST = 2.5  # extents: of a wider frustum, no more is framed
 _AXES_SHOT = Shot(-55.0, 25.0, "camera")  # no axis is seen end on
-_WINDOW_SHOT = Shot(-30.0, 20.0, "camera")  # the near plane is seen broadside
+_WINDOW_SHOT = Shot(-25.0, 20.0, "camera")  # the near plane is seen broadside
 _ROUNDING_PX = 0.5
 
 
@@ -181,7 +181,6 @@ class WorldDrawing(Drawing):
             (actor.GetProperty(), actor.GetProperty().GetOpacity())
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
-        self.fit = "named"  # what the pane frames, as in `Figure`
         self._goes_to: Framed | None = None  # what is framed where the pane's present way ends
         self._name()
         self.show_projection(scene.start)
@@ -328,7 +327,7 @@ class WorldDrawing(Drawing):
     def _shot(self) -> Shot:
         """From where the pane looks at first: the named axes and the window's sides are seen."""
         wanted, scene = self.names.wanted, self.state.scene
-        if self.camera.axes_lead:
+        if self.camera.axes_lead or self.state.step is not None:
             return _AXES_SHOT
         if wanted is not None and wanted & WINDOW.keys() and scene.phenomenon is None:
             return _WINDOW_SHOT

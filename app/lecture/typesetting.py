@@ -13,7 +13,8 @@ import pathlib
 import re
 import threading
 from collections.abc import Callable, Iterator
-from functools import cache, lru_cache
+from dataclasses import dataclass
+from functools import cache, cached_property, lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -56,7 +57,8 @@ _TOKEN = re.compile(
 )
 
 
-class Outline(NamedTuple):
+@dataclass(frozen=True, eq=False)
+class Outline:
     """The outlines of a formula or a word in em, from its place on the line, y upwards.
 
     `ascent` and `descent` are its extent above and below the line; `vertices` have shape (n, 2);
@@ -71,7 +73,7 @@ class Outline(NamedTuple):
     codes: NDArray[Any]
     letters: tuple[tuple[str, int, int], ...] = ()
 
-    @property
+    @cached_property
     def box(self) -> tuple[float, float, float, float]:
         """Left, low, right and high of its ink."""
         (left, low), (right, high) = self.vertices.min(axis=0), self.vertices.max(axis=0)

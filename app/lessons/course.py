@@ -17,7 +17,7 @@ from app.document.document import Document, is_mesh
 from app.document.naming import nameable
 from app.document.settings import set_values
 from app.document.view import AS_EVER, EVERYTHING, FIELDS, PANES, View
-from app.lessons.blocks.block import Asked, Idea, State, path_of
+from app.lessons.blocks.block import Asked, Idea, State, Variant, path_of
 from app.lessons.contents import CONTENT
 from app.lessons.lesson import Lesson, Step, read
 from app.lessons.lines import on_line, refused
@@ -67,6 +67,8 @@ class Course:
         self.file: Path | None = lesson.path
         self.name = name_of(lesson.path)  # under which answers are kept
         self._shown: dict[int, ShownStep] = {}
+        self.variants: dict[tuple[int, str, int], Variant] = {}
+        """What was drawn of exercises: by the place, the block's name and the seed."""
 
     def at(self, place: int) -> "AtStep":
         return AtStep(self, place)
@@ -222,6 +224,13 @@ class AtStep:
         with on_line(state.line):
             scene_of(document)
         return document
+
+    def variant(self, block: Asked, seed: int) -> Variant:
+        """Return a block of the step with the numbers of a seed, which are drawn once."""
+        kept, key = self.course.variants, (self.place, block.name, seed)
+        if key not in kept:
+            kept[key] = block.variant(self, seed)
+        return kept[key]
 
     def varied(self, state: State | None, given: Mapping[str, float]) -> "AtStep":
         own = self.document if state is None else self.shown_by(state)

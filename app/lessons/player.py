@@ -2,7 +2,7 @@
 
 ::
 
-    Player.go(place) -> unfold(): the texts of the step, and its questions as `PlayedBlock`s
+    Player.turn_to(place) -> unfold(): the step's texts, and its questions as `PlayedBlock`s
     PlayedBlock.submit(typed) -> a Verdict, kept in `Player.progress` and in the record
     Player.reveal() -> a class is asked a question, then told its answer
 
@@ -18,7 +18,7 @@ from app.document.document import Document
 from app.document.view import AS_EVER, FIELDS, View, without_scene
 from app.lessons.blocks.block import REVEALED, Asked, Here, ReadBlock, State, Variant, Verdict
 from app.lessons.blocks.task import DONE
-from app.lessons.course import AtStep, Course, ShownStep, scene_of
+from app.lessons.course import Course, ShownStep, scene_of
 from app.lessons.lesson import Lesson, Step
 from app.lessons.practice import Sheet, verdict_on
 from app.lessons.record import RIGHT, SHOWN, WRONG, Attempt
@@ -45,16 +45,16 @@ class Progress:
 class PlayedBlock:
     """A question or a task as a student answers it."""
 
-    def __init__(self, player: "Player", at: AtStep, block: Asked) -> None:
-        self._player, self._at, self.block = player, at, block
-        self._key = f"{player.step.name}/{block.name}"
+    def __init__(self, player: "Player", place: int, block: Asked) -> None:
+        self._player, self._at, self.block = player, player.course.at(place), block
+        self._key = f"{player.lesson.steps[place].name}/{block.name}"
         self.is_test = player.is_test
-        self.variant: Variant | None = None if block.varies else block.variant(at, 0)
+        self.variant: Variant | None = None if block.varies else block.variant(self._at, 0)
         if player.sheet is not None:
-            self.variant = player.sheet.items[player.place].variant
+            self.variant = player.sheet.items[place].variant
         """The question with its numbers; None before an exercise begins."""
         self.hints_read, self.answer = 0, ""  # a sample's, `REVEALED` or `DONE`; empty while open
-        self.now = at.document  # the window's current state, with its view
+        self.now = self._at.document  # the window's current state, with its view
         self._named: set[int] = set()
         """The lines of the wrong ideas of a task that were named: each is named once."""
         self._restore(player.progress.answers.get(self._key, ""))
@@ -96,7 +96,7 @@ class PlayedBlock:
 
     def draw(self, seed: int) -> None:
         """Draw the numbers of an exercise; a `Refusal` if none suit."""
-        self.variant = self.block.variant(self._at, seed)
+        self.variant = self._at.variant(self.block, seed)
         self.answer, self.hints_read = "", 0
         self._named.clear()
 
@@ -261,10 +261,10 @@ class Player:
 
     def unfold(self) -> Iterator[tuple[ReadBlock, PlayedBlock | None]]:
         """Yield the parts up to an open prediction, because the rest would reveal the answer."""
-        at = self.course.at(self.place)
         while self._rest and self.held is None:
             part = self._rest.pop(0)
-            played = [PlayedBlock(self, at, each) for each in self.step.asked if each is part]
+            asked = (each for each in self.step.asked if each is part)
+            played = [PlayedBlock(self, self.place, each) for each in asked]
             self.blocks += played
             yield part, next(iter(played), None)
 
@@ -332,7 +332,7 @@ class Player:
         return 2 * len(self.questions) - self.revealed
 
     @property
-    def told_state(self) -> State | None:
+    def revealed_state(self) -> State | None:
         """What the last of the given answers shows; None for what the step does."""
         answered = self.questions[: self.revealed // 2]
         return next((each.show for each in reversed(answered) if each.show is not None), None)

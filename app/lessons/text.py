@@ -3,10 +3,10 @@
 import html
 import re
 from collections.abc import Callable
-from functools import cache, lru_cache
+from functools import cache
 from typing import TYPE_CHECKING, Any
 
-from app.languages import translate, with_comma
+from app.languages import cached, translate, with_comma
 
 if TYPE_CHECKING:
     from markdown_it import MarkdownIt
@@ -55,6 +55,7 @@ def formulas_in(text: str) -> list[str]:
     return [part.content for part in parts if part.type == "math"]
 
 
+@cached
 def html_of(text: str) -> tuple[str, tuple[str, ...]]:
     """Return a text as HTML, with placeholders for the formulas, and the TeX of the formulas.
 
@@ -122,6 +123,7 @@ def _pieces(tex: str, is_displayed: bool) -> list[str]:
     return [piece.strip() for piece in pieces if piece.strip()]
 
 
+@cached
 def spoken_text(text: str) -> str:
     """Return a text without markup, with formulas in words, for a screen reader.
 
@@ -149,7 +151,7 @@ _OF_BRACES = (
 )
 
 
-@lru_cache(maxsize=1024)
+@cached
 def spoken_tex(tex: str) -> str:
     """Return a formula in words: ``M_{pp} M_{persp}`` is "M pp times M persp"."""
     before = ""

@@ -87,11 +87,11 @@ def gaps(
             answers[name] = None, None, str(error)
             continue
         gap, predicted = smallest_gap(buffer, distance), float(buffer.gap(distance))
-        told = Prediction(gap, gap) if math.isfinite(gap) else None
+        measured = Prediction(gap, gap) if math.isfinite(gap) else None
         answers[name] = (
-            told,
+            measured,
             Prediction(predicted, predicted),
-            "" if told else MEASURE["nothing-apart"],
+            "" if measured else MEASURE["nothing-apart"],
         )
     return answers
 

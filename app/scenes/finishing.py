@@ -167,14 +167,14 @@ def _divided(mesh: Mesh, rgb: Colours, progress: Progress | None) -> tuple[Ints,
         return mesh.offsets, mesh.corners, rgb
     corners, face = [mesh.corners[np.repeat(is_whole, counts)]], [np.flatnonzero(is_whole)]
 
-    def tell(before: int, polygon: int) -> None:
+    def report_polygon(before: int, polygon: int) -> None:
         report(progress, DIVIDING + (1.0 - DIVIDING) * (before + polygon) / len(large))
 
     for number, which in enumerate(_blocks(large)):
         ends = np.concatenate([[0], np.cumsum(counts[which])])
         places = np.arange(ends[-1]) + np.repeat(mesh.offsets[which] - ends[:-1], counts[which])
-        told = partial(tell, number * _BLOCK)
-        triangles, owners = divided(mesh.points, ends, mesh.corners[places], told)
+        reported = partial(report_polygon, number * _BLOCK)
+        triangles, owners = divided(mesh.points, ends, mesh.corners[places], reported)
         corners.append(triangles.ravel())
         face.append(which[owners])
     faces = np.concatenate(face)

@@ -126,30 +126,30 @@ def main(path: Path) -> None:
     _limit_memory()
     out = sys.stdout.buffer
 
-    def say(answer: dict[str, Any]) -> None:
+    def send(answer: dict[str, Any]) -> None:
         out.write(json.dumps(answer).encode() + b"\n")
         out.flush()
 
-    said = -1.0
+    sent = -1.0
 
     def progress(fraction: float) -> bool:
-        nonlocal said
+        nonlocal sent
         fraction = round(fraction, 4)  # not an answer for each of a million faces
-        if fraction != said:
-            said = fraction
-            say({"done": fraction})
+        if fraction != sent:
+            sent = fraction
+            send({"done": fraction})
         return True
 
     try:
         *parts, notes = finished(path, meshes.read(path, progress), progress)
         arrays = [np.ascontiguousarray(part) for part in parts]
-        say({"mesh": [[each.dtype.str, each.shape] for each in arrays], "notes": notes})
+        send({"mesh": [[each.dtype.str, each.shape] for each in arrays], "notes": notes})
         for array in arrays:
             out.write(array.ravel().view(np.uint8).data)
         out.flush()
     except Refusal as error:
         parts = [part if isinstance(part, int) else str(part) for part in error.limits]
-        say({"refused": [error.bound, *parts]})
+        send({"refused": [error.bound, *parts]})
 
 
 def _limit_memory() -> None:

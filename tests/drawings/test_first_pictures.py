@@ -172,6 +172,15 @@ def test_eye_near_plane_object_and_far_plane_do_not_cover_one_another(
     assert near.sum() > 0.005 * near.size  # and the picture that lies on it can be seen
 
 
+@pytest.mark.parametrize("name", BUILT_IN)
+def test_the_eye_is_seen_beside_what_it_looks_at(off_screen: MakeScreen, name: str) -> None:
+    for size_px in (SMALL, LARGE):
+        screen = off_screen(*size_px)
+        drawing = opened(screen, name, live=False, own=True)
+        eye, thing = mask_of(screen, drawing.camera.discs["eye"]), mask_of(screen, faces_of(screen))
+        assert (eye & thing).sum() <= 0.02 * eye.sum()
+
+
 @pytest.mark.parametrize("size_px", [SLOT_PX, (882, 990), (1000, 830), (1480, 910)])
 def test_near_and_far_are_named_outside_the_frustum(
     off_screen: MakeScreen, size_px: tuple[int, int]

@@ -11,7 +11,7 @@ from app.document.document import Document
 from app.document.settings import set_values
 from app.drawings import WORDS
 from app.drawings.composition import measured
-from app.drawings.own_view import nearest_place
+from app.drawings.pane_view import nearest_place
 from app.drawings.style import LIGHT
 from app.drawings.world import WorldDrawing
 from app.model.projection import Array, Camera, Perspective

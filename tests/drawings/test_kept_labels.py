@@ -71,16 +71,15 @@ print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
 def test_shipped_labels_are_those_that_are_set(language: str) -> None:
     languages.choose(language)
     kept_labels.load_shipped()
-    shipped = [dict(typesetting.SET), dict(label.TILES)]
+    shipped = kept_labels.tree_of(set())
     forget_labels()
     for each in (languages.ENGLISH, language):
         languages.choose(each)
         set_labels()
-    for one, other in zip(shipped, (typesetting.SET, label.TILES), strict=True):
-        assert one.keys() == other.keys()
-        for key, parts in one.items():
-            for mine, its in zip(parts, other[key], strict=True):
-                assert np.array_equal(mine, its), key
+    for kind, others in kept_labels.tree_of(set()).items():
+        assert shipped[kind].keys() == others.keys()
+        for key, parts in others.items():
+            assert shipped[kind][key] == parts, key
 
 
 def test_what_is_shipped_is_not_kept(tmp_path: Path) -> None:

@@ -122,6 +122,15 @@ def test_no_line_shows_between_the_words_of_a_label() -> None:
     assert low[rim_px(em) : -rim_px(em)].min() > 200
 
 
+@pytest.mark.parametrize("text", ["0.9", "0,9"])
+def test_no_line_shows_as_a_second_point_of_a_number(text: str) -> None:
+    em, layout = 60.0, line_of(text)
+    pixels = drawn(text, em, INK, PAPER)
+    begin, end = (rim_px(em) + round(em * (at - layout.box[0])) for *_, at in layout.pieces[1:])
+    above = pixels[: len(pixels) - rim_px(em) - round(0.2 * em), begin:end, 3]
+    assert above[-round(0.4 * em) :].min() > 200
+
+
 @pytest.mark.parametrize("style", [LIGHT, DARK])
 def test_every_tone_can_be_read(style: Style) -> None:
     for field in fields(style):

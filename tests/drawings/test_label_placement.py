@@ -10,6 +10,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from app.drawings.curve_names import beside, beside_curve, stays
+from app.drawings.label import HALO_EM
 from app.drawings.label_placement import (
     LEADER_FROM_EM,
     SQUARE_EM,
@@ -233,6 +234,14 @@ def test_a_name_stands_beyond_the_tip_of_its_arrow_and_has_no_leader() -> None:
     places = beyond((100.0, 100.0), (0.0, 20.0), (12.0, 14.0), EM)
     (x, y), low = places.centres[0].tolist(), places.centres[0][1] - 7.0
     assert x == pytest.approx(100.0) and 2.0 < low - 100.0 < EM and y > 100.0 and not places.leads
+
+
+def test_a_letter_aside_of_its_arrows_line_leaves_it_whole_with_its_halo() -> None:
+    """Where the arrow lies on a longer line, such as an axis on an edge of the cube."""
+    size = (10.0, 14.0)
+    x, y = beyond((100.0, 100.0), (0.0, 20.0), size, EM).centres[1:5].T
+    aside = np.abs(x - 100.0) - size[0] / 2.0
+    assert (y > 100.0).all() and (aside >= HALO_EM * EM + 1.5).all()
 
 
 @pytest.mark.parametrize("tip", [(470.0, 160.0), (10.0, 160.0), (240.0, 310.0), (240.0, 10.0)])

@@ -11,9 +11,8 @@ from app.document.naming import nameable, named_in
 from app.document.view import View
 from app.drawings import WORDS, DrawingWords
 from app.drawings.image import ImageDrawing
-from app.drawings.names import QUIET, QUIET_WIDTH
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, rgb
+from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import AXES, WINDOW
 from app.lecture.letters import Letters

@@ -116,6 +116,19 @@ def test_the_world_is_seen_from_the_scenes_shot(
     assert math.remainder(turned, 360.0) == pytest.approx(0.0, abs=1e-6)
 
 
+def test_the_camera_s_axes_are_seen_from_one_side_while_they_are_built(
+    off_screen: MakeScreen,
+) -> None:
+    screen = off_screen(*SIZE)
+    drawing, seen = opened(screen, "letter-f"), []
+    for names, step in (({"eye", "u", "v", "n"}, None), ({"eye", "target", "n", "up"}, 3)):
+        drawing.show_names(frozenset(names))
+        drawing.show_step(step)
+        drawing.reset_view()
+        seen.append(screen.renderer.GetActiveCamera().GetDirectionOfProjection())
+    assert seen[0] == pytest.approx(seen[1])
+
+
 def test_the_cube_is_seen_from_the_scenes_side(off_screen: MakeScreen) -> None:
     """Beside the near face, y upright: the bow of the affine depth is as wide as it can be."""
     looked = {}

@@ -103,6 +103,7 @@ def test_a_label_stays_at_its_anchor_and_has_the_size_that_was_asked_for() -> No
 def test_a_halo_has_no_gap_between_words() -> None:
     assert r"{\halo{the\gap{} eye\gap{} \$$1$}}" in body(label("the eye $1"))[0]
     assert r"{\halo{far\gap{} $-1\gap\ 2$}}" in body(label("far \u22121 2"))[0]
+    assert r"{\halo{$0\gap.9$}}" in body(label("0.9"))[0]
 
 
 def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None:

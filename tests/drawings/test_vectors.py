@@ -301,6 +301,19 @@ def test_no_line_shows_between_the_words_of_a_figure(qapp: Any) -> None:
     assert moves[0] == moves[1] + 2, "lines in the space have a halo"
 
 
+def test_no_line_shows_above_the_point_of_a_number_in_a_figure() -> None:
+    """It would read as a colon."""
+    line = LineShape([(0.0, 52.0), (100.0, 52.0)], (0.0, 0.0, 0.0), 1.0, 4.0)
+    pieces = line_of("0.9").pieces
+    widths = tuple(piece_of(piece, is_tex).width for piece, is_tex, *_ in pieces)
+    written = vectors.LabelText(
+        "0.9", pieces, widths, (0.0, 0.0), 0.0, 20.0, "#ffffff", "#ffffff", 1.0, False
+    )
+    drawn = svg([line, TextShape(written, (10.0, 60.0), 20.0)], (100, 100), "t").decode()
+    begin, end = (round(10.0 + 20.0 * at) for *_, at in pieces[1:])
+    assert raster(drawn, (100, 100))[52, begin:end, 0].min() > 200.0
+
+
 def test_a_halo_has_the_colour_of_a_tint_and_is_white_on_what_is_dark_and_in_a_hole() -> None:
     pieces = line_of("A").pieces
     written = vectors.LabelText(

@@ -377,19 +377,19 @@ def test_a_class_is_asked_and_told_and_the_step_comes_back_as_it_was_left() -> N
     player = Player(course_of(TALK), 1)
     assert said(player) == "" and player.unrevealed == 4
     assert player.reveal() and said(player).startswith("How wide is it?") and "A" in said(player)
-    assert player.told_state is None
+    assert player.revealed_state is None
     assert player.reveal() and "106.7" not in said(player) and "**✓**" in said(player)
-    assert said(player).endswith("in proportion.") and player.told_state is not None
-    state = player.told_state
-    assert player.reveal() and said(player) == "Half?" and player.told_state is state
-    assert player.reveal() and "0.5" in said(player) and player.told_state is state
+    assert said(player).endswith("in proportion.") and player.revealed_state is not None
+    state = player.revealed_state
+    assert player.reveal() and said(player) == "Half?" and player.revealed_state is state
+    assert player.reveal() and "0.5" in said(player) and player.revealed_state is state
     assert not player.reveal() and player.unrevealed == 0
     player.turn_to(2)
     assert player.revealed == 0 and not player.reveal()
     player.turn_to(1)
-    assert said(player) == "" and player.told_state is None
+    assert said(player) == "" and player.revealed_state is None
     player.reach_again()
-    assert player.revealed == 4 and player.told_state is state
+    assert player.revealed == 4 and player.revealed_state is state
 
 
 def test_a_talk_is_late_from_the_first_whole_minute() -> None:

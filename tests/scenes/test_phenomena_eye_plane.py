@@ -400,6 +400,9 @@ def test_the_piece_without_an_image_is_dashed(way: str, kept: float, missing: An
     assert front == pytest.approx([min(0.0, 4.0 * kept - 2.0)])
     plane = next(face.points for face in world.faces if face.name == "w=0")
     assert plane[:, 2] == pytest.approx(0.0) and (np.ptp(plane, axis=0)[:2] > 2.0).all()
+    name = next(text for text in world.texts if text.name == "w=0")
+    assert name.point[:2] == pytest.approx((plane[:, 0].min(), plane[:, 1].max()))
+    assert name.away_from == pytest.approx((0.0, 0.0, 0.0))  # beside no end of AB: A is right
     _, ruled = (line.points for line in world.lines if line.name == "w=0")
     assert len(ruled) == 13 and (np.ptp(ruled, axis=0) == np.ptp(plane, axis=0)).all()
 

@@ -54,6 +54,13 @@ def test_what_is_drawn_is_what_was_set_for_fifty_random_drawings() -> None:
         assert angle_between(drawn_deg, formula_deg) * scale * morph < 1e-7
 
 
+def test_the_world_names_the_receding_scale_alone_and_the_image_all_three() -> None:
+    illustration = shown(PHENOMENON.start)
+    scales = {"scale_u", "scale_v", "scale_n"}
+    assert {text.name for text in illustration.world.texts} & scales == {"scale_n"}
+    assert {text.name for text in illustration.image.texts} == scales
+
+
 def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched() -> None:
     """A window of 4 by 4 units fills images that are not square: y has its own px a unit."""
     dice = random.Random(11)
@@ -74,10 +81,8 @@ def test_a_stretched_picture_is_measured_in_its_pixels_and_said_to_be_stretched(
             None if stretch == 1.0 else pytest.approx((stretch,))
         )
         plates = {in_letters(text.text, "own") for text in illustration.world.texts}
-        assert {
-            "u: 1 \N{MULTIPLICATION SIGN}",
-            f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}",
-        } < plates
+        both = {"u: 1 \N{MULTIPLICATION SIGN}", f"v: {stretch:.3g} \N{MULTIPLICATION SIGN}"}
+        assert plates & both == (set() if stretch == 1.0 else both)
         before = reading(illustration, "√").note
         assert (before is None) == (note is None)
         # And on the pixels themselves.

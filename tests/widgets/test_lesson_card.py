@@ -809,6 +809,17 @@ def test_what_would_show_the_answer_is_hidden_until_it_is_given(
     assert not is_hidden()
 
 
+def test_what_two_steps_hide_is_hidden_once(window: MainWindow, tmp_path: Path) -> None:
+    path = tmp_path / "hiding.md"
+    head, film, more = re.split("(?m)^(?=# )", HIDING)
+    path.write_text(head + film + film.replace("film}", "again}") + more, encoding="utf-8")
+    told: list[Any] = []
+    window.lesson_card.page.hidden.connect(told.append)
+    assert window.lesson_card.open(path)
+    assert window.lessons.go(1) and window.lessons.go(2)
+    assert told == [{"numbers", "lens", "world"}, frozenset()]
+
+
 CLICK = """---
 title: Click
 ---

@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from PySide6.QtWidgets import QMenu
 
 from app.drawings.actors import FlatActor
 from app.drawings.labels import Board
@@ -32,11 +33,12 @@ def assert_same(window: MainWindow, expected: dict[str, np.ndarray]) -> None:
     assert not [name for name in now if not np.array_equal(now[name], expected[name])]
 
 
+@pytest.mark.parametrize("between", ["posts", "clipping"])  # in panes of the same size, of others
 def test_a_scene_that_is_come_back_to_makes_no_actor_and_places_no_label(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
+    window: MainWindow, monkeypatch: pytest.MonkeyPatch, between: str
 ) -> None:
     first = shown(show_scene(window, "cube"))
-    show_scene(window, "posts")
+    show_scene(window, between)
     counted: Counter[str] = Counter()
     for of, method in ((FlatActor, "__init__"), (Board, "settle")):
         done = getattr(of, method)
@@ -48,6 +50,31 @@ def test_a_scene_that_is_come_back_to_makes_no_actor_and_places_no_label(
         monkeypatch.setattr(of, method, count)
     assert_same(show_scene(window, "cube"), first)
     assert not counted
+
+
+@pytest.mark.parametrize("stays", [True, False])
+@pytest.mark.parametrize("in_menu", [True, False])
+def test_the_scene_on_which_the_hand_rests_in_a_list_is_drawn_while_the_list_is_open(
+    window: MainWindow, qtbot: Any, in_menu: bool, stays: bool
+) -> None:
+    show_scene(window, "letter-f")
+    box = window.menus.scene_box
+    rests = [pane.resting.all for pane in window.panes.values()]
+    action = next(each for each in window.menus.scene_group.actions() if each.data() == "cube")
+    menu = QMenu(window)
+    menu.addAction(action)
+    menu.popup(window.pos()) if in_menu else box.showPopup()
+    action.hovered.emit() if in_menu else box.highlighted.emit(box.findData("cube"))
+    if not stays:
+        menu.close()
+        box.hidePopup()
+    qtbot.waitUntil(lambda: not window.scene_ahead.rest.isActive())
+    assert [len(each) for each in rests] == [int(stays)] * 3
+    menu.close()
+    box.hidePopup()
+    made = [each.drawing for pane in window.panes.values() for each in pane.resting.all]
+    show_scene(window, "cube")
+    assert all(pane.drawing in made for pane in window.panes.values()) is stays
 
 
 ACTS: dict[str, Callable[[MainWindow], object]] = {
@@ -67,11 +94,11 @@ ACTS: dict[str, Callable[[MainWindow], object]] = {
 def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(
     window: MainWindow, act: str
 ) -> None:
-    first = shown(show_scene(show_scene(window, "posts"), "letter-f"))
+    first = shown(show_scene(show_scene(window, "clipping"), "letter-f"))  # in panes of other sizes
     before = window.panes["world"].drawing
     ACTS[act](window)
     settle()
-    show_scene(window, "posts")
+    show_scene(window, "clipping")
     for pane in window.panes.values():
         pane.show_highlight(NOTHING)
         for what in ("names", "layers", "probes", "fixed", "step"):

@@ -538,6 +538,18 @@ def test_the_strip_shows_the_values_of_the_step_that_has_come(window: MainWindow
 
 
 @pytest.mark.undrawn
+def test_a_strip_that_comes_is_filled_once(window: MainWindow) -> None:
+    stripped = "settings.volume=cone\nview.controls=settings.volume"
+    change(window, lesson_of("scene=view-volumes", stripped))
+    go_to(window.lessons, 0)
+    settle()
+    filled = list[object]()
+    window.control_strip.grips_wanted.connect(filled.append)
+    assert window.lessons.go(1)
+    assert window.control_strip.isVisible() and len(filled) == 1
+
+
+@pytest.mark.undrawn
 def test_the_band_is_above_the_panes_and_never_moves_them(window: MainWindow) -> None:
     band = window.band
     assert band.isVisible()
@@ -1127,6 +1139,12 @@ def test_a_question_hides_the_fewest_names(display: Any) -> None:
         (False, True, True), (True, False, True), (True, True, True), (False, True, False),
         (True, False, False),
     ]  # fmt: skip
+    for beside in (None, 3.0):
+        named[:] = [] if beside is None else [QRectF(place.right() + beside, place.top(), 5, 5)]
+        question.show_text("How wide is it?  \n**A** 1  \n**B** 2", 600.0)
+        place = question.geometry()
+    clear = QRectF(place).adjusted(-5.0, -5.0, 5.0, 5.0)
+    assert not any(clear.intersects(each) for each in named), "it does not touch a name"
     named[:] = [QRectF(175.0, 0.0, 825.0, 600.0), QRectF(0.0, 0.0, 175.0, 310.0)]
     question.show_text("It is turned by 90° about z, then moved by 3. How high is it?", 600.0)
     assert question.geometry().right() < 175, "narrow, beside the bracket of a matrix"
@@ -1277,6 +1295,24 @@ def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
     assert window.lessons.place == 0
     resting = [each for pane in window.panes.values() for each in pane.resting.all]
     assert "posts" not in [each.args[0].name for each in resting]
+
+
+@pytest.mark.undrawn
+def test_the_numbers_of_a_lessons_next_exercise_are_drawn_and_set_while_it_is_read(
+    window: MainWindow, tmp_path: Path, qtbot: Any
+) -> None:
+    window.present.end()
+    path = tmp_path / "lesson.md"
+    exercise = "```exercise e\nvary n: 31..39\nHow much is $Q = {=n}$?\nvalue: n\n```\n"
+    steps = lesson_of("scene=letter-f", "").replace("```note\nminutes: 1\n```\n", exercise)
+    path.write_text(steps, encoding="utf-8")
+    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+    drawn = window.lessons.course.variants
+    qtbot.waitUntil(lambda: any("Q = 3" in formula for formula in SET) and bool(drawn))
+    made, texts = set(SET), dict(drawn)
+    assert window.lessons.go(1)
+    (block,) = window.lessons.player.blocks
+    assert SET.keys() == made and block.variant is texts[1, "e", 1]
 
 
 @pytest.mark.undrawn

@@ -1,5 +1,6 @@
 """Typeset formulas: the places of their parts, their pixels, and their plain text."""
 
+from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
@@ -173,7 +174,7 @@ def test_each_point_of_a_formula_is_read_once_for_all_its_letters(
             read.append(len(self))
             return super().tolist()
 
-    counted: Outline = whole._replace(vertices=whole.vertices.view(Points))
+    counted: Outline = replace(whole, vertices=whole.vertices.view(Points))
     monkeypatch.setattr(typesetting, "piece_of", lambda _piece, _is_tex: counted)
     parts = outlines_of.__wrapped__(tex, True)
     assert [name for name, _ in parts if name] == ["a", "b", "c", "x_1"]

@@ -252,17 +252,17 @@ class ChainEditor(QWidget, RowHolder):
     def put(self, card: _TileCard | None, *tiles: Tile) -> None:
         """Put tiles over that of a card, or at the left, which acts last."""
         place, over = (0, 0) if card is None else (self.cards.index(card), 1)
-        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._say)
+        self._attempt(lambda: self._chain.with_tile(place, *tiles, over=over), self._refuse)
 
     def _move(self, place: int, to: int) -> None:
         """Move a tile; show where the object was before, and say what differs."""
         before = self._chain
-        self._attempt(lambda: before.moved(place, to), self._say)
+        self._attempt(lambda: before.moved(place, to), self._refuse)
         if self._chain != before:
             self.compared.emit(before)
             self.first.setText(sentence(difference(*map(tiles_of, (before, self._chain)))))
 
-    def _say(self, said: str) -> None:
+    def _refuse(self, said: str) -> None:
         """Refuse a change, and show the tiles as they were."""
         self._show_tiles()
         self.refusal.show_text(refusal(said))

@@ -71,12 +71,12 @@ class LensSliders(QObject):
     def follow(self, projection: Projection) -> None:
         """Keep the sliders in proportion to a projection with the same kind of lens."""
         self._projection = projection
+        self._fit_window()
         if projection.lens.planes is not None:
             near, far = projection.lens.planes
             rows = self._row(NEAR), self._row(FAR)
             rows[0].field.keep_between(None, far)
             rows[1].field.keep_between(near, None)
-        self._fit_window()
         if projection.lens.symmetric:
             near = 10.0 ** round(math.log10(projection.lens.near))
             scale = Log(1e-2 * near, 1e2 * near)

@@ -9,7 +9,7 @@
 """
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import partial
 
 from PySide6.QtCore import QObject, QTimer, Signal
@@ -79,11 +79,11 @@ class Adaptive(QObject):
             self._scene, self.quality = scene, quality
             self._plan()
 
-    def reduce_ahead(self, scene: Scene) -> None:
-        """Make the coarser versions of a scene that may be shown next."""
-        if self._target_ms > 0.0:
-            for share in shares_for_dragging(scene):
-                reduced(scene, share)
+    def reduce_ahead(self, scene: Scene) -> Iterator[None]:
+        """Make the coarser versions of a scene that may be shown next, one by one."""
+        for share in shares_for_dragging(scene) if self._target_ms > 0.0 else ():
+            reduced(scene, share)
+            yield
 
     def set_target(self, target_ms: float) -> None:
         """Set the longest frame while a control is dragged; 0 for any."""

@@ -114,7 +114,7 @@ class _Canvas(QWidget):
     def open(self) -> None:
         """Make VTK's window."""
 
-    def tell_drawn(self) -> None:
+    def emit_drawn(self) -> None:
         self.drawn_at = time.perf_counter()
         self.drawn.emit()
 
@@ -277,7 +277,7 @@ class RasterCanvas(_Canvas):
         painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
         painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
         painter.end()
-        self.tell_drawn()
+        self.emit_drawn()
 
     def is_due_with(self, other: QWidget) -> bool:
         """Whether it will be drawn in the same repaint of the window as another canvas."""

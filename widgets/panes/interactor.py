@@ -37,7 +37,7 @@ class _QtOpenGL:
     def __init__(self, window: Any, context: QOpenGLContext, surface: QSurface) -> None:
         self._context, self._surface = context, surface
         window.AddObserver(_MAKE_CURRENT, self.make_current)
-        window.AddObserver(_IS_CURRENT, self._tell_current)
+        window.AddObserver(_IS_CURRENT, self._set_current)
         # On Windows without a driver, Qt's is not the system's, which VTK would ask.
         self._load = _Loader(context.getProcAddress)
         window.SetOpenGLSymbolLoader2(ctypes.cast(self._load, ctypes.c_void_p).value, 0)
@@ -57,7 +57,7 @@ class _QtOpenGL:
         with suppress(RuntimeError):  # Qt may have ended before
             self._context.makeCurrent(self._surface)
 
-    def _tell_current(self, window: Any, _event: str) -> None:
+    def _set_current(self, window: Any, _event: str) -> None:
         window.SetIsCurrent(QOpenGLContext.currentContext() is self._context)
 
 
@@ -149,7 +149,7 @@ class Interactor(QOpenGLWidget):
         self.makeCurrent()
         self._copy()
         state.Pop()
-        self._canvas.tell_drawn()
+        self._canvas.emit_drawn()
         if self._canvas.timed:
             window.WaitForCompletion()  # drawing goes on after the call otherwise
             self._canvas.painted.emit(1e3 * (time.perf_counter() - began))

@@ -66,7 +66,7 @@ _SHOW: dict[str, Callable[[Drawing, Any], object]] = {
     "grips": lambda drawing, paths: drawing.handles.rest(paths),
     "highlight": lambda drawing, highlighted: drawing.show_highlight(highlighted),
 }
-"""How a drawing is told the requests that take one call."""
+"""How a drawing shows the requests that take one call."""
 
 
 class Pane(QFrame):
@@ -152,7 +152,7 @@ class Pane(QFrame):
         self._clock = Clock(self, self._pass_time)
         self._rest = QTimer(self, singleShot=True)
         self._rest.timeout.connect(self._refine)
-        self._told = dict(AS_BUILT)  # of `requested`, what the drawing shows
+        self._applied = dict(AS_BUILT)  # of `requested`, what the drawing shows
         self._in_first: ShownData | None = None  # what it shows, and nothing else happened to it
         self._releasing = QTimer(self, singleShot=True, interval=500)
         self._releasing.timeout.connect(self.resting.release)
@@ -268,7 +268,7 @@ class Pane(QFrame):
         if not self.isVisible() or is_old or self.drawing is None:
             self._due.add("highlight")
             return
-        self._told["highlight"] = highlighted
+        self._applied["highlight"] = highlighted
         if self.drawing.show_highlight(highlighted):
             self.canvas.redraw()
 
@@ -319,7 +319,7 @@ class Pane(QFrame):
                         drawing.show_view(wanted)
                 else:
                     _SHOW[what](drawing, wanted)
-        self._told = dict(self.requested)
+        self._applied = dict(self.requested)
         if args is not None:  # none that has failed rests
             self._drawn_with, self._in_first = args, shown
         elif self._due & {"projection", "view"}:
@@ -346,7 +346,7 @@ class Pane(QFrame):
         self.glide(1.0)
         taken = self.resting.take(args)
         if self.drawing is not None:
-            self.resting.put(Resting(self._drawn_with, self.drawing, self._told, self._in_first))
+            self.resting.put(Resting(self._drawn_with, self.drawing, self._applied, self._in_first))
             self._releasing.start()
         self.drawing = self._drawn_with = None
         if taken is None:
@@ -357,7 +357,7 @@ class Pane(QFrame):
         self.drawing.board.is_patient = True
         self._to_build = self._goes_to = None
         self.requested["detail"] = None
-        self._due = {what for what, now in self.requested.items() if now != taken.told[what]}
+        self._due = {what for what, now in self.requested.items() if now != taken.applied[what]}
         is_same = taken.shown is not None and taken.shown.document == shown.document
         if not is_same or self._due & {"stage", "from_left", "former"}:
             self._due |= {"projection", "view"}

@@ -14,7 +14,7 @@ MOST_CELLS = 20_000  # of the scene of each
 class Resting(NamedTuple):
     args: tuple[Any, ...] | None  # the arguments of `Pane.build` that the drawing is for
     drawing: Drawing
-    told: Mapping[str, Any]  # the values of `Pane.request` that it shows
+    applied: Mapping[str, Any]  # the values of `Pane.request` that it shows
     shown: ShownData | None  # what it shows in its first view; None if more has happened to it
 
 

@@ -41,20 +41,20 @@ def progress_dialog(window: QWidget, text: str, steps: int = 100) -> Iterator[QP
 def progress(window: QWidget, text: str) -> Iterator[ReportProgress]:
     """Show the progress of work that reports it itself; see `progress_dialog`."""
     with progress_dialog(window, text) as dialog:
-        begun = heard = time.monotonic()
+        begun = asked = time.monotonic()
 
-        def tell(fraction: float) -> bool:
-            nonlocal heard
+        def report(fraction: float) -> bool:
+            nonlocal asked
             dialog.setValue(min(99, round(100 * fraction)))  # at 100 the dialog would close
             now = time.monotonic()
-            if now - heard >= _POLL_S and not dialog.wasCanceled():
-                heard = now  # Qt takes no events for a fraction that has not changed
+            if now - asked >= _POLL_S and not dialog.wasCanceled():
+                asked = now  # Qt takes no events for a fraction that has not changed
                 if now - begun >= SHOWN_AFTER_MS / 1e3:
                     dialog.show()
                     QCoreApplication.processEvents()
             return not dialog.wasCanceled()
 
-        yield tell
+        yield report
 
 
 def apart(work: Callable[[ReportProgress], _Done], report: ReportProgress) -> _Done:

@@ -101,6 +101,7 @@ class Actions(QObject):
     """
 
     scene_chosen = Signal(str)
+    scene_pointed_at = Signal(str)  # in a list of scenes that is open
     theme_chosen = Signal(str)
     language_chosen = Signal(str)
 
@@ -256,6 +257,7 @@ class Actions(QObject):
             act = partial(self.scene_chosen.emit, name)
             action = self._action(self.scene_titles[name], act, on=False)
             action.setData(name)
+            action.hovered.connect(partial(self.scene_pointed_at.emit, name))
             self.scene_group.addAction(action)
             entries.append(action)
         self._named("mesh", self._files.open_dialog)
@@ -279,6 +281,9 @@ class Actions(QObject):
         tools.setIconSize(QSize(ICON_PX, ICON_PX))
         self.scene_box.activated.connect(
             lambda index: self.scene_chosen.emit(self.scene_box.itemData(index))
+        )
+        self.scene_box.highlighted.connect(
+            lambda index: self.scene_pointed_at.emit(self.scene_box.itemData(index))
         )
         tools.addWidget(self.scene_box)
         # On Linux a box takes its label's name, even hidden.

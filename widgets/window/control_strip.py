@@ -38,7 +38,7 @@ class ControlStrip(FittedWidget, QFrame):
         self._named: tuple[str, ...] = ()
         self._of_scene: Collection[str] = USUAL
         self._wanted: bool | None = None  # whether the speaker wants the strip; None: as the step
-        self._is_for_class = False
+        self._is_for_class = self._is_old = False
         self.rows: list[Row] = []
         self._row = in_row(on=self, margins=(24, 2, 24, 4), gap=GAP_PX)
         self.hide()
@@ -50,11 +50,15 @@ class ControlStrip(FittedWidget, QFrame):
         if phenomenon is not None:
             own = (*(each.path for each in phenomenon.settings), *phenomenon.controls)
             self._of_scene = (own or USUAL)[:MOST_ON_SLIDE]
-        self._fill()
+        self._is_old = True
+        if "view" not in changed:  # otherwise `show_controls` follows
+            self._fill()
 
     def show_controls(self, paths: tuple[str, ...]) -> None:
         if paths != self._named:
             self._named, self._wanted = paths, None
+            self._is_old = True
+        if self._is_old:
             self._fill()
 
     def set_presenting(self, on: bool, screen_px: float) -> None:
@@ -84,6 +88,7 @@ class ControlStrip(FittedWidget, QFrame):
         return (asked or tuple(self._of_scene)) if wanted else ()
 
     def _fill(self) -> None:
+        self._is_old = False
         self.grips_wanted.emit(self._named if self._is_for_class else None)
         self._stages.setVisible(not self._is_for_class or STRIP in self._named)
         focus = QApplication.focusWidget()

@@ -168,9 +168,6 @@ class Look(QObject):
 
         The steps show other scenes than the current one, with its quality.
         """
-        for step in steps:
-            self.adaptive.reduce_ahead(step.scene)
-            yield
         style, drawn = self._style(), self.adaptive.drawn
         steps = [step for step in steps if self.adaptive.whole(step.scene) is not drawn]
         plan = [
@@ -182,6 +179,8 @@ class Look(QObject):
         for pane, step, arguments in plan:
             pane.resting.draw(step, pane.drawing, *arguments)
             yield
+        for step in steps:
+            yield from self.adaptive.reduce_ahead(step.scene)
 
     def _is_seen_at(self, step: ShownData, name: str) -> bool:
         """Whether a pane will be visible at a step."""

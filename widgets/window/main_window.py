@@ -74,6 +74,7 @@ from widgets.window.present import Present, Screens
 from widgets.window.probing import Probing
 from widgets.window.quality import Cost, DrawnQuality
 from widgets.window.recovery import Recovery
+from widgets.window.scene_ahead import SceneAhead
 from widgets.window.scene_guide import SceneGuide
 from widgets.window.settings import data_folder
 from widgets.window.side import Side
@@ -267,6 +268,7 @@ class MainWindow(QMainWindow):
             self.scene_panel, self.panels, controls, self.manipulation, image, self.menus,
             self.store, self.files.choose_scene,
         )  # fmt: skip
+        self.scene_ahead = SceneAhead(self.menus, self.files, self.look)
         self.comparing = Comparing(
             self.panes, self.look, self.store, self.slots, controls.card, self.menus, self.messages
         )

@@ -73,12 +73,13 @@ class QuestionOverlay(QFrame):
             return
         pictures, room = list(self._named()), self._slide.rect()
         named = np.array([each.getCoords() for boxes, _ in pictures for each in boxes])
+        apart = EDGE_SHARE / 2.0 * self._screen_px * np.array([-1.0, -1.0, 1.0, 1.0])
         unit, best = INK_SHARE * room.width() * room.height(), tuple[Any, ...]()
         for text in self._texts:
             set_text(self._document, text, palette=self.palette())
             tried = list(self._candidates(room))
             boxes = np.array([QRectF(place).getCoords() for _, place, _ in tried])
-            names = overlap(boxes, named.reshape(-1, 4)).sum(axis=1)
+            names = overlap(boxes + apart, named.reshape(-1, 4)).sum(axis=1)
             inked = np.ceil(sum((ink(boxes) for _, ink in pictures), np.zeros(len(boxes))) / unit)
             for i, (cost, place, widest) in enumerate(tried):
                 whole = (cost[0] == len(SHARES), names[i], inked[i], *cost)

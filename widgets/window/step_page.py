@@ -49,7 +49,7 @@ class StepPage(QScrollArea):
 
     def make(self, player: Player) -> None:
         """Make the page: the step's title, then its text and blocks in order."""
-        self.clear()
+        self._empty()
         self._player = player
         player.begin_page()
         page = QWidget()
@@ -58,12 +58,14 @@ class StepPage(QScrollArea):
         self.unfold()
         self.setWidget(page)
         self.verticalScrollBar().setValue(0)
-        self.hide_answers()
 
     def clear(self) -> None:
+        self._empty()
+        self.hide_answers()
+
+    def _empty(self) -> None:
         self.blocks, self._current = [], None
         self.room_wanted.emit(0)
-        self.hide_answers()
         page = self.takeWidget()
         if page is not None:
             page.deleteLater()
@@ -92,6 +94,7 @@ class StepPage(QScrollArea):
             turn = self.blocks[-1]
         if turn is not None:
             turn.open_up()
+        self.hide_answers()  # once: what the step before has hidden may stay so
 
     def look(self, now: Document) -> None:
         """Check the tasks in the window's current state."""

@@ -9,6 +9,8 @@ from app.lecture.equation_form import laid_out
 from app.lecture.notation import matrices
 from app.lecture.typesetting import line_of
 from app.lessons.course import scene_of
+from app.lessons.player import PlayedBlock
+from app.lessons.text import spoken_text
 from app.model.refusal import Refusal
 from widgets.parts.lesson_text import set_text
 from widgets.parts.panel import ShownData
@@ -54,18 +56,27 @@ class StepPreparation(QObject):
 
     def _pieces(self) -> Iterator[None]:
         """Prepare the neighbouring steps; their mistakes are reported when they are shown."""
-        course, place = self._lessons.course, self._lessons.place
-        if course is None:
+        player, place = self._lessons.player, self._lessons.place
+        if player is None:
             return
+        course = player.course
         steps, scenes = course.lesson.steps, []
         for number in (place + 1, place - 1):
             if not 0 <= number < len(steps):
                 continue
             step = steps[number]
-            for text in (step.title, *(part.text for part in step.parts)):
-                set_text(TextDocument(), text)
-                yield
+            set_text(TextDocument(), step.title, title=True)
             try:
+                played = [PlayedBlock(player, number, block) for block in step.asked]
+                for block in played:
+                    if block.variant is None:
+                        block.draw(block.seed or 1)
+                        yield
+                parts = (*step.words, *(block.question for block in played))
+                for _, text in (each for part in parts for each in part.texts()):
+                    set_text(TextDocument(), text)
+                    spoken_text(text)
+                    yield
                 document = course.shown(number).document
                 scenes.append(ShownData.of(document, scene_of(document)))
                 yield

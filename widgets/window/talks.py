@@ -210,12 +210,12 @@ class Talks(QObject):
         self._unblank()
         player = self._lessons.player
         if player is not None and player.revealed:
-            before = player.told_state
+            before = player.revealed_state
             player.revealed -= 1
             self._show()
-            if player.told_state is None and before is not None:
+            if player.revealed_state is None and before is not None:
                 self._lessons.come_back()
-            elif player.told_state is not before:
+            elif player.revealed_state is not before:
                 self._show_state(player)
         elif self._lessons.previous() and player is not None:
             player.reach_again()
@@ -225,18 +225,18 @@ class Talks(QObject):
     def reveal(self) -> bool:
         """Ask the next question, or answer it; return False if all are answered."""
         player = self._lessons.player
-        before = player.told_state if player is not None else None
+        before = player.revealed_state if player is not None else None
         if player is None or not player.reveal():
             return False
         self._unblank()
         self._show()
-        if player.told_state is not before:
+        if player.revealed_state is not before:
             self._show_state(player)
         return True
 
     def _show_state(self, player: Player) -> None:
-        if player.told_state is not None:
-            self._lessons.show_predicted(player.told_state)
+        if player.revealed_state is not None:
+            self._lessons.show_predicted(player.revealed_state)
             self._pose()
 
     def jump(self, number: int) -> None:

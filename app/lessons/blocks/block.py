@@ -388,7 +388,7 @@ class Asked(ReadBlock):
         return self.line
 
     @property
-    def can_be_told(self) -> bool:
+    def can_be_revealed(self) -> bool:
         """Whether the program knows an answer that it can show."""
         return True
 

@@ -90,7 +90,7 @@ class Task(Asked):
         return section != "view" or _IN_CONDITIONS.get(name, name) in asked
 
     @property
-    def can_be_told(self) -> bool:
+    def can_be_revealed(self) -> bool:
         return bool(self.why) or self.right is not None
 
     def right_sample(self, here: Here) -> str:

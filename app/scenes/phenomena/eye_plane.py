@@ -312,8 +312,7 @@ def _world_marks(
     projection: Projection, subject: Subject, ends: Array, depths: Array, kept: tuple[float, float]
 ) -> Marks:
     """The eye plane, and the segment: what is drawn of it, and dashed what has no image."""
-    eye = np.array(projection.camera.eye)
-    u, v, _ = projection.camera.frame
+    eye, (u, v, _) = np.array(projection.camera.eye), projection.camera.frame
     start, end = depths.tolist()
     share = start / (start - end) if (start > 0.0) != (end > 0.0) else 0.0
     crossing = (1.0 - share) * ends[0] + share * ends[1]
@@ -325,7 +324,7 @@ def _world_marks(
         Polyline(eye + reach * _RULED @ np.stack([u, v]), "v", 0.5, (), "w=0"),
         Dot(eye, "eye"),
         *(named(name, at, size=1.2) for name, at in zip("AB", ends, strict=True)),
-        Text("w=0", corners[2], "v", text="{eye_plane}"),
+        Text("w=0", corners[3], "v", away_from=eye, text="{eye_plane}"),
         *([Dot(crossing, "v", 1.6)] if share else []),
     ]
     low, high = kept

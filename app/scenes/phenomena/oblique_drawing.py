@@ -71,7 +71,7 @@ def measured(ends_px: Array) -> DrawnEdge | None:
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
     """The same camera with an oblique lens; the picture of the plane through the target stays.
 
-    `scale` and `angle_deg` as in `app.model.lenses.oblique_angles`.
+    `scale` and `angle_deg` as in `app.model.lenses.oblique.oblique_angles`.
     """
     straight = projection.with_lens("orthographic")
     lens: Any = straight.lens
@@ -152,7 +152,8 @@ def _show(projection: Projection, _settings: Settings, subject: Subject) -> Illu
         each = zip(_SCALE_NAMES, places, _COLOURS, labels, strict=True)
         return [Text(name, at, colour, text=text) for name, at, colour, text in each]
 
-    world: list[Mark] = [*edges, *texts(segments.mean(axis=1))]
+    # Where u and v keep their lengths, a small world has room for the receding scale alone.
+    world: list[Mark] = [*edges, *texts(segments.mean(axis=1))[2 if note is None else 0 :]]
     if warning is None:
         world = [_projectors(projection, corners, trace.view[4:12]), *world]
     lines = seen_lines(projection, projection.trace(segments).clip, _COLOURS, 2.0)

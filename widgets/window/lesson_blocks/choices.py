@@ -136,7 +136,7 @@ class ChoiceView(BlockView):
     def _show_right_answer(self) -> list[str]:
         text = self.question.replies[self.question.right].text
         self._close()
-        return self._tell(self.tr("The answer is {0}.").format(_quoted(text)))
+        return self._add_right_answer(self.tr("The answer is {0}.").format(_quoted(text)))
 
     def _close(self) -> None:
         for choice in self._choices:

@@ -100,7 +100,7 @@ class MarkedAnswerView(BlockView):
         if "\n" in answer:  # a table stands by itself
             text = self.tr("The answer is:") + f"\n\n{answer}\n\n"
         self._close()
-        return self._tell(text)
+        return self._add_right_answer(text)
 
 
 class NumberAnswerView(MarkedAnswerView):

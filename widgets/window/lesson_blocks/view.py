@@ -80,7 +80,7 @@ class BlockView(QFrame):
         self._hint: QWidget | None = None  # the newest hint, until another response comes
         self._feedback = in_column(gap=4)
         self._offered: QWidget | None = None  # the button of the right answer, once it is offered
-        self._words: QWidget = LessonText(question.text)
+        self._words: QWidget = LessonText("" if question.varies else question.text)
         if sign:
             self._words = on_holder(*((each, TOP) for each in sign), (self._words, 1), gap=4)
         self._column = in_column(self._words, self._feedback, on=self, margins=(9, 7, 9, 8), gap=5)
@@ -186,7 +186,7 @@ class BlockView(QFrame):
 
     # -- the response
 
-    def _tell(self, answer: str) -> list[str]:
+    def _add_right_answer(self, answer: str) -> list[str]:
         """Show a sentence with the right answer, the reason and the solution; return the texts."""
         question = self.played.question
         texts = [f"{answer} {question.why}".strip(), question.solution(self.played.here)]
@@ -226,7 +226,7 @@ class BlockView(QFrame):
     def _offer_answer(self) -> None:
         """Offer the right answer below every response, until it is known."""
         played = self.played
-        if self._offered is None and played.is_open and played.question.can_be_told:
+        if self._offered is None and played.is_open and played.question.can_be_revealed:
             tip = self.tr("Show the right answer, and why it is right (Alt+A)")
             answer = button(self.tr("Show the &answer"), tip, self.reveal_answer)
             self._offered = self._indented(answer)
