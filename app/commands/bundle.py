@@ -45,7 +45,6 @@ def run(arguments: Sequence[str]) -> int:
 
 
 def _freeze(folder: Path) -> None:
-    """Make the program."""
     if importlib.util.find_spec("PyInstaller") is None:
         command = bootstrap.pip_install(requirements(bootstrap.ROOT, ["bundle"])[-1].text)
         raise CliError("bundle needs PyInstaller, which is not installed; run: {0}", command)

@@ -71,7 +71,6 @@ class WorldAxes(Layer):
 
     @property
     def _frames(self) -> frozenset[str]:
-        """The frames that are named, of `FRAMES`."""
         return (self._names.wanted or frozenset()) & FRAMES.keys()
 
     @property

@@ -162,9 +162,12 @@ def _shown_limit(limit: object, value: object) -> object:
 def six_digits(error: Refusal) -> Refusal:
     """Return the refusal of a dragged value with the value, too, rounded to six digits.
 
-    The value keeps all its digits if six would put it on the other side of a limit.
+    The value keeps all its digits if six would put it on the other side of a limit. A point beyond
+    the vanishing line of a pane would be at infinity.
     """
     value, limits = error.value, shown_limits(error.limits, error.value)
+    if isinstance(value, tuple) and not all(map(math.isfinite, value)):
+        return Refusal(error.field, math.inf, error.bound, *limits)
     short = tuple(map(_six_digits, value)) if isinstance(value, tuple) else _six_digits(value)
     numbers_shown = [_limit_number(limit) for limit in limits]
     if any(_sides(short, limit) != _sides(value, limit) for limit in numbers_shown):

@@ -181,6 +181,20 @@ def test_the_eye_is_seen_beside_what_it_looks_at(off_screen: MakeScreen, name: s
         assert (eye & thing).sum() <= 0.02 * eye.sum()
 
 
+@pytest.mark.parametrize("size_px", [SLOT_PX, (580, 655), (582, 640)])
+def test_the_error_of_a_found_point_is_written_beside_the_mesh(
+    off_screen: MakeScreen, size_px: tuple[int, int]
+) -> None:
+    screen = off_screen(*size_px)
+    drawing, shown = opened(screen, "unprojection", own=True), illustrated(load("unprojection"))
+    assert shown is not None
+    back = np.concatenate([line.points for line in shown.world.lines if line.name == "back"])
+    left, low, right, _high = boxes_of(screen)["0.58"]
+    spots = drawing.own.pane.spots(back - drawing.state.origin)
+    beside = max(left - spots[:, 0].max(), low - spots[:, 1].max())
+    assert beside > -0.2 * (right - left)
+
+
 @pytest.mark.parametrize("size_px", [SLOT_PX, (882, 990), (1000, 830), (1480, 910)])
 def test_near_and_far_are_named_outside_the_frustum(
     off_screen: MakeScreen, size_px: tuple[int, int]

@@ -29,7 +29,7 @@ from tests.support.drawings import figure_of
 from tests.support.window import MakeWindow, counted_repaints, pixels, settle, show_scene
 from widgets.panes import adaptive, canvas
 from widgets.panes.adaptive import BETWEEN_MS
-from widgets.panes.pane import REST_MS
+from widgets.panes.canvas import REST_MS
 from widgets.parts.number_field import NumberDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.settings import Settings

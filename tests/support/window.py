@@ -18,7 +18,7 @@ from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Perspective, Projection
 from app.scenes.scene import load
 from tests import PATIENCE_MS
-from widgets.panes.pane import REST_MS
+from widgets.panes.canvas import REST_MS
 from widgets.parts.clock import Clock
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.main_window import MainWindow

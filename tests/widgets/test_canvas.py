@@ -45,8 +45,7 @@ from tests.support.window import (
     seen,
     settle,
 )
-from widgets.panes.canvas import CANVASES, SCALES, RasterCanvas
-from widgets.panes.pane import REST_MS
+from widgets.panes.canvas import CANVASES, REST_MS, SCALES, RasterCanvas
 from widgets.window.main_window import MainWindow
 
 pytestmark = pytest.mark.smooth

@@ -343,6 +343,21 @@ def test_a_drag_goes_by_pixels_and_the_view_stands_still(window: MainWindow) -> 
     assert window.probe_panel.probes == () and window.store.in_gesture
 
 
+def test_a_refused_drag_stops_at_the_bound_and_turns_back_at_once(
+    window: MainWindow, heard: list[str]
+) -> None:
+    hold(window, "Near = ")
+    press(KEY.Key_Left, SHIFT, times=80)
+    far = model(window).lens.far
+    assert f"must be less than far, which is {far:g}" in said(window) == heard[-1]
+    assert not window.manipulation.line.isVisible()
+    stopped = model(window).lens.near
+    assert 0.9 * far < stopped < far
+    press(KEY.Key_Right, SHIFT)
+    assert model(window).lens.near < stopped and said(window).startswith("Near = ")
+    press(KEY.Key_Escape)
+
+
 def test_shift_and_enter_drag_up_and_down(window: MainWindow) -> None:
     start = model(window).camera.eye
     hold(window, "Eye = ", SHIFT)

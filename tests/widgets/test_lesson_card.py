@@ -52,6 +52,7 @@ from tests.support.window import (
     MakeWindow,
     activate,
     arrive,
+    click,
     enter,
     go_to,
     pixels,
@@ -67,7 +68,7 @@ from widgets.window.lesson_blocks import VIEWS
 from widgets.window.lesson_blocks.choices import ChoiceView
 from widgets.window.lesson_blocks.marked import ClickView, TaskView
 from widgets.window.lesson_blocks.view import BlockView, Sign
-from widgets.window.lesson_card import WHILE_MOVING_MS
+from widgets.window.lesson_card import TOUR, WHILE_MOVING_MS
 from widgets.window.main_window import MainWindow
 from widgets.window.pointing import Cross
 from widgets.window.step_page import StepPage
@@ -332,6 +333,20 @@ def test_a_right_answer_moves_the_focus_on_and_can_be_deleted(
     card.leave()
     card.open(lesson)
     assert window.lessons.place == 2 and not card.page.blocks[0].played.is_open
+
+
+def test_the_tips_name_both_keys_and_no_frame_is_left_behind(window: MainWindow) -> None:
+    card = window.lesson_card
+    card.open(TOUR)
+    activate(window)
+    assert "Alt+Right, PgDown" in card.next.toolTip() and "Alt+Left, PgUp" in card.back.toolTip()
+    card.next.setFocus()
+    card.leave()
+    settle()
+    assert keyboard() is window
+    dock = window.controls.viewport()
+    click(dock, (dock.width() - 3.0, dock.height() - 3.0))
+    assert keyboard() is window, "nor does a click beside the rows draw one"
 
 
 def buttons_of(widget: QWidget) -> dict[str, QPushButton]:

@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRectF, Qt
-from PySide6.QtGui import QWheelEvent
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
+from PySide6.QtGui import QHelpEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
 
@@ -34,6 +34,7 @@ from tests.support.window import (
     LEFT,
     MakeWindow,
     activate,
+    edit,
     move_mouse,
     pixels,
     point_of,
@@ -277,6 +278,38 @@ def test_hovering_says_what_a_drag_does_and_costs_one_repaint(window: MainWindow
     QApplication.sendEvent(canvas, QEvent(QEvent.Type.Leave))
     assert world(window).handles.held is None
     canvas.render_window.RemoveObserver(observer)
+
+
+def test_under_a_still_mouse_what_lies_there_now_is_lit(window: MainWindow, qtbot: Any) -> None:
+    (near, spot), before = mark(window, "near"), model(window)
+    move(window, "world", point_of(spot), button=Qt.MouseButton.NoButton)
+    edit(window)
+    qtbot.waitUntil(lambda: world(window).handles.held != near)
+    window.store.undo()
+    assert model(window) == before
+    qtbot.waitUntil(lambda: world(window).handles.held == near)
+    wheel(window, -10.0, "world")
+    qtbot.waitUntil(lambda: world(window).handles.held != near)
+    wheel(window, 10.0, "world")
+    qtbot.waitUntil(lambda: world(window).handles.held == near)
+
+
+def test_a_tooltip_hides_no_name(window: MainWindow, qtbot: Any) -> None:
+    canvas = window.panes["world"].canvas
+    for name in ("near", "far"):
+        drawing = world(window)
+        left, right, bottom, top = drawing.board.label(name).box_px
+        at = QPoint(round((left + right) / 2.0), round(canvas.height() - (bottom + top) / 2.0))
+        for place in (at, at - QPoint(0, 20)):  # on it, and above it
+            QApplication.sendEvent(
+                canvas, QHelpEvent(QEvent.Type.ToolTip, place, canvas.mapToGlobal(place))
+            )
+            (shown,) = (w for w in QApplication.topLevelWidgets() if w.inherits("QTipLabel"))
+            qtbot.waitUntil(shown.isVisible)
+            box = QRect(canvas.mapFromGlobal(shown.pos()), shown.size()).toRectF()
+            boxes, _ = named_on(canvas, window.panes["world"])
+            assert not [each for each in boxes if each.intersects(box)], (name, box)
+            shown.close()
 
 
 def held_line(window: MainWindow) -> QLabel:
@@ -732,6 +765,60 @@ def test_the_sun_is_held_by_its_direction(make_scene: Callable[[str], MainWindow
     assert not np.allclose(turned / np.linalg.norm(turned), np.array([-1, 2, 1]) / math.sqrt(6.0))
 
 
+def test_a_point_that_is_dragged_beyond_the_horizon_of_the_cube_is_at_infinity(
+    make_scene: Callable[[str], MainWindow],
+) -> None:
+    window = make_scene("similar-triangles")
+    drawing: Any = window.panes["ndc"].drawing
+    spots = {handle.setting: spot for handle, spot in drawing.handles.shown}
+    at = point_of(spots["point"])
+    press(window, "ndc", at)
+    for way in (200, 700):
+        move(window, "ndc", at + QPoint(way, 0))
+    bar = held_line(window)
+    assert bar.text() == "Point P = ∞: must be three finite numbers x, y, z."
+    release(window, "ndc", at)
+
+
+@pytest.mark.parametrize(
+    ("scene", "name"),
+    [("field-of-view", "distance"), ("off-axis-window", "eye"), ("focus", "focus")],
+)
+def test_escape_puts_back_what_follows_a_value_to_its_last_digit(
+    make_scene: Callable[[str], MainWindow], scene: str, name: str
+) -> None:
+    window = make_scene(scene)
+    spot = next(at for each, at in marks(window).items() if name in (each.name, each.setting))
+    before, at, steps = window.store.document, point_of(spot), len(list(window.store.documents))
+    press(window, "world", at)
+    for way in (20, 60, 200):
+        move(window, "world", at + QPoint(way, 0))
+    assert window.store.document != before
+    QTest.keyClick(window, Qt.Key.Key_Escape)
+    release(window, "world", at)
+    assert window.store.document == before and len(list(window.store.documents)) == steps
+
+
+def test_a_refusal_is_about_what_is_dragged(make_scene: Callable[[str], MainWindow]) -> None:
+    for scene, name, said in (
+        ("off-axis-window", "left", "Left = "),
+        ("camera-obscura", "distance", "Film distance d = "),
+    ):
+        window = make_scene(scene)
+        spots = marks(window).items()
+        spot = next(
+            at for each, at in spots if name in (each.setting, *moved_names(window, each)[:1])
+        )
+        at, texts = point_of(spot), set[str]()
+        press(window, "world", at)
+        for way in ((300, 0), (0, 300), (-300, 0), (0, -300), (-500, 500), (700, 0)):
+            move(window, "world", at + QPoint(*way))
+            texts |= {held_line(window).text()} if held_line(window).isVisible() else set()
+        release(window, "world", at)
+        assert [each for each in texts if "must be less than" in each], texts
+        assert not [each for each in texts if not each.startswith(said)], texts
+
+
 def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     make_scene: Callable[[str], MainWindow],
 ) -> None:
@@ -744,7 +831,7 @@ def test_a_light_that_is_dragged_under_the_plane_is_refused_over_the_pane(
     assert last[1] < 9.0
     move(window, "world", at + QPoint(0, 600))
     bar = held_line(window)
-    assert bar.isVisible() and "must lie above the plane y = 0" in bar.text()
+    assert bar.isVisible() and bar.text().endswith("must lie above the plane y = 0")
     assert bar.text().startswith("Light L = ")
     assert 0.0 < window.store.document.settings["light"][1] < last[1], "it stops at the bound"
     move(window, "world", at + QPoint(0, 10))

@@ -694,11 +694,16 @@ def test_the_laser_lies_over_everything_and_repaints_no_picture(window: MainWind
     pane = window.panes["world"].canvas
     middle = pane.mapTo(window, pane.rect().center())
     QCursor.setPos(window.mapToGlobal(middle))  # where other tests have left it, Qt sees no move
-    QTest.mouseMove(handle, middle)  # what lies there lights up
+    QTest.mouseMove(handle, middle)
     settle()
+    spots = dict(window.panes["world"].drawing.handles.shown)
+    near = next(spot for mark, spot in spots.items() if mark.name == "near")
+    window.panes["world"].hand.hovered.emit(QPointF(*near))
+    assert window.panes["world"].drawing.handles.held is not None
+    QTest.keyPress(handle, Qt.Key.Key_L)
+    settle()
+    assert window.panes["world"].drawing.handles.held is None, "the dot will go elsewhere"
     with counted_repaints(window) as counts:
-        QTest.keyPress(handle, Qt.Key.Key_L)
-        settle()
         for place in (middle, middle + QPoint(150, 60), QPoint(400, 15), QPoint(300, 700)):
             if place != middle:  # there it appears without a move
                 QTest.mouseMove(handle, place)

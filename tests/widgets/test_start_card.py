@@ -9,8 +9,8 @@ from PySide6.QtWidgets import QCheckBox, QToolButton
 
 from app.document.document import Document
 from app.document.files import write
-from app.lessons.contents import contained
-from app.lessons.lesson import read
+from app.lessons.contents import CONTENT, contained
+from app.lessons.lesson import head_of, read
 from app.lessons.player import Progress
 from app.scenes.scene import BUILT_IN, load
 from tests.pictures import MOST_DIFFERENT, different, draw_tile
@@ -102,13 +102,18 @@ def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path
     write(Document("cube", load("cube").start), path)
     lesson.write_text("---\ntitle: How wide?\n---\n# One {#one}\n", encoding="utf-8")
     settings = Settings(None)
-    paths = [path, lesson, *(tmp_path / f"{i}.md" for i in range(9))]
+    talk = CONTENT / "talk-000.md"
+    paths = [path, lesson, talk, *(tmp_path / f"{i}.md" for i in range(9))]
     settings.recent = [str(each) for each in paths]
     window = make_window(settings=settings)
     card = opened(window)
     assert [button(card, name).text() for name in ("l1.md", "0.md")] == ["How wide?", "0.md"]
+    title = head_of(talk).title
+    found = button(card, talk.name)
+    assert found.text().split() == title.split() and "\n" in found.text()
+    assert found.toolTip() == f"{title} – {talk}"
     found = button(card, path.name)
-    assert found.toolTip() == str(path) and path.name not in found.text()
+    assert found.toolTip() == str(path) and found.text().replace("\n", " ") == path.name
     assert not [b for b in card.findChildren(QToolButton) if b.text() == "8.md"]
     click(found)
     assert is_gone(window) and window.store.document.scene == "cube"

@@ -90,6 +90,7 @@ class Dock(QScrollArea):
         self.setWidgetResizable(True)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setFrameShape(QFrame.Shape.NoFrame)
+        self.setFocusPolicy(Qt.FocusPolicy.TabFocus)  # a click beside the rows leaves no ring
         FocusRing(self)
         self.search = SearchBox(self)
         self._column = QWidget()

@@ -19,8 +19,8 @@ from app.drawings.frame_budget import FrameBudget, FrameQuality
 from app.precision.quality import AUTOMATIC, Quality
 from app.scenes.fewer_triangles import is_made, reduced, shares_for_dragging
 from app.scenes.scene import Scene
-from widgets.panes.canvas import MULTISAMPLES, SMOOTHINGS
-from widgets.panes.pane import REST_MS, Pane
+from widgets.panes.canvas import MULTISAMPLES, REST_MS, SMOOTHINGS
+from widgets.panes.pane import Pane
 from widgets.parts.progress import progress_dialog
 
 AT_FIRST = 200_000

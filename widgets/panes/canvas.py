@@ -24,10 +24,11 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any, TypeAlias
 from weakref import WeakSet
 
-from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, Signal
+from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, QRect, QRectF, Qt, QTimer, Signal
 from PySide6.QtGui import (
     QCloseEvent,
     QColor,
+    QHelpEvent,
     QImage,
     QKeyEvent,
     QMouseEvent,
@@ -41,7 +42,7 @@ from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from PySide6.QtWidgets import QApplication, QGestureEvent, QPinchGesture, QWidget
 
 from widgets.parts.layouts import FocusRing, in_column
-from widgets.parts.plain import set_tip
+from widgets.parts.plain import set_tip, show_tip_off
 from widgets.parts.wording import Wording
 
 if TYPE_CHECKING:
@@ -60,6 +61,8 @@ ARROWS = {  # right and down
 }
 _ZOOM_STEPS = {Qt.Key.Key_Plus: 1, Qt.Key.Key_Equal: 1, Qt.Key.Key_Minus: -1}
 """On many keyboards plus is on the key of =."""
+
+REST_MS = 80  # so long after the last change of a picture, what waits for it is done
 
 SCALES = {"half resolution": 0.5, "supersampling 2 x 2": 2.0}
 """Drawn pixels for one pixel of the screen, along each side, where it is not one."""
@@ -392,10 +395,12 @@ class Hand(QObject):
         self._last: QPointF | None = None
         self._pressed: QPointF | None = None  # where the left button went down, if perhaps a click
         self._dragged_from: QPointF | None = None
+        self.at: QPointF | None = None  # where the mouse is still, as it was `hovered`
         self._holds = False
         self.has_tooltip = True  # whether the canvas has a tooltip
         self.may_turn: Callable[[], bool] = lambda: True
         """Whether a drag turns the camera; otherwise it only shifts it."""
+        self.names: Callable[[], list[QRectF]] = list  # boxes that no tooltip shall hide
         # Without it Qt paints the window under the canvas, and uploads it, with every slider step.
         canvas.setAttribute(Qt.WidgetAttribute.WA_OpaquePaintEvent)
         canvas.setMouseTracking(True)
@@ -416,9 +421,13 @@ class Hand(QObject):
             kinds.KeyPress: self._key,
             kinds.Leave: self._leave,
             kinds.Gesture: self._gesture,
-            kinds.ToolTip: lambda _event: not self.has_tooltip,
+            kinds.ToolTip: self._show_tip,
         }
         canvas.installEventFilter(self)
+        self._rest = QTimer(self, singleShot=True, interval=REST_MS)
+        # Another thing may lie under the mouse than before the picture changed.
+        self._rest.timeout.connect(lambda: self.at is not None and self.hovered.emit(self.at))
+        canvas.drawn.connect(lambda: self.at is not None and self._rest.start())
 
     def describe(self, about: str) -> None:
         """Describe what the pane shows to a screen reader, before the keys."""
@@ -475,11 +484,22 @@ class Hand(QObject):
         return True
 
     def _leave(self, _event: QEvent) -> bool:
+        self.at = None
         self.left.emit()
         return False
 
+    def _show_tip(self, event: QHelpEvent) -> bool:
+        if self.has_tooltip:
+            show_tip_off(self.names(), event.pos().toPointF(), self._canvas)
+        return True
+
+    def _hover(self, position: QPointF) -> None:
+        self.at = self._middle(position)
+        self.hovered.emit(self.at)
+
     def _press(self, event: QMouseEvent) -> bool:
         event.accept()
+        self.at = None
         if self._dragged_from is None:  # another button does not belong to a drag
             self._last = event.position()
             is_left = event.button() == Qt.MouseButton.LeftButton
@@ -496,7 +516,7 @@ class Hand(QObject):
             self._dragged_from = None
             self.drag_ended.emit()
             if self._canvas.rect().contains(event.position().toPoint()):
-                self.hovered.emit(self._middle(event.position()))  # perhaps over another thing
+                self._hover(event.position())  # perhaps over another thing
         if self._pressed is not None:
             middle = self._middle(self._pressed)
             self._pressed = None
@@ -515,7 +535,7 @@ class Hand(QObject):
     def _move(self, event: QMouseEvent) -> bool:
         event.accept()
         if event.buttons() == Qt.MouseButton.NoButton:
-            self.hovered.emit(self._middle(event.position()))
+            self._hover(event.position())
             return True
         ratio = self._canvas.pixel_ratio
         is_shifted = bool(event.modifiers() & Qt.KeyboardModifier.ShiftModifier)

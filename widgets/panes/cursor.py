@@ -175,6 +175,7 @@ class Cursor(QObject):
         spot, drawing = self._spot(), self._pane.drawing
         if spot is not None and drawing is not None:
             drawing.hold(self._thing if isinstance(self._thing, Handle) else None)
+            self._pane.hand.at = None
             self._pane.hand.hovered.emit(spot)
         return spot
 
@@ -227,6 +228,11 @@ class Cursor(QObject):
     def _drag(self, right: float, down: float, step_px: float) -> None:
         self._away += QPointF(right, down) * (step_px * self._pane.canvas.pixel_ratio)
         self._pane.hand.dragged.emit(self._away, self._is_shifted)
+        line, reached = self._manipulation.line, self._manipulation.reached
+        if line.isVisible():  # a refusal, beside which the label would say the value
+            self._notice = line.text()
+            line.hide()
+        self._away = self._away if reached is None else reached  # the way back begins at the bound
         self._speak()
 
     def let_go(self) -> None:

@@ -96,13 +96,18 @@ class Manipulation(Gestures, QObject):
             phenomenon = shown.scene.phenomenon
             settings = () if phenomenon is None else phenomenon.settings
             self._labels = {each.name: messages.of_phenomena(each.title) for each in settings}
-            if drag is not None and drag.held is not None and drag.held.setting not in self._grips:
-                self._drop()  # another scene while dragging
+            if drag is not None and drag.held is not None and drag.held.setting not in self._values:
+                self._drop()  # another scene while dragging; a grip alone may come back
         if self._pointed is not None:
             if self.now(self._pointed):
                 self._describe()
             else:
                 self._point_out(self._pane, None)
+
+    @property
+    def reached(self) -> QPointF | None:
+        """How far the model has allowed the drag to go; None if nothing is dragged."""
+        return None if self._drag is None else QPointF(self._drag.reached)
 
     # -- what is under the mouse
 
@@ -188,6 +193,10 @@ class Manipulation(Gestures, QObject):
         self.line.put_beside(around, _APART_PX, above=True, off=named_on(canvas, pane)[0])
         self.line.show()
 
+    def _say(self, pane: Pane, error: Refusal) -> None:
+        """Say the bound in one line, without the reason that may follow it."""
+        self._show_line(pane, ": ".join(messages.sentence(six_digits(error)).split(": ")[:2]))
+
     def _is_written(self, handle: Handle, pane: Pane) -> bool:
         """Whether names in a pane say all values that a handle of a plane moves."""
         keys = [_LETTERS.get(name, name) for name in self._does(handle)[0] if handle.face]
@@ -262,7 +271,7 @@ class Manipulation(Gestures, QObject):
             step /= 2.0
             if self._refusal_of(drag, drag.reached + step, shift) is None:
                 drag.reached += step
-        self._show_line(drag.pane, messages.sentence(six_digits(error)))
+        self._say(drag.pane, error)
 
     def _refusal_of(self, drag: "_Drag", away: QPointF, shift: bool) -> Refusal | None:
         """Drag by so many pixels, or return why the model cannot."""
@@ -327,6 +336,7 @@ class Manipulation(Gestures, QObject):
             self.setting_edited.emit({drag.held.setting: drag.before})
         else:
             self.edited.emit(changed(self._projection, handles.present(drag.start, drag.names)))
+        self.gesture_abandoned.emit()  # what follows a value would come back but for its rounding
         self._drop()
 
     # -- the wheel, and keys for it
@@ -349,7 +359,7 @@ class Manipulation(Gestures, QObject):
             self.line.hide()
             error = self._attempt(make)
             if error is not None:
-                self._show_line(self._image, messages.sentence(six_digits(error)))
+                self._say(self._image, error)
 
     # -- edits
 
@@ -373,7 +383,9 @@ class Manipulation(Gestures, QObject):
                 self._drag.names.update(change)
             projection = changed(self._projection, change)
         except Refusal as error:
-            return _seen_from(change, error)
+            kept = handles.present(self._projection, change)
+            moved = {name: value for name, value in change.items() if value != kept[name]}
+            return _seen_from(moved, error)
         self.edited.emit(projection)
         return None
 

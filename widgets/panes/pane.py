@@ -23,7 +23,7 @@ from app.drawings.drawing import Drawing
 from app.lecture.highlight import NOTHING, Highlight
 from app.model.projection import Camera
 from app.picking.picking import Probe
-from widgets.panes.canvas import AnyCanvas, CanvasHolder, Hand, release_context
+from widgets.panes.canvas import REST_MS, AnyCanvas, CanvasHolder, Hand, release_context
 from widgets.panes.header import Header
 from widgets.panes.resting import Resting, RestingDrawings
 from widgets.parts.clock import Clock
@@ -31,7 +31,6 @@ from widgets.parts.layouts import tool_button
 from widgets.parts.panel import PROJECTION, Changed, ShownData
 from widgets.parts.plain import PlainLabel
 
-REST_MS = 80  # a coarse picture is refined when nothing has changed for so long
 AS_BUILT: dict[str, Any] = {
     "smoothing": "none",
     "detail": None,
@@ -141,6 +140,7 @@ class Pane(QFrame):
         self.hand = Hand(self.canvas, orbits=orbits)
         # A class keeps its flat view: a turn would be a slip of the hand.
         self.hand.may_turn = lambda: self.hand.has_tooltip or not self.requested["fixed"]
+        self.hand.names = lambda: named_on(self.canvas, self)[0]
         self.hand.moved.connect(self._view_moved)
         self.hand.clicked.connect(
             lambda place: (self.aimed if self.is_aimed_at else self.clicked).emit(place)

@@ -9,13 +9,15 @@ escapes the texts that are filled in.
 import html
 import re
 import sys
+from collections.abc import Iterable
 from typing import Any
 
 from PySide6 import QtGui
-from PySide6.QtCore import QPoint, QPointF, Qt, QUrl
+from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, Qt, QUrl
 from PySide6.QtGui import (
     QAbstractTextDocumentLayout,
     QAction,
+    QFontMetrics,
     QKeySequence,
     QMouseEvent,
     QPainter,
@@ -74,6 +76,21 @@ def set_tip(target: QWidget | QAction | QTableWidgetItem, text: str) -> None:
 
 def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
     QToolTip.showText(place, tip_of(text), widget)
+
+
+def show_tip_off(boxes: Iterable[QRectF], place: QPointF, widget: QWidget) -> None:
+    """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
+    size = QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
+
+    def hidden(corner: QPointF) -> float:
+        meets = [QRectF(place + corner, size).intersected(box) for box in boxes]
+        return sum(each.width() * each.height() for each in meets)
+
+    corners = [
+        QPointF(x, y) for y in (16.0, -8.0 - size.height(), 40.0) for x in (2.0, -size.width())
+    ]
+    at = place + min(corners, key=hidden) - corners[0]  # Qt adds the first corner itself
+    QToolTip.showText(widget.mapToGlobal(at.toPoint()), widget.toolTip(), widget)
 
 
 class PlainLabel(QLabel):

@@ -45,8 +45,6 @@ _tr = partial(QCoreApplication.translate, "Actions")
 
 
 class MenuEntry(NamedTuple):
-    """The words of an action."""
-
     text: str
     keys: str
     tip: str

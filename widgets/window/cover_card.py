@@ -37,7 +37,6 @@ class CoverCard(QWidget):
         self._cover()
 
     def open(self) -> None:
-        """Cover the window."""
         self.show()
         self.raise_()
         next(iter(self.tiles.values())).setFocus()

@@ -26,6 +26,9 @@ class Laser(QWidget):
 
     def _switch(self, on: bool) -> None:
         if on == self.isHidden():
+            under = QApplication.widgetAt(QCursor.pos())
+            if on and under is not None:
+                QApplication.sendEvent(under, QEvent(QEvent.Type.Leave))  # it puts out its light
             self.setVisible(on)
             if on:
                 self.resize(QSize(1, 1) * (DOT_SHARE * self.window().height()))

@@ -118,8 +118,8 @@ class LessonCard(QFrame):
     def _name_buttons(self) -> None:
         """Name the buttons in the language of the lesson."""
         back_key, again_key, next_key = (
-            QKeySequence(key).toString(QKeySequence.SequenceFormat.NativeText)
-            for key in (BACK_KEY, AGAIN_KEY, NEXT_KEY)
+            QKeySequence(keys).toString(QKeySequence.SequenceFormat.NativeText)
+            for keys in (f"{BACK_KEY}, PgUp", AGAIN_KEY, f"{NEXT_KEY}, PgDown")
         )
         shown = self.tr("Show the step as the lesson's file has it, without your changes ({0})")
         for button, text, tip in (
@@ -147,6 +147,8 @@ class LessonCard(QFrame):
         """Close the lesson; it will reopen at this step."""
         self.keep_now()
         player = self._lessons.player
+        if self._has_focus:
+            self.window().setFocus()  # or Qt would give it to all of the dock
         self._close()
         self._over = None
         self.is_on = False

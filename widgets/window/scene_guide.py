@@ -83,7 +83,9 @@ class SceneGuide(QObject):
         try:
             self._store.set_settings(settings)
         except Refusal as error:
-            refuse(error)
+            # A value of the camera may have followed the setting.
+            same = (f"settings.{name}" for name in settings if settings[name] == error.value)
+            refuse(Refusal(next(same, error.field), error.value, error.bound, *error.limits))
 
     def _show_problem(self) -> None:
         """Say that this computer's OpenGL has refused the scene's own shader, and draw again."""

@@ -3,6 +3,7 @@
 from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from pathlib import Path
+from textwrap import wrap
 
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QIcon
@@ -24,6 +25,7 @@ WORDS = Wording(__file__)
 COLUMNS = 5
 THUMBNAIL_PX = (144, 81)
 MOST_RECENT = 6
+LINE_LETTERS = 27  # in each of the two lines that a recent file's title has
 TILES = Path(__file__).parent / "content"
 """The scenes' pictures, of two pixels a side for one; ``python3 -m tests.pictures --tiles``."""
 
@@ -116,18 +118,19 @@ class StartCard(CoverCard):
         yield WORDS.tool("open", act, icon="open", flat=True)
         for path in recent[:MOST_RECENT]:
             act = partial(self._choose, self.file_chosen.emit, path)
-            button = tool_button("", path, act, name=Path(path).name, flat=True)
-            title, elided = _title_of(path), button.fontMetrics().elidedText
-            button.setText(elided(title, Qt.TextElideMode.ElideMiddle, THUMBNAIL_PX[0]))
-            button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
-            yield button
+            title, icon = _head_of(path)
+            tip = path if title == file_title(path) else f"{title} – {path}"
+            lines = wrap(title, LINE_LETTERS, max_lines=2, placeholder="…")
+            text, name = "\n".join(lines).replace("&", "&&"), Path(path).name
+            yield tool_button(text, tip, act, icon=icon, name=name, flat=True)
 
 
-def _title_of(path: str) -> str:
-    """Return the title of a recent file: a lesson's own, if it can be read."""
+def _head_of(path: str) -> tuple[str, str]:
+    """Return the title and the icon of a recent file: a lesson's own, if it can be read."""
     if is_lesson(path):
         try:
-            return head_of(Path(path)).title
+            head = head_of(Path(path))
+            return head.title, "present" if head.is_talk else "lesson"
         except Refusal:  # opening the file reports the problem
             pass
-    return file_title(path)
+    return file_title(path), "open"
