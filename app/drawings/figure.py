@@ -54,7 +54,7 @@ CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
 _HIGH = 0.7  # of its width: a pane in a column, three of which of 84 mm go into a page of a book
-_TRIES, _NEAR_PX, _FITS = 6, 0.5, 3  # until what is seen is as wide as asked for
+_TRIES, _HELD, _NEAR_PX, _FITS = 6, 3, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
@@ -189,11 +189,6 @@ class Figure:
             return self.text_pt or 7.0
         return max(_LEAST_TEXT_PX, USUAL_TEXT * self._side) * 72.0 / DPI
 
-    @property
-    def has_one_size(self) -> bool:
-        """Whether letters of formulas are as large as words: on paper, and if a size is asked."""
-        return bool(self.text_pt or self.width) or PALETTES[self.palette].on_paper
-
     @cached_property
     def description(self) -> Description:
         """What it shows, for those who do not see it."""
@@ -227,7 +222,7 @@ class Figure:
         watch = _Watch(progress, len(self.panes))
         figure, whole = self._as_wide(watch, seen)
         if figure.scale != self.scale:
-            whole = replace(figure, scale=self.scale)._whole(watch, seen)
+            whole = replace(figure, scale=self.scale, labels=())._whole(watch, seen)
         return self._cropped(whole) if self._is_cropped else whole
 
     def boxed(self, other: Figure | None = None) -> Figure:
@@ -242,7 +237,7 @@ class Figure:
             tried = replace(figure._drawn_once, size=other.size, text_pt=other.text_pt)
             if tried._wide(tried._whole(watch)) - self.width <= _NEAR_PX:
                 return other
-        own = replace(figure._as_wide(watch)[0], scale=self.scale)
+        own = replace(figure._as_wide(watch)[0], scale=self.scale, labels=())
         return min(other or own, own, key=lambda each: each.full_size.px)
 
     @property
@@ -286,8 +281,17 @@ class Figure:
             return self, self._whole(watch, seen)
         figure = self._drawn_once
         tries: list[tuple[tuple[bool, float], Figure, Pixels]] = []
+
+        def note(drawing: Drawing, finer: int) -> None:
+            stands.append(drawing.board.standing)
+            if seen is not None:
+                seen(drawing, finer)
+
         while len(tries) <= _TRIES:
-            drawn = figure._whole(watch, seen)
+            stands: list[Any] = []
+            drawn = figure._whole(watch, note)
+            if len(tries) >= _TRIES - _HELD:  # labels that jump find no such box: they stay
+                figure = replace(figure, labels=stands)
             wide = figure._wide(drawn) or self.width
             missing = self.width - wide
             tries.append(((missing < -_NEAR_PX, abs(missing)), figure, drawn))
@@ -406,9 +410,9 @@ class Figure:
 
     def _style(self, scale: float) -> Style:
         style, em_px = PALETTES[self.palette], self.em_pt * DPI / 72.0
-        return replace(
-            style, margin=style.background, font_size=em_px, one_size=self.has_one_size
-        ).enlarged(scale)
+        one_size = bool(self.text_pt or self.width) or style.on_paper  # also in formulas
+        style = replace(style, margin=style.background, font_size=em_px, one_size=one_size)
+        return style.enlarged(scale)
 
     def _equation(self, size: tuple[float, float]) -> EquationPicture:
         from app.drawings.equation_picture import EquationPicture

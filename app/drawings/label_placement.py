@@ -14,6 +14,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -22,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 Floats = NDArray[np.float64]
 Spot: TypeAlias = tuple[float, float]
 
+CLOSE = 1.0  # the last rank, of a length, whose name stays close to it on paper, too
 MARGIN_EM = 0.3  # between labels and the pane's border
 HEAD, HEAD_RADIUS = 0.18, 0.06  # of an arrow, in its lengths
 SQUARE_EM = 1.0 / 3.0  # side of the squares in which ink is counted
@@ -40,6 +42,9 @@ _BESIDE = np.array(  # which point of a line, how far from it, in em, and on whi
     + [(0, gap, way) for gap in (3.0, 5.0) for way in (1, -1)]
 )
 _ROUND = np.array([(1, 1), (1, -1), (-1, 1), (-1, -1), (1, 0), (-1, 0), (0, 1), (0, -1)], float)
+_FINELY = np.array([(math.cos(turn), math.sin(turn)) for turn in np.arange(24) * math.tau / 24.0])
+_FINELY /= np.abs(_FINELY).max(axis=1, keepdims=True)  # round a box
+_FINE_GAPS_EM = (0.9, 1.6, 2.3, 3.0, 4.0, 5.0, 6.5, 8.0)  # of more places on paper
 _STEEPEST = math.radians(30.0)
 _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 # What a place costs.
@@ -48,7 +53,7 @@ _BRIEF = 5.0  # of a letter alone
 _BITES = 4.0  # on paper, where its halo hides any ink
 _PARTS = (3, 1), (24, 4)  # of a label, along and across it: on a screen, and on paper
 _APART = 2.5  # times as far apart are labels on paper
-_MOVES = 600
+_MOVES = 600, 2400  # on a screen, and on paper
 _TRIED = 12  # candidates of a label: the first ones that are free, and as many of the cheapest
 _TRIED_BRIEF = 6  # and of its letter alone
 _RIM_EM = 0.45  # of a mark, where its leader begins
@@ -99,6 +104,9 @@ class Wish(NamedTuple):
     def choices(self, ground: Ground) -> tuple[Wish, Places]:
         """Make its candidates; level ones that a leader may join slide into the frame."""
         places, frame = self.places(), np.array(ground.limits)
+        if self.rank > CLOSE and ground.halo and places.leads and len(self.spots) == 1:
+            finer = partial(around, sides=_FINELY, gaps_em=_FINE_GAPS_EM)
+            places = joined(places, finer(self.spots, self.size, ground.em))
         if self.short is not None and len(places.centres):
             whole, places = len(places.centres), joined(places, self.short[1]())
             places = places._replace(brief=np.arange(len(places.centres)) >= whole)
@@ -149,15 +157,16 @@ def around(
     em: float,
     rim: float = 0.0,
     way: Spot | None = None,
+    sides: Floats = _ROUND,
+    gaps_em: Sequence[float] = _GAPS_EM,
 ) -> Places:
     """Imhof's positions round points, first near, then farther away; towards `way` first."""
     points = np.reshape(np.asarray(spots, dtype=np.float64), (-1, 2))
     half = np.array(size) / 2.0
-    sides = _ROUND
     if way is not None and math.hypot(*way) > 0.0:
         turned = _ROUND / np.linalg.norm(_ROUND, axis=1, keepdims=True) @ np.array(way)
         sides = _ROUND[np.argsort(-turned, kind="stable")]
-    gaps = np.array(_GAPS_EM) * em + rim
+    gaps = np.array(gaps_em) * em + rim
     gap = np.repeat(gaps, len(sides))[:, None]
     side = np.tile(sides, (len(gaps), 1))
     # At a corner the letters come a little nearer: their box is empty there.
@@ -416,7 +425,8 @@ def place(
     tried, costs, boxes, crossings = _costs(choices, ground, untangled)
     ranks = [wish.rank for wish, _ in choices]
     em = ground.em * (_APART if ground.halo else 1.0)
-    chosen = _solve(ranks, [len(numbers) for numbers in tried], costs, boxes, em, crossings)
+    counts, moves = [len(numbers) for numbers in tried], _MOVES[ground.halo > 0.0]
+    chosen = _solve(ranks, counts, costs, boxes, em, crossings, moves)
     for (wish, places), numbers, which in zip(choices, tried, chosen, strict=True):
         if which is not None:
             stays[wish.key] = placed_label(wish, places, numbers[which], ground.em)
@@ -500,17 +510,20 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
     costs[~free] = np.inf
     at = np.flatnonzero(free)
     hidden = _hidden(centres[at], turns[at], size[at] + 2.0 * ground.halo, ground)
-    costs[at] += _INK * hidden + _BITES * (hidden > 0.0) * (ground.halo > 0.0)
+    if ground.halo:  # there a length still stands between its lines
+        weight = np.array([1.0 + (wish.rank > CLOSE) for wish, _ in choices])[of[at]]
+        hidden = weight * (hidden + _BITES / _INK * (hidden > 0.0))
+    costs[at] += _INK * hidden
     costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
-def cheapest(costs: Floats, brief: NDArray[np.bool_]) -> list[int]:
+def cheapest(costs: Floats, brief: NDArray[np.bool_], firsts: int = _TRIED) -> list[int]:
     """Return which candidates of a label are tried: the first that are free, and the cheapest."""
     free = np.flatnonzero(np.isfinite(costs))
     best = free[np.argsort(costs[free], kind="stable")]
     letters = best[brief[best]][:_TRIED_BRIEF]
-    return sorted({*free[:_TRIED].tolist(), *best[:_TRIED].tolist(), *letters.tolist()})
+    return sorted({*free[:firsts].tolist(), *best[:_TRIED].tolist(), *letters.tolist()})
 
 
 def _costs(
@@ -522,7 +535,8 @@ def _costs(
     counts, costs, boxes, brief, anchors, leads = candidates(choices, ground)
     first = np.cumsum(counts) - counts
     parts = (np.split(each, first[1:]) for each in (costs, brief))
-    tried = [cheapest(*part) for part in zip(*parts, strict=True)]
+    firsts = 0 if ground.halo else _TRIED  # of so many places the cheapest ones are annealed
+    tried = [cheapest(alone, short, firsts) for alone, short in zip(*parts, strict=True)]
     at = np.array([start + each for start, here in zip(first, tried, strict=True) for each in here])
     at = at.astype(np.int64)
     boxes, leads = boxes[at], leads[at]
@@ -594,6 +608,7 @@ def _solve(
     boxes: Floats,
     em: float,
     crossings: NDArray[np.bool_],
+    moves: int,
 ) -> list[int | None]:
     """The number of each label's candidate, or None.
 
@@ -626,12 +641,13 @@ def _solve(
     )
     movable = [label for label in range(len(ranks)) if len(free[label]) > 1]
     best, least, dice = list(state), total, random.Random(1995)
-    for move in range(_MOVES if len(movable) > 1 and least > cheapest + 1e-9 else 0):
+    for move in range(moves if len(movable) > 1 and least > cheapest + 1e-9 else 0):
         label = dice.choice(movable)
-        at, was = dice.choice(free[label][:_TRIED]), state[label]
+        was = state[label]
+        at = dice.choice(free[label] if was is None else free[label][:_TRIED])
         placed &= ~(0 if was is None else 1 << was)
         change = cost_of(label, at) - cost_of(label, was)
-        heat = 4.0 * (1.0 - move / _MOVES) ** 2 + 1e-3
+        heat = (40.0 if None in state else 4.0) * (1.0 - move / moves) ** 2 + 1e-3
         if change <= 0.0 or dice.random() < math.exp(-change / heat):
             state[label] = was = at
             total += change

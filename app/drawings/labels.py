@@ -83,6 +83,11 @@ class Board:
         boxes += [(x - rim, y - rim, x + rim, y + rim) for _, (x, y) in self.points]
         return boxes
 
+    @property
+    def standing(self) -> Standing:
+        """Where its labels stand, for another picture of the same scale."""
+        return {key: (spot, 1.0) for key, spot in self._kept.items()}
+
     def name_at(self, x_px: float, y_px: float) -> str:
         """What the label at a pixel, from the left and the bottom, is the name of."""
         keys = (key for key, (label, _) in self._labels.items() if label.covers(x_px, y_px))

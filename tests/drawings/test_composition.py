@@ -94,8 +94,10 @@ def test_a_name_without_a_place_is_hidden() -> None:
     assert "near n = 5" in found.left_out and "eye" not in found.left_out
     assert [each.text for each in found.labels] == ["eye"]
     assert "hidden" in kinds(found)
-    brief = picture("world", "view.names=eye,near", em=95.0)
-    assert [each.text for each in brief.labels] == ["eye", "n"] and not brief.left_out
+    for em in (70.0, 75.0, 85.0, 95.0):
+        both = picture("world", "view.names=eye,near", em=em)
+        assert len(both.labels) == 2 and not both.left_out
+    assert [each.text for each in both.labels] == ["eye", "n"]
     assert not picture("world", "view.names=eye,near").left_out
     hidden = picture("world", "view.names=eye,near", "view.layers=labels", em=110.0)
     assert not hidden.left_out, "the view hides all labels"

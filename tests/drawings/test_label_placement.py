@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from app.drawings.curve_names import beside, beside_curve, stays
 from app.drawings.label import HALO_EM
 from app.drawings.label_placement import (
+    CLOSE,
     LEADER_FROM_EM,
     SQUARE_EM,
     Ground,
@@ -155,6 +156,47 @@ def test_on_paper_no_halo_bites_a_line_beside_the_letters(halo: float, is_above:
         ground = Ground(FRAME, EM, partial(Ground.ink_lines, segments=line), halo)
         placed = place([Wish("a", size, [mark], partial(choices, mark, above, far))], ground)["a"]
         assert placed.centre == (above if is_kept else far)
+
+
+@pytest.mark.parametrize("rank", [CLOSE, CLOSE + 1.0])
+def test_on_paper_a_name_finds_room_between_and_beyond_the_usual_places(rank: float) -> None:
+    """The name of a length stays close to it: what it covers then are the lines of the length."""
+    spot, size = (240.0, 160.0), (40.0, 14.0)
+    x, y = around(spot, size, EM).centres.T
+    bars = np.stack([np.column_stack([x - 4.0, y]), np.column_stack([x + 4.0, y])], axis=1)
+    hides = []
+    for halo in (0.0, 0.14 * EM):
+        ground = Ground(FRAME, EM, partial(Ground.ink_lines, segments=bars), halo)
+        wanted = Wish("a", size, [spot], partial(around, spot, size, EM), rank)
+        box = box_of(place([wanted], ground)["a"], size)
+        hides.append(bool(ground.hidden(np.array([box]))[0] > 0.0))
+    assert hides == [True, rank == CLOSE]
+
+
+@pytest.mark.parametrize(("rank", "stays"), [(CLOSE, True), (CLOSE + 1.0, False)])
+def test_on_paper_a_name_rather_has_a_leader_than_cover_a_tenth_of_itself(
+    rank: float, stays: bool
+) -> None:
+    mark, size, near, far = (100.0, 100.0), (90.0, 14.0), (100.0, 110.0), (100.0, 220.0)
+    line = np.array([[(100.0, 110.0), (106.0, 110.0)]])
+    ground = Ground(FRAME, EM, partial(Ground.ink_lines, segments=line), 0.14 * EM)
+    places = choices(mark, near, far)._replace(away=np.array([0.0, 8.0 * EM]))
+    wanted = Wish("a", size, [mark], lambda: places, rank)._replace(spots=[mark, mark])
+    assert (place([wanted], ground)["a"].centre == near) == stays
+
+
+def test_on_paper_the_best_places_are_annealed_not_the_first_ones() -> None:
+    """Both want one place, and the next best one of the first label is its fourteenth."""
+    mark, size, best, good = (100.0, 100.0), (40.0, 14.0), (100.0, 150.0), (300.0, 20.0)
+    bad = [(300.0, 60.0 + 18.0 * i) for i in range(13)]
+    bars = np.array([[(x, y), (x + 4.0, y)] for x, y in [*bad, (100.0, 300.0)]])
+    ground = Ground(FRAME, EM, partial(Ground.ink_lines, segments=bars), 0.14 * EM)
+    wishes = [
+        Wish("a", size, [mark, mark], partial(choices, mark, best, *bad, good), 2.0),
+        Wish("b", size, [mark, mark], partial(choices, mark, best, (100.0, 300.0)), 3.0),
+    ]
+    placed = place(wishes, ground)
+    assert placed["a"].centre == good and placed["b"].centre == best
 
 
 def test_letters_on_paper_do_not_read_as_one_word() -> None:

@@ -80,6 +80,7 @@ def test_every_letter_has_the_size_that_is_asked_for(
         (*CHAPTER[7], 120.0),
         ("clipping", "world,ndc", (), 84.0),
         ("clipping", "world,ndc", (), 174.0),
+        ("off-axis-window", "world,ndc", (), 84.0),
         ("interpolation", "image", (COMPARED,), 84.0),
         ("similar-triangles", "world,image", (), 84.0),
     ],
