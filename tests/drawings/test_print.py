@@ -16,7 +16,7 @@ from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
 from app.drawings.label_placement import clipped
 from app.drawings.style import PALETTES, rgb
-from app.drawings.vectors import Area, Disc, LineShape, PixelShape, TextShape, box_of
+from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -222,20 +222,6 @@ def test_the_names_of_both_eyes_stand_beside_all_rays(width_mm: float) -> None:
     for name in ("left eye", "right eye"):
         box = box_of([names[name]], "")
         assert box is not None and not len(clipped(np.array(rays), box)), name
-
-
-@pytest.mark.parametrize("width_mm", [84.0, 174.0])
-def test_no_edge_of_the_frustum_runs_between_a_cube_and_its_name(width_mm: float) -> None:
-    shown = figure("view-volumes", "world", (), size=None, width=width_mm / 25.4 * DPI)
-    _, shapes = shown.shapes()
-    lines = [each for each in shapes if isinstance(each, LineShape)]
-    widest = max(each.width for each in lines if np.ptp(each.colour) == 0.0)
-    edges = [each.points for each in lines if each.width == widest and np.ptp(each.colour) == 0.0]
-    (name,) = (each for each in shapes if isinstance(each, TextShape) and each.written.text == "E")
-    discs = [each for each in shapes if isinstance(each, Disc)]
-    mark = min(discs, key=lambda each: np.hypot(*np.subtract(each.centre, name.place)))
-    box = box_of([name, mark], "")
-    assert box is not None and len(edges) > 3 and not len(clipped(np.array(edges), box))
 
 
 @pytest.mark.parametrize("scene", ["focus", "eye-plane", "vertex-depth"])
