@@ -14,6 +14,7 @@ from app.document.document import Document
 from app.document.lengths import DPI, Size
 from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
+from app.drawings.label_placement import clipped
 from app.drawings.style import PALETTES, rgb
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
@@ -205,6 +206,22 @@ def test_both_pictures_of_two_eyes_have_their_titles_in_their_middles(width_mm: 
     for name, share in (("left eye", 0.25), ("right eye", 0.75)):
         assert at[name][0] == pytest.approx(share * width_mm, abs=0.3)
         assert at[name][1] < 4.0
+
+
+@pytest.mark.parametrize("width_mm", [84.0, 174.0])
+def test_the_names_of_both_eyes_stand_beside_all_rays(width_mm: float) -> None:
+    shown = figure("two-eyes", "world,image", (), size=None, width=width_mm / 25.4 * DPI)
+    _, shapes = shown.shapes()
+    rays = [
+        end
+        for each in shapes
+        if isinstance(each, LineShape) and np.ptp(each.colour) > 0.2
+        for end in pairwise(each.points)
+    ]
+    names = {each.written.text: each for each in shapes[::-1] if isinstance(each, TextShape)}
+    for name in ("left eye", "right eye"):
+        box = box_of([names[name]], "")
+        assert box is not None and not len(clipped(np.array(rays), box)), name
 
 
 @pytest.mark.parametrize("scene", ["focus", "eye-plane", "vertex-depth"])
