@@ -282,8 +282,7 @@ class _VectorPane:
         watch: Callable[[], None],
     ) -> None:
         self._renderer, self._height, self._finer = renderer, height, finer
-        self._watch = watch
-        self._hidden, self._grey = hidden, grey
+        self._watch, self._hidden, self._grey = watch, hidden, grey
         self._left, self._low = renderer.GetOrigin()
         self._wide, self._high = renderer.GetSize()
         camera, aspect = renderer.GetActiveCamera(), renderer.GetTiledAspectRatio()
@@ -393,22 +392,14 @@ class _VectorPane:
             clip[:, 2] = depth * clip[:, 3]
         # Everything is cut before the divide, by planes of the pane's world and by its frame.
         both = np.column_stack([clip, world])
-        sides = np.vstack(
-            [
-                np.column_stack([_FRAME, np.zeros_like(_FRAME)]),
-                np.column_stack([0.0 * limits, limits]),
-            ]
-        )
+        sides = np.vstack([np.pad(_FRAME, ((0, 0), (0, 4))), np.pad(limits, ((0, 0), (4, 0)))])
         outside = both @ sides.T < 0.0
         with np.errstate(divide="ignore", invalid="ignore"):
             seen = self._on_screen(clip)
         number = 0
         faces, lines, dots = cells
-        for kind, array in (
-            (dots, mesh.GetVerts()),
-            (lines, mesh.GetLines()),
-            (faces, mesh.GetPolys()),
-        ):
+        arrays = mesh.GetVerts(), mesh.GetLines(), mesh.GetPolys()
+        for kind, array in zip((dots, lines, faces), arrays, strict=True):
             for cell in _cells(array):
                 colour, opacity = properties.GetColor(), properties.GetOpacity()
                 is_thin = is_drawing
