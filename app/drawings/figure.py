@@ -54,6 +54,7 @@ CROP_PX = 2.0 * PX_PER["mm"]  # margin of a figure that is cropped
 FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
 _HIGH = 0.7  # of its width: a pane in a column, three of which of 84 mm go into a page of a book
+_GAP_EM = 2.0  # left empty between panes of a column whose height is free
 _TRIES, _HELD, _NEAR_PX, _FITS = 6, 3, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
@@ -222,7 +223,10 @@ class Figure:
         watch = _Watch(progress, len(self.panes))
         figure, whole = self._as_wide(watch, seen)
         if figure.scale != self.scale:
-            whole = replace(figure, scale=self.scale, labels=())._whole(watch, seen)
+            figure = replace(figure, scale=self.scale, labels=())
+            whole = figure._whole(watch, seen)
+        for rows in self._slack(figure, whole):
+            whole = np.delete(whole, slice(*rows), axis=0)
         return self._cropped(whole) if self._is_cropped else whole
 
     def boxed(self, other: Figure | None = None) -> Figure:
@@ -301,6 +305,16 @@ class Figure:
             figure = replace(figure, size=Size(larger * across, larger * up), text_pt=self.em_pt)
         return min(tries, key=itemgetter(0))[1:]  # what is too wide would be cut
 
+    def _slack(self, figure: Figure, whole: Pixels) -> list[tuple[int, int]]:
+        """The rows, if any, that are too many between the panes of a column, from below."""
+        is_fixed = self.size or self.width is None or not self.column
+        parts = [] if is_fixed else [*figure._parts(figure.scale, _Watch(None, 1))]
+        gap = round(_GAP_EM * figure._style(figure.scale).font_size)
+        return [
+            (self._seen(whole[:top])[1][1] + gap, top + self._seen(whole[top:])[1][0])
+            for _, (_, top) in parts[:0:-1]
+        ]
+
     def _seen(self, whole: Pixels) -> list[tuple[int, int]]:
         """Where a picture is not empty: from which column to which, and from which row."""
         empty = np.round(255.0 * np.array(rgb(PALETTES[self.palette].background)))
@@ -336,8 +350,12 @@ class Figure:
 
         watch, background = _Watch(progress, len(self.panes)), PALETTES[self.palette].background
         is_boxed = self.size or self.width is None or self._has_own_size
-        figure = self if is_boxed else self._as_wide(watch)[0]
+        figure, whole = (self, np.empty((0, 0, 4), np.uint8)) if is_boxed else self._as_wide(watch)
         shapes = [*tinted(figure._whole_shapes(watch), background)]
+        for first, last in np.array(self._slack(figure, whole)) / figure.scale:
+            for number, shape in enumerate(shapes):
+                if first < last < (box_of([shape], "") or (0.0, 0.0))[1] + 1.5:
+                    shapes[number] = moved(shape, 0.0, first - last)
         width, height = self.full_size.px
         box = box_of(shapes, background) if self._is_cropped else None
         if box is not None and self.width is not None:

@@ -243,6 +243,22 @@ def test_a_column_of_three_panes_goes_into_a_page_of_a_book() -> None:
     assert width == pytest.approx(84.0) and height < 180.0
 
 
+@pytest.mark.parametrize("scene", ["letter-f", "focus"])
+def test_no_more_than_a_gap_is_empty_between_panes_of_a_column(scene: str) -> None:
+    shown = figure(scene, "world/ndc/image", (), size=None, width=84.0 / 25.4 * DPI)
+    (_, height), shapes = shown.shapes()
+    pixels = shown.pixels()
+    ink = (pixels != 255).any(axis=(1, 2)).nonzero()[0]
+    rows = np.zeros(len(pixels), dtype=np.bool_)
+    for box in filter(None, (box_of([shape], "#ffffff") for shape in shapes)):
+        rows[max(0, round(box[1])) : round(box[3])] = True
+    for seen in (ink, rows.nonzero()[0]):
+        assert np.diff(seen).max() == pytest.approx(2.0 * ASKED_PT / 72.0 * DPI, abs=2.0)
+    assert len(pixels) == pytest.approx(height, abs=4.0)
+    fixed = replace(shown, width=None, size=Size(84.0, 170.0, "mm"))
+    assert len(fixed.pixels()) == fixed.size_px[1]
+
+
 @pytest.mark.parametrize(("scene", "name"), [("planar-shadow", "P'"), ("camera-obscura", "h'")])
 def test_no_letter_lies_on_a_shadow_or_on_what_a_film_shows(scene: str, name: str) -> None:
     shown = figure(scene, "world,ndc,image", (), size=None, width=174.0 / 25.4 * DPI)
