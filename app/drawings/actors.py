@@ -284,6 +284,11 @@ class SceneActors:
             self._has_grid, self._is_pale = shown, pale
             self._share_out()
 
+    def show_lines(self, scene: Scene) -> None:
+        """Show the lines of another scene, with more or less of the ground."""
+        self._scene = scene
+        self._share_out()
+
     def show_moved(self, moved: bool) -> None:
         """Let the ground stay behind while the objects move, or join them again."""
         if moved != self.is_moved:

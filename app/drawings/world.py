@@ -58,6 +58,7 @@ class SceneInWorld(FacesLayer):
         self._ghosts: list[SceneActors] = []
         self._beside: list[Array] = []  # corners of the ghosts' boxes
         self._placed: object = None
+        self._part: tuple[Vector, Vector] | None = None  # of the ground, local; None for all of it
 
     def show(self) -> None:
         state = self._state
@@ -94,6 +95,27 @@ class SceneInWorld(FacesLayer):
         for space in self._line_spaces:
             space.set(lifted @ self._state.local_from_object)
         self._ground_space.set(lifted)
+
+    def end_ground(self) -> None:
+        """End the ground on paper at its lines, not the pane's border, if half of it is left."""
+        state, ground = self._state, self._state.scene.apart[1].lines
+        if not state.style.on_paper or ground is None:
+            return
+        ends = np.asarray(ground.points, dtype=np.float64)
+        x, z = np.unique(ends[:, 0]), np.unique(ends[:, 2])
+        spots = state.own.pane.spots(np.stack(np.broadcast_arrays(x[:, None], ends[0, 1], z), -1))
+        seen: Any = ((spots >= 0.0) & (spots <= state.size_px)).all(axis=-1)
+        feet = np.clip(state.objects, ends.min(axis=0), ends.max(axis=0))
+        (left, _, far), (right, _, near) = feet.min(axis=0), feet.max(axis=0)
+        most, part = seen.sum() / 2.0, None
+        for i, j in itertools.product(np.flatnonzero(x <= left), np.flatnonzero(x >= right)):
+            both = np.flatnonzero(seen[i] & seen[j])
+            cells = (j - i) * np.ptp(both) if len(both) else 0
+            if cells > most and z[both[0]] <= far and z[both[-1]] >= near:
+                most, part = cells, ((x[i], -np.inf, z[both[0]]), (x[j], np.inf, z[both[-1]]))
+        if part != self._part:
+            self._part = part
+            self.actors.show_lines(state.scene if part is None else state.scene.with_ground(*part))
 
     def ink(self, ground: Ground) -> None:
         placed, triangles = self._state.local_from_object, self._state.silhouette.triangles
@@ -376,6 +398,7 @@ class WorldDrawing(Drawing):
 
     def reset_clipping_range(self, *, afresh: bool = True) -> None:
         self.own.look()
+        self._scene.end_ground()
         self._switch_layers()
         self._scene.lift_lines()
         self._follow_pane(afresh=afresh)

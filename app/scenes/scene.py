@@ -261,6 +261,14 @@ class Scene(Appearance):
             replace(self, surface=None, lines=ground, dots=None),
         )
 
+    def with_ground(self, low: Vector, high: Vector) -> Scene:
+        """Return it with the part of the ground's lines that lies between two local points."""
+        assert self.lines is not None
+        ends, rgb = np.array(self.lines.points).reshape(-1, 2, 3), self._line_rgb
+        part = np.where(shapes.is_grid(rgb)[:, None, None], np.clip(ends, low, high), ends)
+        kept = ((part == ends) | (ends[:, :1] != ends[:, 1:])).all(axis=(1, 2))
+        return replace(self, lines=line_set((part[kept], rgb[kept])))
+
     def parts(self, placement: Chain) -> tuple[tuple[Scene, Space], ...]:
         """Return the parts that are drawn under one matrix each, with their spaces.
 

@@ -15,11 +15,13 @@ from app.document.lengths import DPI, Size
 from app.document.settings import compared, set_values
 from app.drawings.figure import Figure
 from app.drawings.label_placement import clipped
+from app.drawings.one_pane import PanePicture
 from app.drawings.style import PALETTES, rgb
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
+from app.scenes.shapes import GRID_AXIS_RGB, GRID_RGB
 from tests.drawings.test_vectors import streams_of
 
 ASKED_PT = 8.0
@@ -257,6 +259,30 @@ def test_no_more_than_a_gap_is_empty_between_panes_of_a_column(scene: str) -> No
     assert len(pixels) == pytest.approx(height, abs=4.0)
     fixed = replace(shown, width=None, size=Size(84.0, 170.0, "mm"))
     assert len(fixed.pixels()) == fixed.size_px[1]
+
+
+def ground_of(world: PanePicture) -> np.ndarray[tuple[int, ...], np.dtype[np.float64]]:
+    """The ends of a ground's lines, (n, 2)."""
+    colours = [tuple(level / 255.0 for level in each) for each in (GRID_RGB, GRID_AXIS_RGB)]
+    lines = (s for s in world.shapes("none", lambda: None) if isinstance(s, LineShape))
+    return np.array([point for line in lines if line.colour in colours for point in line.points])
+
+
+@pytest.mark.parametrize("scene", ["focus", "camera-obscura", "cube"])
+def test_the_ground_ends_at_lines_of_its_own_inside_the_pane(scene: str) -> None:
+    world = next(figure(scene, "world,image", ()).pictures())
+    ends, pixels = ground_of(world), world.pixels()
+    assert len(ends) > 40 and ends.min() > 0.1 and (ends < np.array(world.size) - 0.1).all()
+    border = np.concatenate([pixels[:, 0], pixels[:, -1], pixels[0], pixels[-1]])
+    assert (border == 255).all()
+    ends = ground_of(replace(world, style=PALETTES["screen"]))
+    assert ends.min() < 0.1 or (ends > np.array(world.size) - 0.1).any()
+
+
+def test_the_ground_stays_whole_where_objects_would_stand_beside_it() -> None:
+    world = next(figure("view-volumes", "world,image", ()).pictures())
+    ends = ground_of(world)
+    assert ends.min() < 0.1 or (ends > np.array(world.size) - 0.1).any()
 
 
 @pytest.mark.parametrize(("scene", "name"), [("planar-shadow", "P'"), ("camera-obscura", "h'")])
