@@ -33,7 +33,7 @@ MOST_TILES = 600
 HALO_EM = 0.14
 HALO_OPACITY = 0.8  # the tint of a plane shows through
 UNDER_EM = 0.2
-FILLED, FILLED_EM, FILLED_AT = " .,", 0.45, (0.1, 0.9)  # pieces with a halo round two lines, too
+FILLED, FILLED_EM, FILLED_AT = " .,", 0.6, (0.1, 0.9)  # pieces with a halo round two lines, too
 _SHORT = re.compile(r"(?:[^=]* )?([^ =]+) = [^=]+")
 PARTS = 4  # of a pixel, to which a piece is placed
 

@@ -51,6 +51,7 @@ _ALONG = (0.5, 0.2, 0.8)  # where along an edge its name may stand
 _INK, _CROSSES, _ORDER, _FOREIGN, _OVERLAP, _UNPLACED = 20.0, 8.0, 0.08, 10.0, 1e6, 1e3
 _BRIEF = 5.0  # of a letter alone
 _BITES = 4.0  # on paper, where its halo hides any ink
+_CLOSE = 0.5  # on paper, where another mark is as near
 _PARTS = (3, 1), (24, 4)  # of a label, along and across it: on a screen, and on paper
 _APART = 2.5  # times as far apart are labels on paper
 _MOVES = 600, 2400  # on a screen, and on paper
@@ -514,7 +515,8 @@ def candidates(choices: Sequence[tuple[Wish, Places]], ground: Ground) -> Candid
         weight = np.array([1.0 + (wish.rank > CLOSE) for wish, _ in choices])[of[at]]
         hidden = weight * (hidden + _BITES / _INK * (hidden > 0.0))
     costs[at] += _INK * hidden
-    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em)
+    close = _CLOSE if ground.halo else 0.0
+    costs[at] += _stray_costs(anchors[at], boxes[at], far[at], of[at], anchors[first], em, close)
     return Candidates(counts, costs, boxes, brief, anchors, leads & far)
 
 
@@ -561,14 +563,18 @@ def _crossing(starts: Floats, boxes: Floats) -> NDArray[np.bool_]:
 
 def _stray_costs(
     anchors: Floats, boxes: Floats, far: NDArray[np.bool_], of: NDArray[np.int64], marks: Floats,
-    em: float,
+    em: float, close: float,
 ) -> Floats:  # fmt: skip
-    """The cost of a label nearer to another label's mark, or with a leader across that mark."""
+    """The cost of a label nearer to another label's mark, or with a leader across that mark.
+
+    `close` is that of one as near to another mark; of one twice as far from it, it is 0.
+    """
     foreign = np.linalg.norm(marks[of][:, None] - marks, axis=2) > _SAME_EM * em
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
-    nearer = foreign & (np.linalg.norm(away, axis=2) < own[:, None])
-    costs = np.where(nearer.any(axis=1), _FOREIGN, 0.0)
+    away = np.where(foreign, np.linalg.norm(away, axis=2), np.inf).min(axis=1)
+    costs: Floats = _FOREIGN * (away < own)
+    costs += close * np.clip(2.0 - away / np.maximum(own, 1e-9), 0.0, 1.0)
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
     costs[far] += _CROSSES * over.any(axis=1)

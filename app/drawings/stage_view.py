@@ -34,9 +34,7 @@ _LOOKED_FROM_DEG = {
 }
 _MARGIN_EM = 2.1  # on each side, for the labels
 _CUBE_MARGIN_EM = 2.0  # at NDC, where near and far have the corners of the pane
-_MOST_MARGIN = np.array(
-    [1.0 / 2.0, 1.0 / 4.0]
-)  # of a small pane's width and height: both sides together
+_MOST_MARGIN = np.array([0.5, 0.25])  # of a small pane's width and height: both sides together
 _Places: TypeAlias = Callable[[float], Array]  # in display space, at a position of the strip
 
 

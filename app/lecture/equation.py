@@ -88,7 +88,8 @@ def equation_of(
     is_in_numbers = words[-1:] == [NUMBERS]
     words = words[:-1] if is_in_numbers else words
     if not 1 <= len(words) <= MOST_FACTORS:
-        raise _refused(text, text)
+        some = REFUSALS["some-matrices"]
+        raise Refusal("equation", text, some, MOST_FACTORS, ", ".join(USUAL))
     distance: Any = (settings or {}).get(_PLANE)
     planes = ONTO_PLANE if isinstance(distance, float) and distance else {}
     term_of = _terms_of(projection, letters, [word for word in words if word not in planes])
@@ -96,7 +97,7 @@ def equation_of(
     term_of |= {word: _onto_plane(word, distance, lecture) for word in planes}
     missing = [word for word in words if word not in term_of]
     if missing:
-        raise _refused(text, missing[0])
+        raise Refusal("equation", text, REFUSALS["no-matrix"], ", ".join(USUAL), repr(missing[0]))
     terms = [term_of[word] for word in words]
     if len(terms) == 1:
         return Equation((), terms[0]._replace(name=terms[0].name or "M"), is_in_numbers)
@@ -113,12 +114,6 @@ def _onto_plane(word: str, distance: float, letters: Letters) -> Term:
     path = (f"settings.{_PLANE}",)
     fields = tuple(tuple(path if "d" in cell else () for cell in row) for row in formulas)
     return Term(WrittenMatrix(word, numbers, formulas, fields), letters, name)
-
-
-def _refused(text: str, word: str) -> Refusal:
-    return Refusal(
-        "equation", text, REFUSALS["some-matrices"], MOST_FACTORS, ", ".join(USUAL), repr(word)
-    )
 
 
 def _terms_of(projection: Projection, letters: Letters, words: Sequence[str]) -> dict[str, Term]:

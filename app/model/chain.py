@@ -25,8 +25,19 @@ import numpy as np
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
 from app.arithmetic.rationals import Rationals, dot, eliminate, nearest, product
-from app.model import limits
 from app.model.formula import Letter
+from app.model.limits import (
+    LARGEST,
+    Array,
+    Row,
+    Vector,
+    check_name,
+    finite,
+    finite_vector,
+    keep_checked,
+    read_only,
+    within,
+)
 from app.model.numerals import numbers as numbers_in
 from app.model.refusal import QT_TRANSLATE_NOOP, REFUSALS, Refusal, format_value
 from app.model.refusal import nearest as nearest_word
@@ -45,7 +56,7 @@ FLATTENED = QT_TRANSLATE_NOOP(
 
 MOST_TILES = 8
 LARGEST_SCALE = 1e30  # largest scale: its product with a coordinate up to `LARGEST` is finite
-_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * limits.LARGEST)
+_LIMITS = (LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE, LARGEST_SCALE * LARGEST)
 _SLACK = 1.0001  # a product of rotations may be larger than 1 by their last bit
 _ROUNDINGS = 6.0  # most roundings in the double-double sum of a coordinate
 _STEEP = 1e-12  # a view direction is vertical, and a camera level, to so much
@@ -55,12 +66,12 @@ FROM_OBJECT = "world_from_object"
 class WorldPoints(NamedTuple):
     """Points in the world with twice the digits of float64."""
 
-    world: limits.Array  # the nearest float64, (n, 3)
-    rest: limits.Array | None  # the rounding error, (n, 3); None if there is none
-    lost: limits.Array  # bound on the error of their sum, added over the three coordinates, (n,)
+    world: Array  # the nearest float64, (n, 3)
+    rest: Array | None  # the rounding error, (n, 3); None if there is none
+    lost: Array  # bound on the error of their sum, added over the three coordinates, (n,)
 
     @classmethod
-    def at(cls, world: limits.Array) -> WorldPoints:
+    def at(cls, world: Array) -> WorldPoints:
         """Points given in world coordinates, (n, 3)."""
         return cls(world, None, np.zeros(len(world)))
 
@@ -68,13 +79,13 @@ class WorldPoints(NamedTuple):
         rest = None if self.rest is None else self.rest[which]
         return WorldPoints(self.world[which], rest, self.lost[which])
 
-    def nearest_offset(self, origin: Sequence[float] | limits.Array) -> limits.Array:
+    def nearest_offset(self, origin: Sequence[float] | Array) -> Array:
         """`offset`, rounded to float64: less work."""
         if self.rest is not None:
             return self.offset(origin).hi
         return np.asarray(np.ascontiguousarray(self.world.T) - np.reshape(origin, (3, 1)))
 
-    def offset(self, origin: Sequence[float] | limits.Array) -> DoubleDouble:
+    def offset(self, origin: Sequence[float] | Array) -> DoubleDouble:
         """The offset of the points from a world point, (3, n), without cancellation."""
         offset = dd.two_sum(np.ascontiguousarray(self.world.T), -np.reshape(origin, (3, 1)))
         return offset if self.rest is None else dd.two_sum(offset.hi, offset.lo + self.rest.T)
@@ -168,8 +179,8 @@ class Tile:
         field, numbers = kind.field, tuple(self.numbers)
         if len(numbers) != len(kind.neutral):
             raise Refusal(field, numbers, REFUSALS["so-many"], len(kind.neutral), self.kind)
-        numbers = tuple(limits.finite(field, part) + 0.0 for part in numbers)
-        limits.keep_checked(self, numbers=numbers)
+        numbers = tuple(finite(field, part) + 0.0 for part in numbers)
+        keep_checked(self, numbers=numbers)
         if field == "matrix":
             if numbers[12:] != (0.0, 0.0, 0.0, 1.0):
                 raise Refusal(field, numbers[12:], REFUSALS["has-w"])
@@ -181,7 +192,7 @@ class Tile:
         if field in ("scale", "shear", "matrix"):
             for place, part in enumerate(numbers):
                 if field != "matrix" or place % 4 < 3:
-                    limits.within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
+                    within(field, part, -LARGEST_SCALE, LARGEST_SCALE)
 
     @classmethod
     def read(cls, text: str) -> Tile:
@@ -273,7 +284,7 @@ class Chain:
         if len(tiles) > MOST_TILES:
             most, ninth = REFUSALS["chain-too-many"], tiles[MOST_TILES].text
             raise Refusal("chain", ninth, most, MOST_TILES, len(tiles))
-        limits.keep_checked(self, tiles=tiles)
+        keep_checked(self, tiles=tiles)
         if len(self.on) > 1:
             for row in self.exact[:3]:
                 for part, limit in zip(row, _LIMITS, strict=True):
@@ -402,12 +413,12 @@ class Chain:
         return [[Fraction(part, 1 << bits) for part in row] for row in numbers]
 
     @cached_property
-    def matrix(self) -> limits.Array:
+    def matrix(self) -> Array:
         """`world_from_object`, (4, 4), every number rounded once."""
         return rounded(self.exact)
 
     @cached_property
-    def directions(self) -> limits.Array:
+    def directions(self) -> Array:
         """Directions of the object's axes as columns (3, 3), also of a flattened axis."""
         linear = Chain(tuple(tile for tile in self.on if tile.kind != "scale")).matrix[:3, :3]
         return np.asarray(linear / np.linalg.norm(linear, axis=0))
@@ -424,7 +435,7 @@ class Chain:
             return 3
         return eliminate([row[:3] for row in self.exact[:3]]).rank
 
-    def placed(self, points_object: limits.Array, one: int = 1) -> WorldPoints:
+    def placed(self, points_object: Array, one: int = 1) -> WorldPoints:
         """Points (n, 3) of the object in the world, or directions, whose `one` is 0.
 
         Each coordinate is a sum of four double-double terms, so that the points of a distant object
@@ -457,7 +468,7 @@ class Chain:
             for row in self.exact[:3]
         )
 
-    def object_from_world(self, homogeneous: Sequence[float]) -> limits.Row:
+    def object_from_world(self, homogeneous: Sequence[float]) -> Row:
         """A point or a direction of the world in object coordinates, each rounded once.
 
         A number beyond float64 is infinite. Raises a `Refusal` for an object that a scale of 0 has
@@ -467,7 +478,7 @@ class Chain:
         x, y, z, w = (nearest(dot(row, numbers)) for row in inverse(FROM_OBJECT, self.exact))
         return x, y, z, w
 
-    def local_from(self, origin: limits.Vector, target: limits.Vector) -> limits.Array:
+    def local_from(self, origin: Vector, target: Vector) -> Array:
         """From object coordinates relative to `origin` to world ones relative to `target`, (4, 4).
 
         Every number is rounded once, after the difference of the origins.
@@ -481,7 +492,7 @@ class Chain:
             local[row, 3] = float(part - Fraction(away))
         if origin == target:
             kept[origin, target] = local
-        return limits.read_only(local)
+        return read_only(local)
 
     @cached_property
     def _kept(self) -> dict[tuple[Any, ...], Any]:
@@ -503,7 +514,7 @@ def _identity() -> Rationals:
 NOT_MOVED = Chain()
 
 
-def view_chain(frame: limits.Array, eye: limits.Vector) -> Chain:
+def view_chain(frame: Array, eye: Vector) -> Chain:
     """The view matrix as the moves that placed a camera, undone: ``Rz Rx Ry T``.
 
     `frame` has the rows u, v, n. The camera was tilted about its own z, if at all, and about x,
@@ -536,15 +547,15 @@ class FiveTiles:
     - `order`: "trs": scale, rotate, move; or "rts": scale, move, rotate about the world's origin.
     """
 
-    translate: limits.Vector = (0.0, 0.0, 0.0)
-    rotate_deg: limits.Vector = (0.0, 0.0, 0.0)
-    scale: limits.Vector = (1.0, 1.0, 1.0)
+    translate: Vector = (0.0, 0.0, 0.0)
+    rotate_deg: Vector = (0.0, 0.0, 0.0)
+    scale: Vector = (1.0, 1.0, 1.0)
     order: Order = "trs"
 
     def __post_init__(self) -> None:
         for field in ("translate", "rotate_deg", "scale"):
-            limits.keep_checked(self, **{field: limits.finite_vector(field, getattr(self, field))})
-        limits.check_name("order", self.order, ORDERS)
+            keep_checked(self, **{field: finite_vector(field, getattr(self, field))})
+        check_name("order", self.order, ORDERS)
         _ = self.chain  # which checks the sizes of the numbers
 
     @property

@@ -8342,8 +8342,12 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>peab olema {0} ja {1} vahel, otspunktid välja arvatud</translation>
     </message>
     <message>
-        <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation>peab nimetama 1 kuni {0} maatriksit, näiteks {1}; sellel objektiivil ei ole maatriksit {2}</translation>
+        <source>must name 1 to {0} matrices, such as {1}</source>
+        <translation>peab nimetama 1 kuni {0} maatriksit, näiteks {1}</translation>
+    </message>
+    <message>
+        <source>must name matrices such as {0}; this lens has no matrix {1}</source>
+        <translation>peab nimetama maatrikseid nagu {0}; sellel objektiivil ei ole maatriksit {1}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>

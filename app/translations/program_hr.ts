@@ -8358,8 +8358,12 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>mora ležati između {0} i {1}, bez njih samih</translation>
     </message>
     <message>
-        <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation>mora imenovati 1 do {0} matrica, npr. {1}; ovaj objektiv nema matricu {2}</translation>
+        <source>must name 1 to {0} matrices, such as {1}</source>
+        <translation>mora imenovati 1 do {0} matrica, npr. {1}</translation>
+    </message>
+    <message>
+        <source>must name matrices such as {0}; this lens has no matrix {1}</source>
+        <translation>mora imenovati matrice kao {0}; ovaj objektiv nema matricu {1}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>

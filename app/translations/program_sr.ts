@@ -8358,8 +8358,12 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>мора да лежи између {0} и {1}, без њих самих</translation>
     </message>
     <message>
-        <source>must name 1 to {0} matrices, such as {1}; this lens has no matrix {2}</source>
-        <translation>мора да именује од 1 до {0} матрица, као {1}; овај објектив нема матрицу {2}</translation>
+        <source>must name 1 to {0} matrices, such as {1}</source>
+        <translation>мора да именује од 1 до {0} матрица, као {1}</translation>
+    </message>
+    <message>
+        <source>must name matrices such as {0}; this lens has no matrix {1}</source>
+        <translation>мора да именује матрице као {0}; овај објектив нема матрицу {1}</translation>
     </message>
     <message>
         <source>must name matrices that one lecture has together</source>

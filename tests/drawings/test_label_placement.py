@@ -210,6 +210,18 @@ def test_letters_on_paper_do_not_read_as_one_word() -> None:
     assert place(wishes, Ground(FRAME, EM, halo=0.14 * EM))["E"].centre == far
 
 
+def test_a_name_on_paper_does_not_stand_between_its_mark_and_another_one() -> None:
+    """Its own mark is nearer, but the other one is almost as near."""
+    mark, other, size = (100.0, 100.0), (100.0, 70.0), (20.0, 14.0)
+    between, above = (100.0, 86.0), (100.0, 114.0)
+    wishes = [
+        Wish("in focus", size, [mark], partial(choices, mark, between, above)),
+        Wish("eye", size, [other], partial(choices, other, (100.0, 40.0))),
+    ]
+    assert place(wishes, Ground(FRAME, EM))["in focus"].centre == between
+    assert place(wishes, Ground(FRAME, EM, halo=0.14 * EM))["in focus"].centre == above
+
+
 def test_two_names_of_one_mark_are_not_in_each_others_way() -> None:
     mark, size, ground = (100.0, 100.0), (40.0, 14.0), Ground(FRAME, EM)
     one = wish("one", mark, size, 0.0).choices(ground)

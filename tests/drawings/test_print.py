@@ -17,7 +17,7 @@ from app.drawings.figure import Figure
 from app.drawings.label_placement import clipped
 from app.drawings.one_pane import PanePicture
 from app.drawings.style import PALETTES, rgb
-from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, box_of
+from app.drawings.vectors import Area, Disc, LineShape, PixelShape, TextShape, box_of
 from app.lessons.course import scene_of
 from app.model.refusal import Refusal
 from app.scenes.scene import load
@@ -224,6 +224,27 @@ def test_the_names_of_both_eyes_stand_beside_all_rays(width_mm: float) -> None:
     for name in ("left eye", "right eye"):
         box = box_of([names[name]], "")
         assert box is not None and not len(clipped(np.array(rays), box)), name
+
+
+def test_the_letter_of_a_point_is_on_its_side_of_the_frustums_edge() -> None:
+    shown = figure("view-volumes", "world", (), size=None, width=84.0 / 25.4 * DPI)
+    _, shapes = shown.shapes()
+    letter = next(
+        each for each in shapes if isinstance(each, TextShape) and each.written.text == "E"
+    )
+    box = box_of([letter], "")
+    assert box is not None
+    centre = np.reshape(box, (2, 2)).mean(axis=0)
+    dots = [each.centre for each in shapes if isinstance(each, Disc)]
+    own = min(dots, key=lambda dot: float(np.hypot(*(dot - centre))))
+    way = np.sort([centre, own], axis=0).ravel()  # between them
+    edges = [
+        end
+        for each in shapes
+        if isinstance(each, LineShape) and each.colour == rgb(PALETTES["print"].frustum)
+        for end in pairwise(each.points)
+    ]
+    assert not len(clipped(np.array(edges), tuple(way)))
 
 
 @pytest.mark.parametrize("scene", ["focus", "eye-plane", "vertex-depth"])

@@ -50,10 +50,15 @@ def test_numbers_are_asked_for_by_a_word() -> None:
     assert not equation_of(SEEN, "own", "view").is_in_numbers
 
 
-@pytest.mark.parametrize("text", ["", "numbers", "frus", "view view view view view"])
-def test_an_unknown_matrix_is_refused(text: str) -> None:
-    with pytest.raises(Refusal, match="must name 1 to 4 matrices"):
+@pytest.mark.parametrize("text", ["", "numbers", "view view view view view"])
+def test_no_and_too_many_matrices_are_refused(text: str) -> None:
+    with pytest.raises(Refusal, match=r"must name 1 to 4 matrices, such as [^;]+$"):
         equation_of(SEEN, "own", text)
+
+
+def test_an_unknown_matrix_is_refused_by_its_name() -> None:
+    with pytest.raises(Refusal, match="this lens has no matrix 'frus'"):
+        equation_of(SEEN, "own", "view frus")
 
 
 def test_a_lens_without_the_matrix_is_named() -> None:

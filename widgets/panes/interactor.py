@@ -9,21 +9,13 @@ import time
 from contextlib import suppress
 from typing import Any
 
+from PySide6 import QtGui
 from PySide6.QtCore import Qt
-from PySide6.QtGui import (
-    QCloseEvent,
-    QGuiApplication,
-    QOffscreenSurface,
-    QOpenGLContext,
-    QResizeEvent,
-    QSurface,
-    QSurfaceFormat,
-)
 from PySide6.QtOpenGLWidgets import QOpenGLWidget
 from vtkmodules.vtkRenderingCore import vtkCamera, vtkRenderer
 from vtkmodules.vtkRenderingOpenGL2 import vtkGenericOpenGLRenderWindow
 
-_WIDE_LINES = QSurfaceFormat.FormatOption.DeprecatedFunctions
+_WIDE_LINES = QtGui.QSurfaceFormat.FormatOption.DeprecatedFunctions
 _COLOR_BUFFER, _DRAW_FRAMEBUFFER, _LINEAR = 0x4000, 0x8CA9, 0x2601
 _DEPTH_TEST, _LESS_OR_EQUAL, _SCISSOR_TEST = 0x0B71, 0x0203, 0x0C11
 _Loader = ctypes.CFUNCTYPE(ctypes.c_void_p, ctypes.c_char_p)
@@ -34,7 +26,7 @@ _MAKE_CURRENT, _IS_CURRENT = "WindowMakeCurrentEvent", "WindowIsCurrentEvent"
 class _QtOpenGL:
     """A context of Qt's, in which a window of VTK's draws."""
 
-    def __init__(self, window: Any, context: QOpenGLContext, surface: QSurface) -> None:
+    def __init__(self, window: Any, context: QtGui.QOpenGLContext, surface: QtGui.QSurface) -> None:
         self._context, self._surface = context, surface
         window.AddObserver(_MAKE_CURRENT, self.make_current)
         window.AddObserver(_IS_CURRENT, self._set_current)
@@ -58,14 +50,14 @@ class _QtOpenGL:
             self._context.makeCurrent(self._surface)
 
     def _set_current(self, window: Any, _event: str) -> None:
-        window.SetIsCurrent(QOpenGLContext.currentContext() is self._context)
+        window.SetIsCurrent(QtGui.QOpenGLContext.currentContext() is self._context)
 
 
 def window_off_screen() -> Any:
     """Return a window of VTK's that draws through Qt, for `app.drawings.off_screen`."""
-    wanted = QSurfaceFormat.defaultFormat()
+    wanted = QtGui.QSurfaceFormat.defaultFormat()
     wanted.setOption(_WIDE_LINES)
-    surface, context = QOffscreenSurface(), QOpenGLContext()
+    surface, context = QtGui.QOffscreenSurface(), QtGui.QOpenGLContext()
     surface.setFormat(wanted)
     surface.create()
     context.setFormat(wanted)
@@ -83,7 +75,7 @@ class Interactor(QOpenGLWidget):
     def __init__(self, canvas: Any) -> None:
         super().__init__(canvas)
         self._canvas = canvas
-        if QGuiApplication.platformName() in ("xcb", "windows"):
+        if QtGui.QGuiApplication.platformName() in ("xcb", "windows"):
             # VTK's own windows have it; without it a shader widens lines, to other pixels. (Not on
             # Wayland, where a widget with its own format stays black.)
             wanted = self.format()
@@ -119,7 +111,7 @@ class Interactor(QOpenGLWidget):
             self.render_window.RemoveObservers(event)
         self._opengl = None
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         self._release()
         super().closeEvent(event)
 
@@ -127,7 +119,7 @@ class Interactor(QOpenGLWidget):
         ratio = self._canvas.pixel_ratio
         self.render_window.SetSize(*(max(1, round(side * ratio)) for side in (w, h)))
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         self._resizing = True
         try:
             super().resizeEvent(event)

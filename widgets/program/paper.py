@@ -10,18 +10,8 @@ from functools import cache
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
+from PySide6 import QtGui
 from PySide6.QtCore import QBuffer, QMarginsF, QPointF, QRectF, Qt
-from PySide6.QtGui import (
-    QColor,
-    QFont,
-    QGuiApplication,
-    QImage,
-    QPageLayout,
-    QPageSize,
-    QPainter,
-    QPdfWriter,
-    QPen,
-)
 
 from app.document.document import Document
 from app.document.lengths import DPI as DPI_OF_FIGURES
@@ -48,7 +38,7 @@ RULE_PT = 24.0  # distance between lines to write on
 DPI = 1200  # Qt places lines and letters on whole pixels of the page
 
 
-PaintPage: TypeAlias = Callable[[QPainter], object]
+PaintPage: TypeAlias = Callable[[QtGui.QPainter], object]
 
 
 def pdf(title: str, lay_out: Callable[[float, float], Iterable[PaintPage]]) -> bytes:
@@ -59,19 +49,21 @@ def pdf(title: str, lay_out: Callable[[float, float], Iterable[PaintPage]]) -> b
     off_screen_application()
     buffer = QBuffer()
     buffer.open(QBuffer.OpenModeFlag.WriteOnly)
-    writer = QPdfWriter(buffer)
+    writer = QtGui.QPdfWriter(buffer)
     writer.setTitle(title)
     writer.setCreator("Frustum Lab")
     writer.setResolution(DPI)
     margins = QMarginsF(MARGIN_MM, MARGIN_MM, MARGIN_MM, MARGIN_MM)
-    a4 = QPageSize(QPageSize.PageSizeId.A4)
+    a4 = QtGui.QPageSize(QtGui.QPageSize.PageSizeId.A4)
     writer.setPageLayout(
-        QPageLayout(a4, QPageLayout.Orientation.Portrait, margins, QPageLayout.Unit.Millimeter)
+        QtGui.QPageLayout(
+            a4, QtGui.QPageLayout.Orientation.Portrait, margins, QtGui.QPageLayout.Unit.Millimeter
+        )
     )
-    page = QRectF(writer.pageLayout().paintRect(QPageLayout.Unit.Point))
+    page = QRectF(writer.pageLayout().paintRect(QtGui.QPageLayout.Unit.Point))
     pages = lay_out(page.width(), page.height() - 2.0 * FOOT_PT)
-    painter = QPainter(writer)
-    painter.setRenderHint(QPainter.RenderHint.LosslessImageRendering)
+    painter = QtGui.QPainter(writer)
+    painter.setRenderHint(QtGui.QPainter.RenderHint.LosslessImageRendering)
     painter.scale(DPI / 72.0, DPI / 72.0)
     try:
         for number, paint in enumerate(pages):
@@ -88,7 +80,7 @@ class PageBlock:
     """A part of a page over its width, in points; `kept` on the same page as the next one."""
 
     height: float
-    paint: Callable[[QPainter, QRectF], object]  # paints the part of the block in a rectangle
+    paint: Callable[[QtGui.QPainter, QRectF], object]  # paints the part of the block in a rectangle
     left: float = 0.0
     kept: bool = False
     after: float = BETWEEN_PT
@@ -100,10 +92,10 @@ def text(
 ) -> PageBlock:
     document = TextDocument()
     font = words_font()
-    font.setStyleHint(QFont.StyleHint.SansSerif)
-    screen = QGuiApplication.primaryScreen()  # a document is laid out in its pixels
+    font.setStyleHint(QtGui.QFont.StyleHint.SansSerif)
+    screen = QtGui.QGuiApplication.primaryScreen()  # a document is laid out in its pixels
     font.setPointSizeF(size * 72.0 / screen.logicalDotsPerInchY())
-    font.setHintingPreference(QFont.HintingPreference.PreferNoHinting)
+    font.setHintingPreference(QtGui.QFont.HintingPreference.PreferNoHinting)
     document.setDefaultFont(font)
     document.setUseDesignMetrics(True)
     document.setProperty(SPACIOUS, True)
@@ -116,7 +108,7 @@ def text(
 def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageBlock:
     right = sum(block.height for block in others) + BETWEEN_PT * max(0, len(others) - 1)
 
-    def paint(painter: QPainter, part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, part: QRectF) -> None:
         figure.paint(painter, part)
         painter.translate(left, 0.0)
         for block in others:
@@ -128,7 +120,7 @@ def beside(figure: PageBlock, others: Sequence[PageBlock], left: float) -> PageB
 
 def below(figure: PageBlock, caption: PageBlock) -> PageBlock:
 
-    def paint(painter: QPainter, part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, part: QRectF) -> None:
         figure.paint(painter, part)
         painter.translate(0.0, figure.height + CAPTION_PT)
         caption.paint(painter, QRectF(0.0, 0.0, caption.wide, caption.height))
@@ -139,8 +131,8 @@ def below(figure: PageBlock, caption: PageBlock) -> PageBlock:
 def ruled(width: float, height: float) -> PageBlock:
     """Lines to write on."""
 
-    def paint(painter: QPainter, part: QRectF) -> None:
-        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+    def paint(painter: QtGui.QPainter, part: QRectF) -> None:
+        painter.setPen(QtGui.QPen(QtGui.QColor(LIGHT.muted), 0.6))
         for number in range(1, int(height / RULE_PT + 0.5) + 1):
             y = number * height / max(1, int(height / RULE_PT + 0.5))
             if part.top() <= y <= part.bottom() + 0.5:
@@ -149,12 +141,12 @@ def ruled(width: float, height: float) -> PageBlock:
     return PageBlock(height, paint)
 
 
-def picture(image: QImage, width: float) -> PageBlock:
+def picture(image: QtGui.QImage, width: float) -> PageBlock:
     place = QRectF(0.0, 0.0, width, width * image.height() / image.width())
 
-    def paint(painter: QPainter, _part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, _part: QRectF) -> None:
         painter.drawImage(place, image)
-        painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+        painter.setPen(QtGui.QPen(QtGui.QColor(LIGHT.muted), 0.6))
         painter.drawRect(place)
 
     return PageBlock(place.height(), paint, wide=width)
@@ -204,18 +196,18 @@ def figure(
     )  # fmt: skip
     drawn = cache(lambda: image_of(figure.pixels(seen=find)))
 
-    def paint(painter: QPainter, _part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, _part: QRectF) -> None:
         place = QRectF(0.0, 0.0, wide, high)
         painter.drawImage(place, drawn())
         if is_image and not count:
-            painter.setPen(QPen(QColor(LIGHT.muted), 0.6))
+            painter.setPen(QtGui.QPen(QtGui.QColor(LIGHT.muted), 0.6))
             painter.drawRect(place)
         for spot in spots:
             # A place on the edge is in it, but not a place that is not a number.
             if not place.adjusted(-EDGE_PT, -EDGE_PT, EDGE_PT, EDGE_PT).contains(spot):
                 raise Refusal("place", mark.place if mark else (), REFUSALS["not-in-picture"])
-            for brush, thick in ((Qt.GlobalColor.white, 3.0), (QColor(LIGHT.ink), 1.2)):
-                painter.setPen(QPen(brush, thick))
+            for brush, thick in ((Qt.GlobalColor.white, 3.0), (QtGui.QColor(LIGHT.ink), 1.2)):
+                painter.setPen(QtGui.QPen(brush, thick))
                 painter.drawEllipse(spot, *2 * [wide * (mark.radius if mark else 0.0)])
                 painter.drawPoint(spot)
 
@@ -226,7 +218,7 @@ def in_row(blocks: Sequence[PageBlock]) -> PageBlock:
     """Blocks beside each other, their middles on a line."""
     height = max(block.height for block in blocks)
 
-    def paint(painter: QPainter, part: QRectF) -> None:
+    def paint(painter: QtGui.QPainter, part: QRectF) -> None:
         for block in blocks:
             painter.save()
             painter.translate(0.0, (height - block.height) / 2.0)
@@ -300,7 +292,7 @@ def paint_page(
     right: str,
     width: float,
     height: float,
-    painter: QPainter,
+    painter: QtGui.QPainter,
     *,
     is_ruled: bool = False,
 ) -> None:
@@ -326,22 +318,22 @@ def paint_page(
     foot(painter, left, right, width, height)
 
 
-def _paint_block(painter: QPainter, block: PageBlock, part: QRectF) -> None:
+def _paint_block(painter: QtGui.QPainter, block: PageBlock, part: QRectF) -> None:
     painter.save()
     if block.left:
         line = QRectF(0.25 * block.left, part.top(), 1.5, part.height())
-        painter.fillRect(line, QColor(LIGHT.near))
+        painter.fillRect(line, QtGui.QColor(LIGHT.near))
     painter.translate(block.left, 0.0)
     block.paint(painter, QRectF(0.0, part.top(), part.width() - block.left, part.height()))
     painter.restore()
 
 
-def foot(painter: QPainter, left: str, right: str, width: float, height: float) -> None:
+def foot(painter: QtGui.QPainter, left: str, right: str, width: float, height: float) -> None:
     painter.save()
     font = words_font()
     font.setPointSizeF(FOOT_PT * 72.0 / DPI)
     painter.setFont(font)
-    painter.setPen(QColor(LIGHT.muted))
+    painter.setPen(QtGui.QColor(LIGHT.muted))
     place = QRectF(0.0, height + 0.7 * FOOT_PT, width, 1.3 * FOOT_PT)
     painter.drawText(place, Qt.AlignmentFlag.AlignLeft, left)
     painter.drawText(place, Qt.AlignmentFlag.AlignRight, right)

@@ -16,17 +16,8 @@ from pathlib import Path
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
+from PySide6 import QtGui
 from PySide6.QtCore import QByteArray, QEvent, QSize, Qt, QTimer, Signal
-from PySide6.QtGui import (
-    QCloseEvent,
-    QColor,
-    QDragEnterEvent,
-    QDropEvent,
-    QKeyEvent,
-    QPaintEvent,
-    QPalette,
-    QResizeEvent,
-)
 from PySide6.QtWidgets import QMainWindow, QSplitter, QWidget
 
 from app.document.document import Document
@@ -422,7 +413,7 @@ class MainWindow(QMainWindow):
     # -- events
 
     def event(self, event: QEvent) -> bool:
-        if isinstance(event, QKeyEvent) and event.key() == Qt.Key.Key_Escape:
+        if isinstance(event, QtGui.QKeyEvent) and event.key() == Qt.Key.Key_Escape:
             if event.type() == QEvent.Type.ShortcutOverride and self._on_top():
                 event.accept()  # otherwise Esc is the probes' shortcut
                 return True
@@ -433,7 +424,7 @@ class MainWindow(QMainWindow):
             self.look.rebuild()
         return super().event(event)
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         """Turn the lesson's page by keys for which what has the focus has no use."""
         menu, keys = self.menus.lesson_menu, Qt.Key
         turn = {keys.Key_PageDown: menu.next, keys.Key_PageUp: menu.back}.get(Qt.Key(event.key()))
@@ -527,9 +518,9 @@ class MainWindow(QMainWindow):
 
     def set_style(self, style: Style) -> None:
         """Give a slide the colour of its pictures' paper."""
-        worn = QPalette()
+        worn = QtGui.QPalette()
         if self.present.is_on:
-            worn.setColor(QPalette.ColorRole.Window, QColor(style.background))
+            worn.setColor(QtGui.QPalette.ColorRole.Window, QtGui.QColor(style.background))
         self.body.setPalette(worn)
 
     def show_beside(self) -> None:
@@ -559,13 +550,13 @@ class MainWindow(QMainWindow):
     def focusNextPrevChild(self, forwards: bool) -> bool:
         return focus_next(self, forwards)
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
         if not self._was_painted:
             self._was_painted = True
             QTimer.singleShot(0, self, self.first_painted.emit)  # when painting is complete
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.size().height() != event.oldSize().height():
             self.drawer.fit()
@@ -575,11 +566,11 @@ class MainWindow(QMainWindow):
             self.menus.controls.setChecked(not is_narrow)
             self.show_beside()
 
-    def dragEnterEvent(self, event: QDragEnterEvent) -> None:
+    def dragEnterEvent(self, event: QtGui.QDragEnterEvent) -> None:
         if any(url.isLocalFile() for url in event.mimeData().urls()):
             event.acceptProposedAction()
 
-    def dropEvent(self, event: QDropEvent) -> None:
+    def dropEvent(self, event: QtGui.QDropEvent) -> None:
         paths = [url.toLocalFile() for url in event.mimeData().urls() if url.isLocalFile()]
         if paths:
             event.acceptProposedAction()
@@ -588,7 +579,7 @@ class MainWindow(QMainWindow):
             # After the drop: a dialog inside it would freeze the file manager.
             QTimer.singleShot(0, self, partial(self.files.open, paths[0]))
 
-    def closeEvent(self, event: QCloseEvent) -> None:
+    def closeEvent(self, event: QtGui.QCloseEvent) -> None:
         take_typed(self)
         self.recovery.autosave.save_now()  # in case the program ends while the question is open
         if self.work_left is None and not self.files.may_discard():

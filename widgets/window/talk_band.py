@@ -10,16 +10,8 @@ import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
-from PySide6.QtGui import (
-    QFont,
-    QPainter,
-    QPaintEvent,
-    QPalette,
-    QTextBlockFormat,
-    QTextCursor,
-    QTextDocument,
-)
 from PySide6.QtWidgets import QApplication, QFrame, QSizePolicy
 
 from app.drawings.style import LIGHT, Style, tone
@@ -148,9 +140,9 @@ class TalkBand(FittedWidget, QFrame):
     def _fits(self, text: str, letters: tuple[float, ...] = LINES) -> bool:
         """Lay out a text; return whether it fits the line."""
         set_text(self._words, text, palette=self.palette())
-        cursor = QTextCursor(self._words)  # a displayed formula would stand in the middle
-        cursor.select(QTextCursor.SelectionType.Document)
-        left = QTextBlockFormat()
+        cursor = QtGui.QTextCursor(self._words)  # a displayed formula would stand in the middle
+        cursor.select(QtGui.QTextCursor.SelectionType.Document)
+        left = QtGui.QTextBlockFormat()
         left.setAlignment(Qt.AlignmentFlag.AlignLeft)
         cursor.mergeBlockFormat(left)
         for share in letters:
@@ -159,30 +151,30 @@ class TalkBand(FittedWidget, QFrame):
                 return _lines_of(self._words) <= MOST_LINES
         return not text
 
-    def _lay_out(self, document: QTextDocument, share: float, width: float) -> None:
-        font = QFont(self.font())
+    def _lay_out(self, document: QtGui.QTextDocument, share: float, width: float) -> None:
+        font = QtGui.QFont(self.font())
         font.setPixelSize(max(8, round(share * self._screen_px)))
         document.setDefaultFont(font)
         document.setTextWidth(max(1.0, width))
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
-        painter, room = QPainter(self), self._room
+        painter, room = QtGui.QPainter(self), self._room
         below = room.top() + (TITLE_SHARE + GAP_SHARE) * self._screen_px
         free = LINE_SHARE * self._screen_px - self._words.size().height()
         self._title.paint(painter, room.topLeft(), self.palette())
         corner = QPointF(room.left(), below + max(0.0, free / 3.0))
         self._words.paint(painter, corner, self.palette())
-        font = QFont(self.font())
+        font = QtGui.QFont(self.font())
         font.setPixelSize(max(8, round(NUMBER_SHARE * self._screen_px)))
         painter.setFont(font)
-        painter.setPen(self.palette().color(QPalette.ColorRole.PlaceholderText))
+        painter.setPen(self.palette().color(QtGui.QPalette.ColorRole.PlaceholderText))
         right_of = Qt.AlignmentFlag.AlignRight
         painter.drawText(room, right_of | Qt.AlignmentFlag.AlignTop, self._number)
         if self.message:  # over the text that is there
             at_foot = right_of | Qt.AlignmentFlag.AlignBottom
             place = painter.boundingRect(room, at_foot, self.message)
-            painter.fillRect(place, self.palette().color(QPalette.ColorRole.Window))
+            painter.fillRect(place, self.palette().color(QtGui.QPalette.ColorRole.Window))
             painter.drawText(room, at_foot, self.message)
         painter.end()
 
@@ -200,7 +192,7 @@ def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bo
     del band  # before the application
 
 
-def _lines_of(document: QTextDocument) -> int:
+def _lines_of(document: QtGui.QTextDocument) -> int:
     block, lines = document.begin(), 0
     while block.isValid():
         lines += block.layout().lineCount()

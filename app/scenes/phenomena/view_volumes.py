@@ -36,6 +36,7 @@ POINTS = {  # the world coordinates of the test points
 }
 _PLACES = np.array(list(POINTS.values()))
 _LETTERS = _PLACES + np.array([0.0, 0.45, 0.0])
+_LETTERS[-1] = _PLACES[-1] + (0.45, 0.0, 0.0)  # above it is an edge of the frustum
 
 _SIDES = 32  # of the polygon that stands for a circle
 _TURN = np.linspace(0.0, 2.0 * math.pi, _SIDES + 1)
