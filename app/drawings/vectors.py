@@ -92,6 +92,7 @@ class PixelShape(NamedTuple):
 
 
 Shape: TypeAlias = Area | LineShape | Disc | TextShape | PixelShape
+_Cells: TypeAlias = tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]]
 
 
 def moved(shape: Shape, right: float, down: float, larger: float = 1.0) -> Shape:
@@ -302,7 +303,7 @@ class _VectorPane:
             yield self._picture(window, props)
             actors = [actor for actor in actors if _is_in_front(actor)]
         _refuse_too_many(actors)
-        cells: tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]] = [], [], []
+        cells: _Cells = [], [], []
         clouds = list(filter(_is_cloud, actors))
         for place, actor in enumerate(actors):
             if actor not in clouds:
@@ -365,12 +366,7 @@ class _VectorPane:
 
     # -- reading
 
-    def _read(
-        self,
-        actor: Any,
-        place: int,
-        cells: tuple[list[ScreenCell], list[ScreenCell], list[ScreenCell]],
-    ) -> None:
+    def _read(self, actor: Any, place: int, cells: _Cells) -> None:
         mapper = actor.GetMapper()
         mesh = mapper.GetInput()
         if mesh.GetNumberOfPoints() == 0:
@@ -384,8 +380,7 @@ class _VectorPane:
         by_cell, rgba = _colours(mapper, mesh)
         depth, lift, paper, is_drawing = None, 0.0, None, False
         if isinstance(actor, FlatActor):
-            depth, lift, paper = actor.depth, actor.lift, actor.paper
-            is_drawing = actor.is_drawing
+            depth, lift, paper, is_drawing = actor.depth, actor.lift, actor.paper, actor.is_drawing
         clip = world @ self._clip.T
         clip[:, 2] -= lift * clip[:, 3]
         if depth is not None:
