@@ -15,6 +15,7 @@ import math
 import random
 from collections.abc import Callable, Hashable, Iterable, Mapping, Sequence
 from functools import partial
+from itertools import product
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -619,6 +620,7 @@ def _solve(
     """The number of each label's candidate, or None.
 
     `crossings` says for every candidate whose boxes or leaders its own leader would run over.
+    Where one is left without a place, all are annealed once more, hotter.
     """
     first = np.concatenate([[0], np.cumsum(counts)[:-1]]).tolist()
     clash = _pairs(boxes, em) | crossings | crossings.T
@@ -647,13 +649,16 @@ def _solve(
     )
     movable = [label for label in range(len(ranks)) if len(free[label]) > 1]
     best, least, dice = list(state), total, random.Random(1995)
-    for move in range(moves if len(movable) > 1 and least > cheapest + 1e-9 else 0):
+    going = len(movable) > 1 and least > cheapest + 1e-9
+    for hot, move in product((False, True), range(moves if going else 0)):
+        if hot and move == 0 and None not in best:
+            break
         label = dice.choice(movable)
         was = state[label]
-        at = dice.choice(free[label] if was is None else free[label][:_TRIED])
+        at = dice.choice(free[label] if hot and was is None else free[label][:_TRIED])
         placed &= ~(0 if was is None else 1 << was)
         change = cost_of(label, at) - cost_of(label, was)
-        heat = (40.0 if None in state else 4.0) * (1.0 - move / moves) ** 2 + 1e-3
+        heat = (40.0 if hot and None in state else 4.0) * (1.0 - move / moves) ** 2 + 1e-3
         if change <= 0.0 or dice.random() < math.exp(-change / heat):
             state[label] = was = at
             total += change

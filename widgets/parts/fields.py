@@ -17,16 +17,8 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, Qt, Signal, SignalInstance
-from PySide6.QtGui import (
-    QAction,
-    QEnterEvent,
-    QFocusEvent,
-    QHideEvent,
-    QKeyEvent,
-    QMouseEvent,
-    QWheelEvent,
-)
 from PySide6.QtWidgets import QButtonGroup, QCheckBox, QComboBox, QGridLayout, QSizePolicy, QWidget
 
 from app.lecture.highlight import NOTHING, Highlight
@@ -52,7 +44,7 @@ _BUTTONS = read_content(Path(__file__).with_name("content") / "buttons.qss")
 class _NameLabel(Balanced):
     double_clicked = Signal()
 
-    def mouseDoubleClickEvent(self, event: QMouseEvent) -> None:
+    def mouseDoubleClickEvent(self, event: QtGui.QMouseEvent) -> None:
         if event.button() == Qt.MouseButton.LeftButton:
             self.double_clicked.emit()
 
@@ -66,7 +58,7 @@ class _FocusedCombo(Combo):
         policy = QComboBox.SizeAdjustPolicy.AdjustToMinimumContentsLengthWithIcon
         self.setSizeAdjustPolicy(policy)  # a long translation must not widen the column
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         if self.hasFocus():
             super().wheelEvent(event)
         else:
@@ -98,7 +90,7 @@ class Row(TintedWidget, QWidget, Gestures):
         self.name_label = _NameLabel(name)
         self._set_tip(self.name_label, self._tip)
         self.name_label.double_clicked.connect(self.reset)
-        self._reset_action = QAction(self.tr("Reset {0}").format(name), self)
+        self._reset_action = QtGui.QAction(self.tr("Reset {0}").format(name), self)
         self._reset_action.triggered.connect(self.reset)
         self.addAction(self._reset_action)  # also by the menu key or the right mouse button
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
@@ -196,7 +188,7 @@ class Row(TintedWidget, QWidget, Gestures):
         part.setAccessibleDescription(tip)
         self._tips[part] = tip
 
-    def keyPressEvent(self, event: QKeyEvent) -> None:
+    def keyPressEvent(self, event: QtGui.QKeyEvent) -> None:
         if event.key() == Qt.Key.Key_Escape and self.error:
             self.clear_error()
         else:
@@ -210,7 +202,7 @@ class Row(TintedWidget, QWidget, Gestures):
         if bool(self._attending) != before:
             self.highlighted.emit(not before)
 
-    def enterEvent(self, event: QEnterEvent) -> None:
+    def enterEvent(self, event: QtGui.QEnterEvent) -> None:
         super().enterEvent(event)
         self._attend("mouse", True)
 
@@ -218,13 +210,15 @@ class Row(TintedWidget, QWidget, Gestures):
         super().leaveEvent(event)
         self._attend("mouse", False)
 
-    def hideEvent(self, event: QHideEvent) -> None:
+    def hideEvent(self, event: QtGui.QHideEvent) -> None:
         super().hideEvent(event)
         self._attend("mouse", False)
         self._attend("keyboard", False)
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
-        if isinstance(event, QFocusEvent):  # focus by a click is covered by the mouse's own events
+        if isinstance(
+            event, QtGui.QFocusEvent
+        ):  # focus by a click is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
         if event.type() in (QEvent.Type.FocusIn, QEvent.Type.ToolTip):
             self._describe_part(watched)

@@ -3,15 +3,8 @@
 from collections.abc import Mapping, Sequence
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt, Signal, SignalInstance
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QGridLayout,
-    QScrollArea,
-    QToolButton,
-    QWidget,
-)
 
 from app.lessons.course import Course, idea_named
 from app.lessons.practice import ExerciseMark, PlacedExercise, exercises_of
@@ -28,7 +21,7 @@ ICONS = {ALONE: "check", HELPED: "help", SHOWN: "lesson"}
 LONGEST = 60  # most characters of an exercise in the name of its button
 
 
-class Overview(QDialog):
+class Overview(QtWidgets.QDialog):
     """A window that lists what was practised, and leads there.
 
     `topics` are the lessons of the topics, and one's own by the names of their files. `known` is by
@@ -49,7 +42,7 @@ class Overview(QDialog):
         ideas: Mapping[tuple[str, str], Met],
         review: str,
         problem: str,
-        parent: QWidget,
+        parent: QtWidgets.QWidget,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Overview of what you practised"))
@@ -59,15 +52,15 @@ class Overview(QDialog):
             ALONE: self.tr("solved alone"), HELPED: self.tr("solved with help"),
             SHOWN: self.tr("answer shown"), "": self.tr("not yet"),
         }  # fmt: skip
-        holder = QWidget()
-        grid = QGridLayout(holder)
+        holder = QtWidgets.QWidget()
+        grid = QtWidgets.QGridLayout(holder)
         grid.setColumnStretch(2, 1)
         grid.setVerticalSpacing(2)
         for row, (name, course) in enumerate(topics.items()):
             for column, widget in enumerate(self._row(name, course)):
                 grid.addWidget(widget, row, column)
         grid.setRowStretch(len(topics), 1)
-        area = QScrollArea(widgetResizable=True)
+        area = QtWidgets.QScrollArea(widgetResizable=True)
         area.setWidget(holder)
         area.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         area.setMinimumWidth(holder.minimumSizeHint().width() + 30)
@@ -75,7 +68,7 @@ class Overview(QDialog):
         warning.setText(problem)
         self.review = push_button(review, act=partial(self._go, self.review_wanted))
         test = push_button(self.tr("Test &yourself…"), act=partial(self._go, self.test_wanted))
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Close)
+        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Close)
         buttons.rejected.connect(self.close)
         export = push_button(
             self.tr("&Export…"), self.tr("Write all of it into a file for your teacher"),
@@ -90,22 +83,22 @@ class Overview(QDialog):
         self.first.setFocus()
 
     @property
-    def first(self) -> QWidget:
+    def first(self) -> QtWidgets.QWidget:
         """Return the button that the keyboard begins at."""
-        buttons = self.findChildren(QToolButton)
+        buttons = self.findChildren(QtWidgets.QToolButton)
         return self.review if self.review.isEnabled() or not buttons else buttons[0]
 
-    def _legend(self) -> QWidget:
-        parts: list[QWidget | None] = []
+    def _legend(self) -> QtWidgets.QWidget:
+        parts: list[QtWidgets.QWidget | None] = []
         for outcome, icon in ICONS.items():
             parts += [Sign(icon, self._words[outcome]), PlainLabel(self._words[outcome]), None]
-        holder = QWidget()
+        holder = QtWidgets.QWidget()
         in_row(
             *parts, PlainLabel(self.tr("only a number: not yet")), on=holder, margins=(4, 0, 4, 0)
         )
         return holder
 
-    def _row(self, name: str, course: Course) -> Sequence[QWidget]:
+    def _row(self, name: str, course: Course) -> Sequence[QtWidgets.QWidget]:
         """Return a topic's button, those of its exercises, and its wrong ideas."""
         title = f"{name}  {course.lesson.title}"
         act = partial(self._go, self.lesson_wanted, course)
@@ -117,7 +110,7 @@ class Overview(QDialog):
         row = on_holder(*parts, FREE, gap=2)
         return topic, row, PlainLabel(self._met(course), wordWrap=True)
 
-    def _exercise(self, topic: str, number: int, placed: PlacedExercise) -> QToolButton:
+    def _exercise(self, topic: str, number: int, placed: PlacedExercise) -> QtWidgets.QToolButton:
         standing = self._known.get(placed.key, Standing())
         outcome = self._words[standing.outcome]
         text = in_line(placed.exercise.text)
@@ -144,7 +137,7 @@ class Overview(QDialog):
         signal.emit(*what)
 
 
-class SelfTestMarks(QWidget):
+class SelfTestMarks(QtWidgets.QWidget):
     """The marks of a test and its solutions; `title` says how many are right, and stands above."""
 
     def __init__(self, marks: Sequence[ExerciseMark]) -> None:
@@ -156,7 +149,7 @@ class SelfTestMarks(QWidget):
         in_column(*parts, on=self, margins=(0, 0, 0, 0), gap=10)
         self.setAccessibleName(said)
 
-    def _marked(self, number: int, mark: ExerciseMark) -> QWidget:
+    def _marked(self, number: int, mark: ExerciseMark) -> QtWidgets.QWidget:
         question, here = mark.item.variant.question, mark.item.variant.here
         texts = [f"**{number}.** {question.text}", self._own(mark)]
         right = question.right_text(answer_of(question, here))
