@@ -574,7 +574,7 @@ def _stray_costs(
     own = np.linalg.norm(np.clip(anchors, boxes[:, :2], boxes[:, 2:]) - anchors, axis=1)
     away = np.clip(marks, boxes[:, None, :2], boxes[:, None, 2:]) - marks
     away = np.where(foreign, np.linalg.norm(away, axis=2), np.inf).min(axis=1)
-    costs: Floats = _FOREIGN * (away < own)
+    costs = np.where(away < own, _FOREIGN, 0.0)
     costs += close * np.clip(2.0 - away / np.maximum(own, 1e-9), 0.0, 1.0)
     rims = np.hstack([marks - 0.4 * em, marks + 0.4 * em])
     over = crossed(anchors[far], boxes[far], rims) & foreign[far]
