@@ -55,7 +55,7 @@ FITS = ("named", "frustum", "scene")
 """What a world pane frames: what is named, with the whole frustum too, or the objects alone."""
 _HIGH = 0.7  # of its width: a pane in a column, three of which of 84 mm go into a page of a book
 _GAP_EM = 2.0  # left empty between panes of a column whose height is free
-_TRIES, _HELD, _NEAR_PX, _FITS = 6, 3, 0.5, 3  # until what is seen is as wide as asked for
+_TRIES, _HELD, _NEAR_PX, _FITS = 9, 6, 0.5, 3  # until what is seen is as wide as asked for
 
 _LEAST_TEXT_PX, _LARGEST_TEXT = 1.0, 0.25  # the latter relative to the shorter side
 _REPORT_EVERY_S, _SLOWING_S = 0.05, 5.0
