@@ -300,7 +300,7 @@ class _VectorPane:
     def shapes(self, window: Any) -> Iterator[Shape]:
         props, actors = _shown_in(self._renderer)
         if any(_is_shaded(actor) for actor in actors):
-            yield self._picture(window, props)
+            yield from self._picture(window, props)
             actors = [actor for actor in actors if _is_in_front(actor)]
         _refuse_too_many(actors)
         cells: _Cells = [], [], []
@@ -320,7 +320,7 @@ class _VectorPane:
             elif isinstance(prop, vtkActor2D):
                 yield from self._flat(prop)
 
-    def _picture(self, window: Any, props: Sequence[Any]) -> PixelShape:
+    def _picture(self, window: Any, props: Sequence[Any]) -> Iterator[PixelShape]:
         """The pixels of all that has a depth; the rest is hidden meanwhile."""
         others = [p for p in props if isinstance(p, vtkActor2D) or _is_in_front(p)]
         for prop in others:
@@ -328,10 +328,9 @@ class _VectorPane:
         part = self._blocks(window)
         for prop in others:
             prop.SetVisibility(True)
-        top = self._height - self._low - self._high
-        place = [side / self._finer for side in (self._left, top, self._wide, self._high)]
         pixels = np.rint(part.mean(axis=(1, 3))).astype(np.uint8)[..., :3]
-        return PixelShape(pixels, (place[0], place[1], place[2], place[3]))
+        empty = np.rint(255.0 * np.array(self._renderer.GetBackground()))
+        yield from self._seen_part(pixels, (pixels != empty).any(axis=2), is_cloud=False)
 
     def _blocks(self, window: Any) -> Array:
         """Draw the window; return its pixels as (rows, finer, columns, finer, 4)."""
@@ -353,12 +352,15 @@ class _VectorPane:
         share = seen.mean(axis=(1, 3))
         colours = (drawn * seen).mean(axis=(1, 3)) / np.maximum(share, 1e-9)
         pixels = np.rint(np.concatenate([colours, 255.0 * share], axis=2)).astype(np.uint8)
-        rows, columns = (np.flatnonzero(share.any(axis=(axis, 2))) for axis in (1, 0))
+        yield from self._seen_part(pixels, share.any(axis=2), is_cloud=True)
+
+    def _seen_part(self, pixels: Pixels, is_seen: Array, *, is_cloud: bool) -> Iterator[PixelShape]:
+        rows, columns = (np.flatnonzero(is_seen.any(axis=axis)) for axis in (1, 0))
         if len(rows):
             (top, low), (left, right) = ((each[0], each[-1] + 1) for each in (rows, columns))
             x, y = self._left / self._finer, (self._height - self._low - self._high) / self._finer
             place = x + left, y + top, float(right - left), float(low - top)
-            yield PixelShape(pixels[top:low, left:right], place, is_cloud=True)
+            yield PixelShape(pixels[top:low, left:right], place, is_cloud)
 
     def _placed(self, points: Iterable[Sequence[float]]) -> Points:
         """Pixels of the window, from the bottom, as pixels of the figure, from the top."""

@@ -84,6 +84,8 @@ def test_every_letter_has_the_size_that_is_asked_for(
         ("clipping", "world,ndc", (), 174.0),
         ("off-axis-window", "world,ndc", (), 84.0),
         ("interpolation", "image", (COMPARED,), 84.0),
+        ("interpolation", "world,ndc,image", (), 84.0),  # pixels, which are empty above
+        ("cheap-arithmetic", "world,image", (), 84.0),
         ("similar-triangles", "world,image", (), 84.0),
     ],
 )
