@@ -330,19 +330,6 @@ def test_another_scene_has_other_rows_and_none_of_the_old(
     assert readings(owner.card) == []
 
 
-def test_the_readings_of_another_scene_take_the_place_of_the_former_at_once(
-    window: MainWindow, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    numbers = list[int]()
-    readout = window.controls.card.readout
-    show = readout.show_readings
-    monkeypatch.setattr(readout, "show_readings", lambda rs: (numbers.append(len(rs)), show(rs)))
-    show_scene(show_scene(window, "clipping"), "view-volumes")
-    assert len(numbers) == 2 and all(numbers)
-    show_scene(window, "letter-f")
-    assert not readout.lines[0][0].isVisible()
-
-
 def test_a_mesh_can_be_asked_for_and_taken_away_where_there_is_a_place_for_it(
     card: SceneCard,
 ) -> None:

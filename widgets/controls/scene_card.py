@@ -110,8 +110,7 @@ class SceneCard(QWidget, RowHolder):
             self._highlight_subject(())  # marks these rows
             self._offer_comparisons(() if phenomenon is None else phenomenon.words.comparisons)
             self.readout.begin(0 if phenomenon is None else phenomenon.numbers)
-            if phenomenon is None or not phenomenon.settings:  # other readings follow at once
-                self.readout.show_readings(())
+            self.readout.show_readings(())
             self.warning.show_text("")
         self.title.setText(breakable(title, WORD))
         self.tries.setText("\n".join(map(of_phenomena, tries)))
