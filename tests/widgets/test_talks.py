@@ -1282,15 +1282,20 @@ def test_the_equation_of_the_next_step_and_its_names_are_set_ahead(
     qtbot.waitUntil(lambda: "l" in SET)
 
 
+def open_without_notes(window: MainWindow, folder: Path, steps: str, instead: str = "") -> None:
+    """Open a lesson: a talk whose notes are left out, or replaced."""
+    window.present.end()
+    path = folder / "lesson.md"
+    path.write_text(steps.replace("```note\nminutes: 1\n```\n", instead), encoding="utf-8")
+    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+
+
 @pytest.mark.undrawn
 def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
     window: MainWindow, tmp_path: Path, qtbot: Any
 ) -> None:
-    window.present.end()
-    path = tmp_path / "lesson.md"
     steps = lesson_of("scene=letter-f", "scene=posts").replace("# Step 2", "# Step $q_{27}$")
-    path.write_text(steps.replace("```note\nminutes: 1\n```\n", ""), encoding="utf-8")
-    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+    open_without_notes(window, tmp_path, steps)
     qtbot.waitUntil(lambda: any("q_{27}" in formula for formula in SET))
     assert window.lessons.place == 0
     resting = [each for pane in window.panes.values() for each in pane.resting.all]
@@ -1301,12 +1306,8 @@ def test_the_formulas_of_a_lessons_next_step_are_set_while_it_is_read(
 def test_the_numbers_of_a_lessons_next_exercise_are_drawn_and_set_while_it_is_read(
     window: MainWindow, tmp_path: Path, qtbot: Any
 ) -> None:
-    window.present.end()
-    path = tmp_path / "lesson.md"
     exercise = "```exercise e\nvary n: 31..39\nHow much is $Q = {=n}$?\nvalue: n\n```\n"
-    steps = lesson_of("scene=letter-f", "").replace("```note\nminutes: 1\n```\n", exercise)
-    path.write_text(steps, encoding="utf-8")
-    assert window.lessons.open(path) and not window.lessons.lesson.is_talk
+    open_without_notes(window, tmp_path, lesson_of("scene=letter-f", ""), exercise)
     drawn = window.lessons.course.variants
     qtbot.waitUntil(lambda: any("Q = 3" in formula for formula in SET) and bool(drawn))
     made, texts = set(SET), dict(drawn)
