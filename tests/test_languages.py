@@ -17,6 +17,7 @@ from app.drawings.style import LIGHT
 from app.lessons.contents import contained
 from app.lessons.course import ideas
 from app.lessons.lesson import head_of, read
+from app.lessons.text import spoken_tex
 from app.lessons.translating import in_language
 from app.measure.meaning import meaning
 from app.measure.single import shipped
@@ -90,6 +91,17 @@ def test_a_lesson_s_language_has_its_commas_in_an_english_window() -> None:
     finally:
         languages.follow_lesson("")
     assert "0,5" in said
+
+
+def test_a_spoken_number_has_the_programs_comma_beside_a_lesson_with_its_own_language() -> None:
+    languages.follow_lesson("hr")
+    try:
+        english = spoken_tex("0.5")
+        languages.choose("et")
+        estonian = spoken_tex("0.5")
+    finally:
+        languages.follow_lesson("")
+    assert (english, estonian) == ("0.5", "0,5")
 
 
 @pytest.mark.parametrize("part", ["program", "lessons"])

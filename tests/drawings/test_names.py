@@ -10,9 +10,10 @@ from app.document.document import Document
 from app.document.naming import nameable, named_in
 from app.document.view import View
 from app.drawings import WORDS, DrawingWords
+from app.drawings.actors import CUBE_CORNERS
 from app.drawings.image import ImageDrawing
 from app.drawings.stage import StageDrawing
-from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, rgb
+from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, TITLE_EM, rgb
 from app.drawings.world import WorldDrawing
 from app.lecture.highlight import AXES, WINDOW
 from app.lecture.letters import Letters
@@ -185,6 +186,16 @@ def test_an_unnamed_label_is_not_written(off_screen: MakeScreen) -> None:
     assert shown == {"eye", "near", "far"}
     drawing.show_names(frozenset({"near"}))
     assert {name for name, label in labels.items() if label.is_visible} == {"near"}
+
+
+def test_the_cube_is_in_the_middle_of_what_the_title_leaves(off_screen: MakeScreen) -> None:
+    for width_px, height_px in ((480, 300), (300, 480)):
+        drawing = StageDrawing(off_screen(width_px, height_px), load("letter-f"), WORDS, LIGHT)
+        drawing.show_projection(drawing.state.scene.start)
+        seen = np.array(drawing.state.seen(CUBE_CORNERS))[:, :2]
+        middle = (seen.min(axis=0) + seen.max(axis=0)) / 2.0
+        title_px = TITLE_EM * LIGHT.font_size
+        assert middle == pytest.approx([width_px / 2.0, (height_px - title_px) / 2.0], abs=0.01)
 
 
 def test_the_cube_has_its_axes_if_all_three_are_named(off_screen: MakeScreen) -> None:

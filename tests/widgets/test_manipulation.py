@@ -294,6 +294,21 @@ def test_under_a_still_mouse_what_lies_there_now_is_lit(window: MainWindow, qtbo
     qtbot.waitUntil(lambda: world(window).handles.held == near)
 
 
+def test_a_button_that_is_held_hovers_over_nothing(window: MainWindow) -> None:
+    hand, hovers = window.panes["world"].hand, list[object]()
+    spot = point_of(mark(window, "near")[1])
+    hand.hovered.connect(hovers.append)
+    move(window, "world", spot, button=Qt.MouseButton.NoButton)
+    hand._rest.timeout.emit()  # the picture has changed and rests
+    assert len(hovers) == 2
+    press(window, "world", spot)
+    hand._rest.timeout.emit()
+    assert len(hovers) == 2
+    release(window, "world", spot)
+    hand._rest.timeout.emit()
+    assert len(hovers) == 3
+
+
 def test_a_tooltip_hides_no_name(window: MainWindow, qtbot: Any) -> None:
     canvas = window.panes["world"].canvas
     for name in ("near", "far"):

@@ -506,7 +506,7 @@ class Hand(QObject):
             if self._canvas.rect().contains(event.position().toPoint()):
                 self._hover(event.position())  # perhaps over another thing
         if self._pressed is not None:
-            middle = self._middle(self._pressed)
+            middle = self.at = self._middle(self._pressed)
             self._pressed = None
             self.clicked.emit(middle)
         return True
