@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt
+from PySide6.QtCore import QEvent, QPoint, QPointF, QRect, QRectF, Qt, QTimer
 from PySide6.QtGui import QHelpEvent, QWheelEvent
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QLabel
@@ -294,19 +294,19 @@ def test_under_a_still_mouse_what_lies_there_now_is_lit(window: MainWindow, qtbo
     qtbot.waitUntil(lambda: world(window).handles.held == near)
 
 
-def test_a_button_that_is_held_hovers_over_nothing(window: MainWindow) -> None:
-    hand, hovers = window.panes["world"].hand, list[object]()
-    spot = point_of(mark(window, "near")[1])
-    hand.hovered.connect(hovers.append)
+def test_a_button_that_is_held_hovers_over_nothing(window: MainWindow, qtbot: Any) -> None:
+    pane = window.panes["world"]
+    spot, (timer,) = point_of(mark(window, "near")[1]), pane.hand.findChildren(QTimer)
     move(window, "world", spot, button=Qt.MouseButton.NoButton)
-    hand._rest.timeout.emit()  # the picture has changed and rests
-    assert len(hovers) == 2
+    pane.canvas.drawn.emit()
+    assert timer.isActive(), "it hovers again when the picture rests"
+    qtbot.waitUntil(lambda: not timer.isActive())
     press(window, "world", spot)
-    hand._rest.timeout.emit()
-    assert len(hovers) == 2
+    pane.canvas.drawn.emit()
+    assert not timer.isActive()
     release(window, "world", spot)
-    hand._rest.timeout.emit()
-    assert len(hovers) == 3
+    pane.canvas.drawn.emit()
+    assert timer.isActive()
 
 
 def test_a_tooltip_hides_no_name(window: MainWindow, qtbot: Any) -> None:
