@@ -208,7 +208,8 @@ def _figure(
         text = str(error).replace(
             "text size =", "--text-size =", int(error.bound == REFUSALS["text"])
         )
-        raise CliError(f"{f'--{asked} ' if of_size else ''}{text}") from error
+        named = f"--{asked} {text.removeprefix('width ') if asked == 'width' else text}"
+        raise CliError(named if of_size else text) from error
 
 
 def _with_progress(frames: Sequence[_Frame]) -> Iterator[_Frame]:

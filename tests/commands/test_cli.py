@@ -1250,13 +1250,13 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
             "--size width = 10: must be a whole number of pixels from 32 to 16384.",
         ),
         (["a.png", "--size=0mmx80mm"], "--size width = 0 mm: must be from 8.13 to 1387 mm."),
-        (["a.png", "--width=3000mm"], "--width width = 3000 mm: must be from 8.13 to 1387 mm."),
-        (["a.png", "--width=0mm"], "--width width = 0 mm: must be from 8.13 to 1387 mm."),
-        (["a.png", "--width=2540mm"], "--width width = 2540 mm: must be from 8.13 to 1387 mm."),
-        (["a.png", "--panes=image", "--width=0mm"], "--width width = 0 mm: must be from 0.0847"),
+        (["a.png", "--width=3000mm"], "--width = 3000 mm: must be from 8.13 to 1387 mm."),
+        (["a.png", "--width=0mm"], "--width = 0 mm: must be from 8.13 to 1387 mm."),
+        (["a.png", "--width=2540mm"], "--width = 2540 mm: must be from 8.13 to 1387 mm."),
+        (["a.png", "--panes=image", "--width=0mm"], "--width = 0 mm: must be from 0.0847"),
         (
             ["a.png", "--panes=equation", "--set=view.equation=frustum", "--width=0mm"],
-            "--width width = 0 mm: must be from 0.0847",
+            "--width = 0 mm: must be from 0.0847",
         ),
         (
             ["a.png", "--size=10cmx1000cm"],
