@@ -41,7 +41,7 @@ from tests.support.window import (
     tick,
 )
 from widgets.panes.pane import Pane
-from widgets.parts.lesson_text import LessonText
+from widgets.parts.lesson_text import LessonText, set_text
 from widgets.parts.messages import MessageBar
 from widgets.window import talk_keys
 from widgets.window.lesson_card import heads
@@ -310,9 +310,15 @@ def is_asked(window: MainWindow) -> bool:
     return bool(asked)
 
 
+def documents_of(band: QWidget) -> list[QTextDocument]:
+    """What a band or a question shows; a band may have laid out others for the next step."""
+    is_band = isinstance(band, TalkBand)
+    return [band.laid.title, band.laid.words] if is_band else band.findChildren(QTextDocument)
+
+
 def column(band: QWidget, text: str) -> QTextDocument:
     """The document of a band or a question that a text stands in."""
-    columns = band.findChildren(QTextDocument)
+    columns = documents_of(band)
     (found,) = (each for each in columns if text in each.toPlainText())
     return found
 
@@ -1004,11 +1010,11 @@ def test_the_band_shows_two_lines_and_leaves_the_rest_to_the_notes(
         step = parse_lesson(TALK.replace("reads **this**", text), talk).steps[0]
         band.show_step(step, "1 / 3")
         assert shown in band.accessibleName()
-        assert left in band.left_out and bool(left) == bool(band.left_out)
+        assert left in band.laid.left_out and bool(left) == bool(band.laid.left_out)
         assert band.height() == high and band.height() <= 0.165 * 768
-        for document in band.findChildren(QTextDocument):
+        for document in documents_of(band):
             assert document.size().height() <= LINE_SHARE * 768
-            least = (SMALLER if band.is_cut else LINES)[-1]
+            least = (SMALLER if band.laid.is_cut else LINES)[-1]
             assert document.defaultFont().pixelSize() >= math.floor(least * 768)
 
 
@@ -1026,9 +1032,9 @@ def test_no_fraction_touches_the_title(display: Any) -> None:
         for step in read(head.path).steps:
             title = ink_rows(band, step.title, ())
             if "$" in step.title:
-                assert band.findChildren(QTextDocument)[0].defaultFont().pixelSize() == round(
-                    0.036 * size[1]
-                ), step.title
+                assert documents_of(band)[0].defaultFont().pixelSize() == round(0.036 * size[1]), (
+                    step.title
+                )
             if (line := ink_rows(band, "", step.parts)).size:
                 assert line[0] - title[-1] > 0.009 * size[1], (head.path.stem, step.title)
 
@@ -1050,8 +1056,8 @@ def test_no_text_vanishes_because_it_is_too_long_or_too_high(
     there = "The class reads **this**, and $\\frac{1}{2}$."
     band.show_step(parse_lesson(TALK.replace(there, text), talk).steps[0], "1 / 3")
     assert band.accessibleName().startswith(f"Fields of alpha {shown}".strip())
-    assert band.is_cut == bool(shown) and bool(band.left_out) != text.startswith("$$")
-    words = band.findChildren(QTextDocument)[1]
+    assert band.laid.is_cut == bool(shown) and bool(band.laid.left_out) != text.startswith("$$")
+    words = documents_of(band)[1]
     assert words.size().height() <= LINE_SHARE * 768
 
 
@@ -1280,6 +1286,48 @@ def test_the_equation_of_the_next_step_and_its_names_are_set_ahead(
     assert window.slide.equation.isVisible() and "cot" in window.slide.equation.accessibleName()
     assert SET.keys() == made and "l" not in made
     qtbot.waitUntil(lambda: "l" in SET)
+
+
+def test_a_pane_that_the_same_scene_has_not_shown_is_drawn_ahead(
+    window: MainWindow, tmp_path: Path, qtbot: Any
+) -> None:
+    path = tmp_path / "panes.md"
+    path.write_text(lesson_of("scene=letter-f", "scene=letter-f\nview.slide=ndc"), "utf-8")
+    assert window.lessons.open(path)
+    pane = window.panes["ndc"]
+    assert not pane.is_built
+    before = [each.drawing for each in pane.resting.all]
+    qtbot.waitUntil(lambda: len(pane.resting.all) > len(before))
+    (ahead,) = (each.drawing for each in pane.resting.all if each.drawing not in before)
+    assert window.lessons.go(1)
+    assert pane.is_built and pane.drawing is ahead
+
+
+def test_the_band_of_the_next_step_is_laid_out_ahead(
+    window: MainWindow, tmp_path: Path, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    laid: list[str] = []
+
+    def noted(document: QTextDocument, text: str, **how: Any) -> None:
+        laid.append(text)
+        set_text(document, text, **how)
+
+    monkeypatch.setattr("widgets.window.talk_band.set_text", noted)
+    path = tmp_path / "band.md"
+    path.write_text(lesson_of("scene=letter-f", "scene=letter-f"), encoding="utf-8")
+    assert window.lessons.open(path)
+    band = window.band
+    qtbot.waitUntil(lambda: "Step 2" in laid)
+    laid.clear()
+    assert window.lessons.go(1)
+    assert not laid and "Step 2" in band.accessibleName()
+    assert window.lessons.go(0)  # at once: nothing is ready
+    assert "Step 1" in laid and "Step 1" in band.accessibleName()
+    qtbot.waitUntil(lambda: "Step 2" in laid)
+    band.resize(band.width() // 2, band.height())  # what was ready has another width
+    laid.clear()
+    assert window.lessons.go(1)
+    assert "Step 2" in laid
 
 
 def open_without_notes(window: MainWindow, folder: Path, steps: str, instead: str = "") -> None:

@@ -17,16 +17,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias, cast
 
+from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QObject, QPoint, QPointF, Qt
-from PySide6.QtGui import (
-    QAccessible,
-    QAccessibleAnnouncementEvent,
-    QFontInfo,
-    QKeyEvent,
-    QPainter,
-    QPaintEvent,
-    QPen,
-)
 from PySide6.QtWidgets import QApplication, QWidget
 
 from app.model.projection import Vector
@@ -108,7 +100,7 @@ class Cursor(QObject):
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
         kinds, kind = QEvent.Type, event.type()
-        if isinstance(event, QKeyEvent) and self._pane.drawing is not None:
+        if isinstance(event, QtGui.QKeyEvent) and self._pane.drawing is not None:
             if kind == kinds.ShortcutOverride and event.key() == Qt.Key.Key_Escape:
                 if self._is_there and not self._is_dragging:
                     event.accept()  # before it removes a probe
@@ -121,7 +113,7 @@ class Cursor(QObject):
             self.let_go()
         return False
 
-    def _press(self, event: QKeyEvent) -> bool:
+    def _press(self, event: QtGui.QKeyEvent) -> bool:
         keys, modifier = Qt.Key, Qt.KeyboardModifier
         key, modifiers = event.key(), event.modifiers() & ~modifier.KeypadModifier
         is_shifted = modifiers == modifier.ShiftModifier
@@ -317,8 +309,8 @@ class Cursor(QObject):
     def _speak(self) -> None:
         self._follow()
         if self.text:
-            event = QAccessibleAnnouncementEvent(self._pane.canvas, self.text)
-            QAccessible.updateAccessibility(event)
+            event = QtGui.QAccessibleAnnouncementEvent(self._pane.canvas, self.text)
+            QtGui.QAccessible.updateAccessibility(event)
 
 
 class _Ring(QWidget):
@@ -335,7 +327,7 @@ class _Ring(QWidget):
     def radius(self) -> int:
         """With the rim; the ring grows with the font."""
         line_px = _HELD_LINE_PX + 2.0 * _RIM_PX
-        return round(_RADIUS_EM * QFontInfo(self.font()).pixelSize() + line_px / 2.0) + 1
+        return round(_RADIUS_EM * QtGui.QFontInfo(self.font()).pixelSize() + line_px / 2.0) + 1
 
     def show_at(self, centre: QPoint, *, held: bool) -> None:
         """Surround a place, with a thicker line while something is held."""
@@ -346,14 +338,14 @@ class _Ring(QWidget):
             self.update()
         self.raise_()
 
-    def paintEvent(self, event: QPaintEvent) -> None:
+    def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         line_px = _HELD_LINE_PX if self._is_held else _LINE_PX
-        painter, palette = QPainter(self), self.palette()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter, palette = QtGui.QPainter(self), self.palette()
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         middle = QPointF(self.width() / 2.0, self.height() / 2.0)
-        radius = _RADIUS_EM * QFontInfo(self.font()).pixelSize()
+        radius = _RADIUS_EM * QtGui.QFontInfo(self.font()).pixelSize()
         rim_px = line_px + 2.0 * _RIM_PX
         for brush, width_px in ((palette.base(), rim_px), (palette.text(), line_px)):
-            painter.setPen(QPen(brush.color(), width_px))
+            painter.setPen(QtGui.QPen(brush.color(), width_px))
             painter.drawEllipse(middle, radius, radius)
         painter.end()

@@ -212,6 +212,11 @@ class Pane(QFrame):
             self._refresh()
 
     @property
+    def is_built(self) -> bool:
+        """Whether the pane has the drawing for what it shows; a hidden one may not."""
+        return self._to_build is None and self.drawing is not None
+
+    @property
     def view(self) -> Camera | None:
         """The pane's own camera if the user has moved it, else None."""
         if self._goes_to is not None:

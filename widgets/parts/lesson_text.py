@@ -10,6 +10,7 @@ from pathlib import Path
 from string import Template
 from typing import Any, cast
 
+from PySide6 import QtGui
 from PySide6.QtCore import (
     QEvent,
     QMimeData,
@@ -21,25 +22,6 @@ from PySide6.QtCore import (
     QSize,
     QSizeF,
     Qt,
-)
-from PySide6.QtGui import (
-    QAccessible,
-    QBrush,
-    QColor,
-    QFont,
-    QFontMetrics,
-    QFontMetricsF,
-    QPainter,
-    QPalette,
-    QPen,
-    QPyTextObject,
-    QResizeEvent,
-    QTextCharFormat,
-    QTextCursor,
-    QTextDocument,
-    QTextFormat,
-    QTextLayout,
-    QWheelEvent,
 )
 from PySide6.QtWidgets import QFrame, QSizePolicy
 
@@ -55,9 +37,12 @@ from widgets.parts.typeset import em_px, fill_line
 
 INKS = "inks"  # a document's property: the colours of letters, ``"#rrggbb"`` by their names
 SPACIOUS = "spacious"  # a document's property: room for large fractions and displayed formulas
-_KIND = QTextFormat.ObjectTypes.UserObject + 1
-_TEX = QTextFormat.Property.UserProperty + 1
-_IS_DISPLAYED, _TAIL = QTextFormat.Property.UserProperty + 2, QTextFormat.Property.UserProperty + 3
+_KIND = QtGui.QTextFormat.ObjectTypes.UserObject + 1
+_TEX = QtGui.QTextFormat.Property.UserProperty + 1
+_IS_DISPLAYED, _TAIL = (
+    QtGui.QTextFormat.Property.UserProperty + 2,
+    QtGui.QTextFormat.Property.UserProperty + 3,
+)
 LONGEST_TAIL = 24
 """Most characters behind a formula that are drawn with it: Qt breaks a line behind any object."""
 LARGER = 1.12  # size of a formula's letters relative to the text's, whose small letters are taller
@@ -79,12 +64,16 @@ def answer_of(part: ReadBlock, here: Here) -> str:
 
 
 def set_text(
-    document: QTextDocument, text: str, *, title: bool = False, palette: QPalette | None = None
+    document: QtGui.QTextDocument,
+    text: str,
+    *,
+    title: bool = False,
+    palette: QtGui.QPalette | None = None,
 ) -> None:
     """Fill a document, which has its font already, with a lesson's Markdown."""
     text = with_native_keys(text)
     html, formulas = html_of(f"## {text}" if title else text)
-    line = palette.color(QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
+    line = palette.color(QtGui.QPalette.ColorRole.Mid).name() if palette is not None else "#888888"
     document.setDefaultStyleSheet(STYLE.substitute(line=line))
     document.setDocumentMargin(0.0)
     document.setIndentWidth(LIST_EM * 2.0 * em_px(document.defaultFont()))
@@ -92,7 +81,7 @@ def set_text(
     layout = document.documentLayout()
     layout.unregisterHandler(_KIND)  # otherwise the handler would be connected again
     layout.registerHandler(_KIND, _formulas())
-    cursor = QTextCursor(document)
+    cursor = QtGui.QTextCursor(document)
     cursor.beginEditBlock()  # so that it is laid out once
     for tex in formulas:
         cursor = document.find(_PLACE, cursor)
@@ -110,25 +99,25 @@ def set_text(
         tail = _tail(document, behind)
         kept.setProperty(_TAIL, tail)
         cursor.setPosition(begin)
-        cursor.setPosition(behind + len(tail), QTextCursor.MoveMode.KeepAnchor)
-        kept.setVerticalAlignment(QTextCharFormat.VerticalAlignment.AlignMiddle)
+        cursor.setPosition(behind + len(tail), QtGui.QTextCursor.MoveMode.KeepAnchor)
+        kept.setVerticalAlignment(QtGui.QTextCharFormat.VerticalAlignment.AlignMiddle)
         # A line with only a formula is as high as one of letters; no line ends beside a formula.
         begins = begin == cursor.block().position() or _at(document, begin - 1).isspace()
         cursor.insertText(MAY_BREAK if begins else NO_BREAK, plain)
         cursor.insertText("\ufffc", kept)
         if not _at(document, cursor.position()).isspace():
             cursor.insertText(NO_BREAK, plain)
-    last = QTextCursor(document)
-    last.movePosition(QTextCursor.MoveOperation.End)
+    last = QtGui.QTextCursor(document)
+    last.movePosition(QtGui.QTextCursor.MoveOperation.End)
     end = last.blockFormat()
     end.setBottomMargin(0.0)
     last.setBlockFormat(end)
     last.endEditBlock()
 
 
-def _tail(document: QTextDocument, place: int) -> str:
+def _tail(document: QtGui.QTextDocument, place: int) -> str:
     """Return the punctuation or the ending behind a formula, up to a space or another formula."""
-    tail, after = "", QTextCursor(document)
+    tail, after = "", QtGui.QTextCursor(document)
     after.setPosition(place)
     own = after.charFormat()
     while len(tail) < LONGEST_TAIL:
@@ -142,22 +131,22 @@ def _tail(document: QTextDocument, place: int) -> str:
     return tail
 
 
-def _at(document: QTextDocument, place: int) -> str:
+def _at(document: QtGui.QTextDocument, place: int) -> str:
     return str(cast(Any, document).characterAt(place))
 
 
-class _Formulas(QPyTextObject):
+class _Formulas(QtGui.QPyTextObject):
     """Lays out and draws the formulas of documents, in the colour of the text around them.
 
     Letters may have colours of their own, by the document's property `INKS`.
     """
 
     def _set(
-        self, document: QTextDocument, at: int, form: QTextFormat
+        self, document: QtGui.QTextDocument, at: int, form: QtGui.QTextFormat
     ) -> tuple[str, Outline, float, QSizeF]:
         """Return TeX, outline, em in pixels, and the size with which Qt centres the formula."""
         font = _font(document, form)
-        tail = QFontMetricsF(font).horizontalAdvance(form.stringProperty(_TAIL))
+        tail = QtGui.QFontMetricsF(font).horizontalAdvance(form.stringProperty(_TAIL))
         tex = form.stringProperty(_TEX)
         em = LARGER * em_px(font)
         if document.property(SPACIOUS):
@@ -172,46 +161,50 @@ class _Formulas(QPyTextObject):
         if 0.0 < widest < shape.width * em:
             em = widest / shape.width
         # Qt centres an object a quarter of the letters' x-height above the line.
-        half = QFontMetrics(form.toCharFormat().font()).xHeight() / 2.0
+        half = QtGui.QFontMetrics(form.toCharFormat().font()).xHeight() / 2.0
         height = max(2.0 * shape.ascent * em - half, 2.0 * shape.descent * em + half)
         return tex, shape, em, QSizeF((shape.width + 2.0 * ROOM_EM) * em + tail, height)
 
-    def intrinsicSize(self, document: QTextDocument, at: int, form: QTextFormat) -> QSizeF:
+    def intrinsicSize(
+        self, document: QtGui.QTextDocument, at: int, form: QtGui.QTextFormat
+    ) -> QSizeF:
         return self._set(document, at, form)[3]
 
     def drawObject(
         self,
-        painter: QPainter,
+        painter: QtGui.QPainter,
         rect: QRectF | QRect,
-        document: QTextDocument,
+        document: QtGui.QTextDocument,
         at: int,
-        form: QTextFormat,
+        form: QtGui.QTextFormat,
     ) -> None:
         tex, shape, em, _ = self._set(document, at, form)
         block = document.findBlock(at)
         line = block.layout().lineForTextPosition(at - block.position())
         top = document.documentLayout().blockBoundingRect(block).top()
         painter.save()
-        painter.setRenderHint(QPainter.RenderHint.Antialiasing)
+        painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.translate(rect.left() + ROOM_EM * em, top + line.y() + line.ascent())
         own = form.toCharFormat().foreground()
-        brush = own if own.style() != Qt.BrushStyle.NoBrush else QBrush(painter.pen().color())
-        painter.setPen(QPen(brush, 0))
+        brush = own if own.style() != Qt.BrushStyle.NoBrush else QtGui.QBrush(painter.pen().color())
+        painter.setPen(QtGui.QPen(brush, 0))
         # `drawText` would take the letters' size from the device, which on paper has other dots.
-        tail = QTextLayout(form.stringProperty(_TAIL), _font(document, form))
+        tail = QtGui.QTextLayout(form.stringProperty(_TAIL), _font(document, form))
         tail.beginLayout()
         letters = tail.createLine()
         letters.setNumColumns(LONGEST_TAIL)
         tail.endLayout()
         tail.draw(painter, QPointF((shape.width + ROOM_EM) * em, -letters.ascent()))
-        inks = {name: QColor(ink) for name, ink in (document.property(INKS) or {}).items()}
+        inks = {name: QtGui.QColor(ink) for name, ink in (document.property(INKS) or {}).items()}
         fill_line(painter, f"${tex}$", em, (0.0, 0.0), brush, inks)
         painter.restore()
 
 
-def _font(document: QTextDocument, form: QTextFormat) -> QFont:
+def _font(document: QtGui.QTextDocument, form: QtGui.QTextFormat) -> QtGui.QFont:
     font = form.toCharFormat().font().resolve(document.defaultFont())
-    if form.intProperty(QTextFormat.Property.FontSizeAdjustment) == 1:  # of a title: `font-size`
+    if (
+        form.intProperty(QtGui.QTextFormat.Property.FontSizeAdjustment) == 1
+    ):  # of a title: `font-size`
         font.setPixelSize(round(1.2 * em_px(font)))
     return font
 
@@ -234,7 +227,7 @@ class LessonText(ReadText):
         self.written, self._is_title = "", title
         self._heights: dict[int, int] = {}  # cached by width: layouts request heights often
         self.document().setProperty(SPACIOUS, True)
-        give_role(self, QAccessible.Role.Document)
+        give_role(self, QtGui.QAccessible.Role.Document)
         self.setFrameShape(QFrame.Shape.NoFrame)
         self.setVerticalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         self.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
@@ -281,17 +274,17 @@ class LessonText(ReadText):
     def minimumSizeHint(self) -> QSize:
         return QSize(60, self.fontMetrics().height())
 
-    def resizeEvent(self, event: QResizeEvent) -> None:
+    def resizeEvent(self, event: QtGui.QResizeEvent) -> None:
         super().resizeEvent(event)
         if event.size().width() != event.oldSize().width():
             self.updateGeometry()
 
-    def wheelEvent(self, event: QWheelEvent) -> None:
+    def wheelEvent(self, event: QtGui.QWheelEvent) -> None:
         event.ignore()  # the area around it scrolls
 
     def createMimeDataFromSelection(self) -> QMimeData:
         cursor, data, words = self.textCursor(), QMimeData(), ""
-        at = QTextCursor(self.document())
+        at = QtGui.QTextCursor(self.document())
         for place in range(cursor.selectionStart(), cursor.selectionEnd()):
             at.setPosition(place + 1)
             tex, tail = (at.charFormat().stringProperty(key) for key in (_TEX, _TAIL))

@@ -173,7 +173,7 @@ class NumberRow(_TypedRow):
         self, name: str, tip: str, scale: Scale, unit: str = "", unit_tip: str = ""
     ) -> None:
         super().__init__(name, tip)
-        self._value: float = scale.value_at(0)
+        self.scale, self._value = scale, float(scale.value_at(0))
         self.limits: Callable[[], str] = str
         """Returns the limits of the number, for a refused text; set by the owner."""
         self.accepts: Callable[[float], bool] = lambda _number: True
@@ -203,7 +203,7 @@ class NumberRow(_TypedRow):
         self.slider.abandoned.connect(self._abandon)
         for widget in (self.slider, self.field):
             widget.installEventFilter(self)
-        self.setScale(scale)
+        self._fit_slider(scale)
 
     # -- set by the owner
 
@@ -220,6 +220,10 @@ class NumberRow(_TypedRow):
                 self._show_value()
 
     def setScale(self, scale: Scale) -> None:
+        if scale != self.scale:
+            self._fit_slider(scale)
+
+    def _fit_slider(self, scale: Scale) -> None:
         self.scale = scale
         self.slider.stops = scale.stops
         with QSignalBlocker(self.slider):

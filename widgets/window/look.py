@@ -164,20 +164,17 @@ class Look(QObject):
         return drawn, self.words, style.enlarged(SCALES.get(quality.smoothing, 1)), *how
 
     def draw_ahead(self, steps: Sequence[ShownData]) -> Iterator[None]:
-        """Draw scenes that may be shown next, piece by piece.
-
-        The steps show other scenes than the current one, with its quality.
-        """
+        """Draw what may be shown next and has not been drawn, piece by piece."""
         for step in steps:
             self.adaptive.reduce_ahead(step.scene)
             yield
         style, drawn = self._style(), self.adaptive.drawn
-        steps = [step for step in steps if self.adaptive.whole(step.scene) is not drawn]
         plan = [
             (pane, step, self._arguments(name, self.adaptive.whole(step.scene), style))
             for step in steps
             for name, pane in self._panes.items()
             if self._is_seen_at(step, name)
+            and not (pane.is_built and self.adaptive.whole(step.scene) is drawn)
         ]
         for pane, step, arguments in plan:
             pane.resting.draw(step, pane.drawing, *arguments)

@@ -17,6 +17,7 @@ from widgets.parts.panel import ShownData
 from widgets.parts.plain import TextDocument
 from widgets.window.lessons import TRANSITION_S, Lessons
 from widgets.window.look import Look
+from widgets.window.talk_band import TalkBand
 
 REST_MS = round(1000 * TRANSITION_S) + 150
 """Delay after a step before the next one is prepared, in the background."""
@@ -27,9 +28,9 @@ class StepPreparation(QObject):
 
     done = Signal()  # everything but the speaker's picture of the next step is prepared
 
-    def __init__(self, lessons: Lessons, look: Look, parent: QObject) -> None:
+    def __init__(self, lessons: Lessons, look: Look, band: TalkBand, parent: QObject) -> None:
         super().__init__(parent)
-        self._lessons, self._look = lessons, look
+        self._lessons, self._look, self._band = lessons, look, band
         self._rest = QTimer(self, singleShot=True, interval=REST_MS)
         self._slice = QTimer(self, singleShot=True, interval=0)
         self._rest.timeout.connect(self._slice.start)
@@ -65,7 +66,9 @@ class StepPreparation(QObject):
             if not 0 <= number < len(steps):
                 continue
             step = steps[number]
-            set_text(TextDocument(), step.title, title=True)
+            if self._draws:
+                self._band.prepare(step)
+                yield
             try:
                 played = [PlayedBlock(player, number, block) for block in step.asked]
                 for block in played:

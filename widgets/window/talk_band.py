@@ -9,6 +9,7 @@ import math
 import re
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator
+from typing import NamedTuple
 
 from PySide6 import QtGui
 from PySide6.QtCore import QEvent, QPointF, QRectF, Qt
@@ -38,11 +39,20 @@ _PIECE = re.compile(r"\$\$.+?\$\$|\$.+?\$\S*|\S+", re.DOTALL)
 """A word, or a formula with what follows it directly."""
 
 
+class _LaidOut(NamedTuple):
+    """The texts of a step as they fit the band."""
+
+    title: TextDocument
+    words: TextDocument
+    shown: str  # the part of the words that fits
+    left_out: str  # what the speaker says instead
+    is_cut: bool  # no part fits: smaller letters show one, or only its beginning is shown
+
+
 class TalkBand(FittedWidget, QFrame):
     """A step's title and what it says in two lines at the most.
 
-    The speaker says the words that are `left_out`. It `is_cut` if no part of them fits: smaller
-    letters show one, or only its beginning is shown.
+    `laid` is what it shows.
     """
 
     concerns = frozenset({"scene", "view"})
@@ -51,12 +61,13 @@ class TalkBand(FittedWidget, QFrame):
         super().__init__()
         self.setObjectName("talkBand")
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._title, self._words = TextDocument(self), TextDocument(self)
-        self._number = self.message = self.left_out = ""
-        self.is_cut = False
-        self._texts: list[str] = [""]  # what the line may say: the first that fits is taken
-        self._step = ""
+        self._number = self.message = ""
+        self._texts: tuple[str, ...] = "", ""
+        """The title, and what the line may say: the first that fits is taken."""
+        self._ready: dict[tuple[str, ...], _LaidOut] = {}
+        self.laid = _LaidOut(TextDocument(), TextDocument(), "", "", False)
         self._screen_px = 0.0
+        self._inks: dict[str, str] = {}
         self._style = LIGHT
         self._shown: ShownData | None = None
         self.hide()
@@ -73,8 +84,8 @@ class TalkBand(FittedWidget, QFrame):
     def _colour(self) -> None:
         if self._shown is not None:
             paper, hues = self._style.background, self._shown.hues(self._style)
-            inks = {name: tone(hue, paper) for name, hue in hues.items()}
-            self._words.setProperty(INKS, inks)
+            self._inks = {name: tone(hue, paper) for name, hue in hues.items()}
+            self.laid.words.setProperty(INKS, self._inks)
             self.update()
 
     def set_screen(self, screen_px: float) -> None:
@@ -83,14 +94,15 @@ class TalkBand(FittedWidget, QFrame):
         self.setFixedHeight(round((TOP_SHARE + TITLE_SHARE + GAP_SHARE + LINE_SHARE) * screen_px))
 
     def show_step(self, step: Step, number: str) -> None:
-        self._number, self._step = number, step.title
-        words = "\n\n".join(part.text for part in step.parts if not part.reveals)
-        # The band has no room for a table; such a step shows its equation.
-        paragraphs = [each for each in words.split("\n\n") if not each.startswith("|")]
-        formulas = [each for each in paragraphs if each.startswith("$$")]
-        shorter = ["\n\n".join(formulas), *formulas[:1], *paragraphs[:1]]
-        self._texts = [words, *filter(None, shorter)]
-        self._fit()
+        self._number, self._texts = number, _texts_of(step)
+        self._show()
+        self._ready.clear()
+
+    def prepare(self, step: Step) -> None:
+        """Lay out a step that may be shown next."""
+        if self._screen_px:
+            texts = _texts_of(step)
+            self._ready[texts] = self._laid_out(texts)
 
     def show_message(self, note: str) -> None:
         """Show a message below the number of the step; an empty one hides it."""
@@ -108,47 +120,56 @@ class TalkBand(FittedWidget, QFrame):
         return QRectF(self.rect()).adjusted(edge, TOP_SHARE * self._screen_px, -edge, 0.0)
 
     def _fit(self) -> None:
-        """Take the first of the texts that fits, in the largest letters that do."""
+        self._ready.clear()
+        self._show()
+
+    def _show(self) -> None:
         if not self._screen_px:  # no talk: F5 does not wait for the reader of Markdown
             return
-        room, title_px = self._room, math.ceil((TITLE_SHARE + GAP_SHARE) * self._screen_px)
-        number_px = 5.0 * NUMBER_SHARE * self._screen_px
-        set_text(self._title, self._step, title=True, palette=self.palette())
-        for share in TITLES:
-            self._lay_out(self._title, share, room.width() - number_px)
-            if self._title.size().height() <= title_px:
-                break
-        shown = next((text for text in self._texts if self._fits(text)), None)
-        self.is_cut = shown is None and len(self._texts) > 1
-        if shown is None:
-            shown = self._squeezed(self._texts[-1] if self.is_cut else "")
-        self.left_out = "" if shown == self._texts[0] else self._texts[0]
-        self.setAccessibleName(spoken_text(f"{self._step}\n\n{shown}"))
+        self.laid = self._ready.get(self._texts) or self._laid_out(self._texts)
+        self.laid.words.setProperty(INKS, self._inks)
+        self.setAccessibleName(spoken_text(f"{self._texts[0]}\n\n{self.laid.shown}"))
         self.update()
 
-    def _squeezed(self, text: str) -> str:
+    def _laid_out(self, texts: tuple[str, ...]) -> _LaidOut:
+        """Take the first of the texts that fits, in the largest letters that do."""
+        room, title_px = self._room, math.ceil((TITLE_SHARE + GAP_SHARE) * self._screen_px)
+        number_px = 5.0 * NUMBER_SHARE * self._screen_px
+        title, words = TextDocument(), TextDocument()
+        set_text(title, texts[0], title=True, palette=self.palette())
+        for share in TITLES:
+            self._lay_out(title, share, room.width() - number_px)
+            if title.size().height() <= title_px:
+                break
+        shown = next((text for text in texts[1:] if self._fits(words, text)), None)
+        is_cut = shown is None and len(texts) > 2
+        if shown is None:
+            shown = self._squeezed(words, texts[-1] if is_cut else "")
+        return _LaidOut(title, words, shown, "" if shown == texts[1] else texts[1], is_cut)
+
+    def _squeezed(self, words: TextDocument, text: str) -> str:
         """Lay out as much of a text as fits in smaller letters, at least a word; return it."""
         pieces = _PIECE.findall(text)
-        if self._fits(text, SMALLER) or len(pieces) < 2:
+        if self._fits(words, text, SMALLER) or len(pieces) < 2:
             return text
         shorter = [f"{' '.join(pieces[:count])} …" for count in range(1, len(pieces))]
-        too_long = bisect_left(shorter, True, key=lambda each: not self._fits(each, SMALLER))
+        too_long = bisect_left(shorter, True, key=lambda each: not self._fits(words, each, SMALLER))
         shown = shorter[max(0, too_long - 1)]
-        self._fits(shown, SMALLER)
+        self._fits(words, shown, SMALLER)
         return shown
 
-    def _fits(self, text: str, letters: tuple[float, ...] = LINES) -> bool:
+    def _fits(self, words: TextDocument, text: str, letters: tuple[float, ...] = LINES) -> bool:
         """Lay out a text; return whether it fits the line."""
-        set_text(self._words, text, palette=self.palette())
-        cursor = QtGui.QTextCursor(self._words)  # a displayed formula would stand in the middle
+        set_text(words, text, palette=self.palette())
+        cursor = QtGui.QTextCursor(words)  # a displayed formula would stand in the middle
         cursor.select(QtGui.QTextCursor.SelectionType.Document)
         left = QtGui.QTextBlockFormat()
         left.setAlignment(Qt.AlignmentFlag.AlignLeft)
         cursor.mergeBlockFormat(left)
         for share in letters:
-            self._lay_out(self._words, share, self._room.width())
-            if self._words.size().height() <= LINE_SHARE * self._screen_px:
-                return _lines_of(self._words) <= MOST_LINES
+            self._lay_out(words, share, self._room.width())
+            if words.size().height() <= LINE_SHARE * self._screen_px:
+                return _lines_of(words) <= MOST_LINES
         return not text
 
     def _lay_out(self, document: QtGui.QTextDocument, share: float, width: float) -> None:
@@ -161,10 +182,10 @@ class TalkBand(FittedWidget, QFrame):
         super().paintEvent(event)
         painter, room = QtGui.QPainter(self), self._room
         below = room.top() + (TITLE_SHARE + GAP_SHARE) * self._screen_px
-        free = LINE_SHARE * self._screen_px - self._words.size().height()
-        self._title.paint(painter, room.topLeft(), self.palette())
+        free = LINE_SHARE * self._screen_px - self.laid.words.size().height()
+        self.laid.title.paint(painter, room.topLeft(), self.palette())
         corner = QPointF(room.left(), below + max(0.0, free / 3.0))
-        self._words.paint(painter, corner, self.palette())
+        self.laid.words.paint(painter, corner, self.palette())
         font = QtGui.QFont(self.font())
         font.setPixelSize(max(8, round(NUMBER_SHARE * self._screen_px)))
         painter.setFont(font)
@@ -188,8 +209,17 @@ def shortened(steps: Iterable[Step], size: tuple[int, int]) -> Iterator[tuple[bo
     band.resize(size[0], band.height())
     for step in steps:
         band.show_step(step, "")
-        yield band.is_cut, bool(band.left_out)
+        yield band.laid.is_cut, bool(band.laid.left_out)
     del band  # before the application
+
+
+def _texts_of(step: Step) -> tuple[str, ...]:
+    words = "\n\n".join(part.text for part in step.parts if not part.reveals)
+    # The band has no room for a table; such a step shows its equation.
+    paragraphs = [each for each in words.split("\n\n") if not each.startswith("|")]
+    formulas = [each for each in paragraphs if each.startswith("$$")]
+    shorter = ["\n\n".join(formulas), *formulas[:1], *paragraphs[:1]]
+    return step.title, words, *filter(None, shorter)
 
 
 def _lines_of(document: QtGui.QTextDocument) -> int:

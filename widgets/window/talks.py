@@ -59,7 +59,7 @@ class Talks(QObject):
         self._band, self._question, self._pen, self._look = band, question, pen, look
         self._drawn_on: Path | None = None  # the file of the talk that the strokes belong to
         self.writer = TalkWriter(window, lessons, store, messages)
-        self._ahead = StepPreparation(lessons, look, self)
+        self._ahead = StepPreparation(lessons, look, band, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
         self._looks = False  # whether the slide is being painted for the speaker's window
@@ -134,7 +134,7 @@ class Talks(QObject):
             self._band.set_screen(self._screen_px)
             self._band.show_step(step, f"{player.place + 1} / {len(player.lesson.steps)}")
         if self.speaker is not None:
-            self.speaker.show_step(player, self._band.left_out if self.is_on else "")
+            self.speaker.show_step(player, self._band.laid.left_out if self.is_on else "")
         self.see_later()
         self._ahead.begin_later(draws=self.is_on or self.speaker is not None)
 
