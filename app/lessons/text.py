@@ -191,6 +191,7 @@ _SIGNS = {
 }  # fmt: skip
 
 
+@cached
 def in_line(text: str) -> str:
     """Return a text without markup for a list or a button, with signs for what has one."""
     text = _MINUS.sub("\N{MINUS SIGN}", plain_of(text))
