@@ -4,16 +4,8 @@ import math
 from collections.abc import Callable
 from typing import Any, TypeAlias
 
-from PySide6 import QtGui
+from PySide6 import QtGui, QtWidgets
 from PySide6.QtCore import QAbstractTableModel, QModelIndex, QPersistentModelIndex, QRectF, Qt
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QHeaderView,
-    QStyle,
-    QStyledItemDelegate,
-    QStyleOptionViewItem,
-    QTableView,
-)
 
 from app.lecture.highlight import NOTHING, Highlight
 from widgets.panels.probe_numbers import DIVIDE, ProbeRows
@@ -112,7 +104,7 @@ class _Model(QAbstractTableModel):
         return f"{self.content.probes[probe]}: {'xyzw'[part]}"
 
 
-class ProbeTable(QTableView):
+class ProbeTable(QtWidgets.QTableView):
     """A table that shows four digits of every number and copies all digits."""
 
     def __init__(self) -> None:
@@ -129,12 +121,12 @@ class ProbeTable(QTableView):
         self.setContextMenuPolicy(Qt.ContextMenuPolicy.ActionsContextMenu)
         self.setMouseTracking(True)
         self.setTabKeyNavigation(False)  # the keyboard could not leave the table
-        self.setSelectionMode(QAbstractItemView.SelectionMode.ContiguousSelection)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.ContiguousSelection)
         self.setWordWrap(False)
         self.setAlternatingRowColors(True)
-        self.setHorizontalScrollMode(QAbstractItemView.ScrollMode.ScrollPerPixel)
+        self.setHorizontalScrollMode(QtWidgets.QAbstractItemView.ScrollMode.ScrollPerPixel)
         self.horizontalHeader().setHighlightSections(False)
-        self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
+        self.verticalHeader().setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setMinimumSectionSize(0)
 
     def show_numbers(self, content: ProbeRows, font: QtGui.QFont, *, anew: bool) -> None:
@@ -202,20 +194,22 @@ class ProbeTable(QTableView):
             super().keyPressEvent(event)
 
 
-class _FormulaDelegate(QStyledItemDelegate):
+class _FormulaDelegate(QtWidgets.QStyledItemDelegate):
     """Paints the formulas of the lines."""
 
-    def initStyleOption(self, option: QStyleOptionViewItem, index: _Index) -> None:
+    def initStyleOption(self, option: QtWidgets.QStyleOptionViewItem, index: _Index) -> None:
         super().initStyleOption(option, index)
         option.text = ""  # the delegate paints only the background
 
-    def paint(self, painter: QtGui.QPainter, option: QStyleOptionViewItem, index: _Index) -> None:
+    def paint(
+        self, painter: QtGui.QPainter, option: QtWidgets.QStyleOptionViewItem, index: _Index
+    ) -> None:
         super().paint(painter, option, index)
-        own = QStyleOptionViewItem(option)
+        own = QtWidgets.QStyleOptionViewItem(option)
         self.initStyleOption(own, index)
         formula = typeset(index.data(FORMULA), own.font)
         roles = QtGui.QPalette.ColorRole
-        is_selected = bool(own.state & QStyle.StateFlag.State_Selected)
+        is_selected = bool(own.state & QtWidgets.QStyle.StateFlag.State_Selected)
         painter.save()
         painter.setRenderHint(QtGui.QPainter.RenderHint.Antialiasing)
         painter.setPen(own.palette.color(roles.HighlightedText if is_selected else roles.Text))

@@ -222,9 +222,8 @@ class Pane(QFrame):
         if self._goes_to is not None:
             return self._goes_to[0]
         asked: Camera | None = self.requested["view"]
-        if self._to_build is not None or self.drawing is None or "view" in self._due:
-            return asked
-        return self.drawing.view
+        drawing = self.drawing if self.is_built and "view" not in self._due else None
+        return asked if drawing is None else drawing.view
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Show the model's new value; a hidden pane does it on appearing."""
@@ -269,8 +268,7 @@ class Pane(QFrame):
 
     def show_highlight(self, highlighted: Highlight) -> None:
         self.requested["highlight"] = highlighted
-        is_old = self._waits or self._to_build is not None
-        if not self.isVisible() or is_old or self.drawing is None:
+        if not self.isVisible() or self._waits or self.drawing is None or not self.is_built:
             self._due.add("highlight")
             return
         self._applied["highlight"] = highlighted

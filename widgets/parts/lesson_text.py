@@ -202,9 +202,7 @@ class _Formulas(QtGui.QPyTextObject):
 
 def _font(document: QtGui.QTextDocument, form: QtGui.QTextFormat) -> QtGui.QFont:
     font = form.toCharFormat().font().resolve(document.defaultFont())
-    if (
-        form.intProperty(QtGui.QTextFormat.Property.FontSizeAdjustment) == 1
-    ):  # of a title: `font-size`
+    if form.intProperty(QtGui.QTextFormat.Property.FontSizeAdjustment) == 1:  # of a title
         font.setPixelSize(round(1.2 * em_px(font)))
     return font
 

@@ -5,17 +5,9 @@ from functools import cache, partial
 from pathlib import Path
 from typing import NamedTuple
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QCoreApplication, QObject, QSize, Qt, Signal
 from PySide6.QtGui import QAction, QActionGroup, QFontInfo, QKeySequence, QPalette
-from PySide6.QtWidgets import (
-    QLineEdit,
-    QMainWindow,
-    QMenu,
-    QSizePolicy,
-    QToolBar,
-    QToolButton,
-    QWidget,
-)
 
 from app.document.view import LAYOUTS
 from app.languages import LANGUAGES
@@ -82,10 +74,10 @@ def _keys(text: str) -> str | QKeySequence.StandardKey | None:
     return _NAMED_KEYS.get(name) or QKeySequence.StandardKey[name]
 
 
-def take_typed(window: QMainWindow) -> None:
+def take_typed(window: QtWidgets.QMainWindow) -> None:
     """Commit a text that is being typed, as if its field lost the focus."""
     field = window.focusWidget()
-    if isinstance(field, QLineEdit) and field.isModified():
+    if isinstance(field, QtWidgets.QLineEdit) and field.isModified():
         field.clearFocus()
         if not window.isActiveWindow():  # the field then has no focus to lose
             field.editingFinished.emit()
@@ -104,7 +96,7 @@ class Actions(QObject):
 
     def __init__(
         self,
-        window: QMainWindow,
+        window: QtWidgets.QMainWindow,
         *,
         files: Files,
         pictures: Pictures,
@@ -205,8 +197,8 @@ class Actions(QObject):
         self._made[name] = [action]
         return action
 
-    def _submenu(self, name: str) -> QMenu:
-        menu = QMenu(_tr(menus()[name].title), self._window)
+    def _submenu(self, name: str) -> QtWidgets.QMenu:
+        menu = QtWidgets.QMenu(_tr(menus()[name].title), self._window)
         self._made[name] = [menu.menuAction()]
         return menu
 
@@ -224,9 +216,9 @@ class Actions(QObject):
                 group.addAction(action)
         return made
 
-    def _menu(self, name: str, menu: QMenu | None = None) -> QMenu:
+    def _menu(self, name: str, menu: QtWidgets.QMenu | None = None) -> QtWidgets.QMenu:
         """Add a menu to the menu bar, with what was made for it; by default a new one."""
-        menu = menu or QMenu(self._window)
+        menu = menu or QtWidgets.QMenu(self._window)
         menu.setTitle(_tr(menus()[name].title))
         for each in menus()[name].order:
             if each == SEPARATOR:
@@ -271,7 +263,7 @@ class Actions(QObject):
         self._named("reset_views", slots.reset_views)
 
     def _make_tool_bar(self) -> None:
-        self.tools = tools = QToolBar(self.tr("Tools"))
+        self.tools = tools = QtWidgets.QToolBar(self.tr("Tools"))
         tools.setObjectName("tools")
         tools.setMovable(False)
         tools.setIconSize(QSize(ICON_PX, ICON_PX))
@@ -283,8 +275,10 @@ class Actions(QObject):
         label = PlainLabel(self.tr("Scene"), tools)
         label.setBuddy(self.scene_box)
         label.hide()
-        rest = QWidget()
-        rest.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Preferred)
+        rest = QtWidgets.QWidget()
+        rest.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Expanding, QtWidgets.QSizePolicy.Policy.Preferred
+        )
         buttons = menus()["tools"]
         for name in buttons.order:
             if name == SEPARATOR:
@@ -300,7 +294,7 @@ class Actions(QObject):
         self._window.addToolBar(tools)
         for action in (self.export, self.present):
             button = tools.widgetForAction(action)
-            assert isinstance(button, QToolButton)
+            assert isinstance(button, QtWidgets.QToolButton)
             button.setToolButtonStyle(Qt.ToolButtonStyle.ToolButtonTextBesideIcon)
             if action is self.present:  # on the colour of a choice
                 button.setIcon(icon("present", QPalette.ColorRole.HighlightedText))

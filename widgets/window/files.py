@@ -7,15 +7,8 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TypeVar
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QObject, Signal
-from PySide6.QtWidgets import (
-    QDialog,
-    QDialogButtonBox,
-    QFileDialog,
-    QListWidget,
-    QMainWindow,
-    QMessageBox,
-)
 
 from app.document.document import MESH_ENDINGS, Document, is_mesh
 from app.document.files import holds_document, read, write
@@ -51,7 +44,7 @@ class Files(QObject):
     lesson_wanted = Signal(str)  # the user has opened the file of a lesson or talk
 
     def __init__(
-        self, window: QMainWindow, store: Store, messages: MessageBar, settings: Settings
+        self, window: QtWidgets.QMainWindow, store: Store, messages: MessageBar, settings: Settings
     ) -> None:
         super().__init__(window)
         self._window, self._store, self._messages = window, store, messages
@@ -132,14 +125,14 @@ class Files(QObject):
         return True
 
     def _ask_for_view(self, names: list[str]) -> str:
-        dialog, views = QDialog(self._window), QListWidget()
+        dialog, views = QtWidgets.QDialog(self._window), QtWidgets.QListWidget()
         dialog.setWindowTitle(self.tr("Open a camera"))
         views.addItems(names)
         views.setCurrentRow(0)
         views.itemActivated.connect(dialog.accept)
         asked = PlainLabel(self.tr("The file has {0} views:").format(len(names)))
         asked.setBuddy(views)
-        buttons = dialog_buttons(dialog, QDialogButtonBox.StandardButton.Ok)
+        buttons = dialog_buttons(dialog, QtWidgets.QDialogButtonBox.StandardButton.Ok)
         in_column(asked, views, buttons, on=dialog)
         if not dialog.exec():
             raise Cancelled
@@ -189,7 +182,7 @@ class Files(QObject):
         return self._ask(title, os.path.dirname(beside), kinds)
 
     def _ask(self, title: str, folder: str, kinds: str) -> str:
-        return QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
+        return QtWidgets.QFileDialog.getOpenFileName(self._window, title, folder, kinds)[0]
 
     def note_opened(self, path: Path) -> None:
         self._set_path(self._place(path))
@@ -252,9 +245,11 @@ class Files(QObject):
             return self.save_to(self.path)
         text = self.tr("{0} has been changed elsewhere since it was opened or saved here.")
         box = message_box(self._window, text.format(self.path.name), self.tr("Save over it?"))
-        over = box.addButton(self.tr("Save &over it"), QMessageBox.ButtonRole.DestructiveRole)
-        beside = box.addButton(self.tr("Save &as…"), QMessageBox.ButtonRole.AcceptRole)
-        box.addButton(QMessageBox.StandardButton.Cancel)
+        over = box.addButton(
+            self.tr("Save &over it"), QtWidgets.QMessageBox.ButtonRole.DestructiveRole
+        )
+        beside = box.addButton(self.tr("Save &as…"), QtWidgets.QMessageBox.ButtonRole.AcceptRole)
+        box.addButton(QtWidgets.QMessageBox.StandardButton.Cancel)
         box.setDefaultButton(beside)
         box.exec()
         if box.clickedButton() is over:
@@ -288,7 +283,7 @@ class Files(QObject):
             return True
         text = self.tr("There are unsaved changes.")
         box = message_box(self._window, text, self.tr("Save them first?"))
-        buttons = QMessageBox.StandardButton
+        buttons = QtWidgets.QMessageBox.StandardButton
         box.setStandardButtons(buttons.Save | buttons.Discard | buttons.Cancel)
         box.setDefaultButton(buttons.Save)
         answer = box.exec()

@@ -7,17 +7,9 @@ elsewhere they have other meanings.
 from collections.abc import Callable
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QEvent, QObject, Qt, QTimer, Signal
 from PySide6.QtGui import QKeyEvent, QKeySequence, QWindow
-from PySide6.QtWidgets import (
-    QAbstractSpinBox,
-    QApplication,
-    QLineEdit,
-    QMainWindow,
-    QPlainTextEdit,
-    QTextEdit,
-    QWidget,
-)
 
 from widgets.window.help import ways_to_press
 from widgets.window.lesson_card import AGAIN_KEY
@@ -46,7 +38,7 @@ class TalkKeys(QObject):
     typing = Signal(str)  # the digits typed so far; empty once they are discarded
 
     def __init__(
-        self, window: QMainWindow, lessons: Lessons, present: Present, parent: QObject
+        self, window: QtWidgets.QMainWindow, lessons: Lessons, present: Present, parent: QObject
     ) -> None:
         super().__init__(parent)
         self._window, self._present, self._again = window, present, lessons.come_back
@@ -66,7 +58,7 @@ class TalkKeys(QObject):
         """Intercept the keys while a talk is presented or its speaker's window is open."""
         self._is_on, self.speaker = is_on, speaker
         listens = is_on or speaker is not None
-        application = QApplication.instance()
+        application = QtWidgets.QApplication.instance()
         assert application is not None
         if listens and not self._listens:
             application.installEventFilter(self)
@@ -92,7 +84,11 @@ class TalkKeys(QObject):
         top = self._top_of(watched)
         is_of_speaker = self.speaker is not None and top is self.speaker
         is_ours = is_of_speaker or (self._is_on and top is self._window)
-        if not is_ours or QApplication.activeModalWidget() or QApplication.activePopupWidget():
+        if (
+            not is_ours
+            or QtWidgets.QApplication.activeModalWidget()
+            or QtWidgets.QApplication.activePopupWidget()
+        ):
             return None
         key, held = Qt.Key(event.key()), event.modifiers() & ~Qt.KeyboardModifier.KeypadModifier
         larger = _LARGER.get(key, 0) if held & Qt.KeyboardModifier.ControlModifier else 0
@@ -114,12 +110,12 @@ class TalkKeys(QObject):
             return self._present.blank
         return self._acts.get(key)
 
-    def _top_of(self, watched: QObject) -> QWidget | None:
+    def _top_of(self, watched: QObject) -> QtWidgets.QWidget | None:
         """Return the window of an object; a floating pane belongs to the main window."""
         if isinstance(watched, QWindow):
             tops = (self._window, self.speaker)
             return next((top for top in tops if top and top.windowHandle() is watched), None)
-        if not isinstance(watched, QWidget):
+        if not isinstance(watched, QtWidgets.QWidget):
             return None
         top = watched.window()
         is_afloat = top is not self.speaker and top.parentWidget() is self._window
@@ -147,7 +143,7 @@ class TalkKeys(QObject):
 
 
 def is_typed_in() -> bool:
-    field = QApplication.focusWidget()
-    if isinstance(field, (QTextEdit, QPlainTextEdit)):
+    field = QtWidgets.QApplication.focusWidget()
+    if isinstance(field, (QtWidgets.QTextEdit, QtWidgets.QPlainTextEdit)):
         return not field.isReadOnly()
-    return isinstance(field, (QLineEdit, QAbstractSpinBox))
+    return isinstance(field, (QtWidgets.QLineEdit, QtWidgets.QAbstractSpinBox))
