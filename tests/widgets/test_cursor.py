@@ -120,7 +120,7 @@ def heard(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The announcements to a screen reader."""
     texts: list[str] = []
     listening = SimpleNamespace(updateAccessibility=lambda event: texts.append(event.message()))
-    monkeypatch.setattr("widgets.panes.cursor.QAccessible", listening)
+    monkeypatch.setattr("widgets.panes.cursor.QtGui.QAccessible", listening)
     return texts
 
 

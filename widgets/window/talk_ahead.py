@@ -66,9 +66,9 @@ class StepPreparation(QObject):
             if not 0 <= number < len(steps):
                 continue
             step = steps[number]
+            set_text(TextDocument(), step.title, title=True)
             if self._draws:
                 self._band.prepare(step)
-                yield
             try:
                 played = [PlayedBlock(player, number, block) for block in step.asked]
                 for block in played:
