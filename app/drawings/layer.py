@@ -292,15 +292,19 @@ class Layers:
         self._waiting = {layer: attrgetter(layer.needs) for layer in layers if layer.needs}
         self._kept: dict[str, list[Layer]] = {}
         self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
+        self._settles = False  # whether the layers shall `settle` after these changes
 
     @contextmanager
     def placing_once(self) -> Iterator[None]:
-        """Place the labels once, after several changes."""
+        """Settle once, and place the labels once, after several changes."""
         self._asked = asked = list[bool]()
+        self._settles = False
         try:
             yield
         finally:
             self._asked = None
+            if self._settles:
+                self.settle()
             if asked:
                 self.place_labels(afresh=any(asked))
 
@@ -338,6 +342,9 @@ class Layers:
         return any(changes)
 
     def settle(self) -> None:
+        if self._asked is not None:
+            self._settles = True
+            return
         for layer in self._changing("settle"):
             layer.settle()
 

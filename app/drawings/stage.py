@@ -128,8 +128,9 @@ class StageDrawing(Drawing):
             self.handles = HandleMarks(state)
             layers.append(self.handles)
         self.layers = Layers(state, *layers)
-        self._show()
-        self.reset_view()
+        with self.layers.placing_once():
+            self._show()
+            self.reset_view()
 
     @property
     def precision(self) -> Precision:

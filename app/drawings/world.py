@@ -204,9 +204,10 @@ class WorldDrawing(Drawing):
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
         self._goes_to: Framed | None = None  # what is framed where the pane's present way ends
-        self._name()
-        self.show_projection(scene.start)
-        self.reset_view()
+        with self.layers.placing_once():
+            self._name()
+            self.show_projection(scene.start)
+            self.reset_view()
 
     # -- fixed views and layers
 
