@@ -54,14 +54,27 @@ class PropGroup:
         for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
             renderer.SetDraw(drawn)
 
-    def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
+    @property
+    def last(self) -> vtkProp:
+        """The prop that was added last."""
+        return self._props[-1][1]
+
+    def add(
+        self, *props: vtkProp, renderer: Any = None, layer: str = "", after: vtkProp | None = None
+    ) -> None:
         """Add props to a renderer, the screen's own by default.
 
-        The props of a layer are shown and hidden by `set_visible` alone.
+        They are drawn in the order in which they were added, or `after` another one. The props of a
+        layer are shown and hidden by `set_visible` alone.
         """
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
             renderer.AddViewProp(prop)
+            if after is not None:
+                drawn = renderer.GetViewProps()
+                drawn.RemoveItem(prop)
+                drawn.InsertItem(drawn.IsItemPresent(after) - 1, prop)
+                after = prop
             self._props.append((renderer, prop))
             if layer:
                 self._layers[prop] = layer

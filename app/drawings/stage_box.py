@@ -244,8 +244,7 @@ class StageBox(Layer):
 
     def _make_emphasis(self) -> None:
         emphasis = self._state.emphasis
-        for face in emphasis.volume(self._space, CUBE):
-            put_behind(face)
+        emphasis.volume(self._space, CUBE, behind=True)
         for name, line in self._outlines.items():
             emphasis.line(line, name)
         emphasis.line(self._edges, of=ENDS)
