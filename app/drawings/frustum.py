@@ -38,10 +38,8 @@ CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _BEYOND = 1.5  # how far the frustum is drawn, relative to the depth of the objects
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
-_FADE_FROM, _FADED = (
-    0.6,
-    0.15,
-)  # share of the pane under a plane; share of the tint if that is all of it
+# Share of the pane under a plane; share of the tint if that is all of it.
+_FADE_FROM, _FADED = 0.6, 0.15
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""

@@ -341,7 +341,7 @@ class ScreenLines:
             self.used += 1
 
     def end(self) -> None:
-        if "_cells" in self.__dict__:
+        if self.used:
             self._cells.changed()
         self._canvas.set_visible(self.used > 0, self.actor)
 

@@ -291,21 +291,20 @@ class Layers:
         self._state, self._layers = state, layers
         self._waiting = {layer: attrgetter(layer.needs) for layer in layers if layer.needs}
         self._kept: dict[str, list[Layer]] = {}
-        self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
-        self._settles = False  # whether the layers shall `settle` after these changes
+        self._asked: list[bool | None] | None = None
+        """While all changes are awaited: whether labels are placed afresh, or None to `settle`."""
 
     @contextmanager
     def placing_once(self) -> Iterator[None]:
         """Settle once, and place the labels once, after several changes."""
-        self._asked = asked = list[bool]()
-        self._settles = False
+        self._asked = asked = list[bool | None]()
         try:
             yield
         finally:
             self._asked = None
-            if self._settles:
+            if None in asked:
                 self.settle()
-            if asked:
+            if any(each is not None for each in asked):
                 self.place_labels(afresh=any(asked))
 
     def _those(self, verb: str) -> list[Layer]:
@@ -343,7 +342,7 @@ class Layers:
 
     def settle(self) -> None:
         if self._asked is not None:
-            self._settles = True
+            self._asked.append(None)
             return
         for layer in self._changing("settle"):
             layer.settle()

@@ -102,24 +102,26 @@ class Emphasis:
         `corners`, (8, 3), are in the order of `highlight.CORNERS` and under `space`. The faces may
         be put `behind` the scene.
         """
-        made, before = dict[str, list[vtkActor]](), self._canvas.last
-        style = self._canvas.style
+        made, style = dict[str, list[vtkActor]](), self._canvas.style
+        before = self._canvas.renderer.GetViewProps().GetLastProp()
+
+        def make() -> None:
+            for name, face in FACES.items():
+                colour, ends = getattr(style, name, style.accent), [(*face, face[0])]
+                around = line_actor(corners, ends, colour, _WIDER * style.line_width)
+                made[name] = [around, face_actor(corners, [face], colour, _TINT)]
+                if behind:
+                    put_behind(made[name][1])
+            for name, corner in zip(CORNERS, corners, strict=True):
+                made[name] = [point_actor([corner], style.accent, _CORNER * style.line_width)]
+            for actor in [actor for each in made.values() for actor in each][::-1]:
+                actor.SetVisibility(False)
+                space.add(actor)
+                self._canvas.add(actor, after=before)
 
         def show(name: str, on: bool) -> None:
             if on and not made:
-                for key, face in FACES.items():
-                    colour, ends = getattr(style, key, style.accent), [(*face, face[0])]
-                    around = line_actor(corners, ends, colour, _WIDER * style.line_width)
-                    made[key] = [around, face_actor(corners, [face], colour, _TINT)]
-                    if behind:
-                        put_behind(made[key][1])
-                for key, corner in zip(CORNERS, corners, strict=True):
-                    made[key] = [point_actor([corner], style.accent, _CORNER * style.line_width)]
-                actors = [actor for each in made.values() for actor in each]
-                space.add(*actors)
-                self._canvas.add(*actors, after=before)
-                for actor in actors:
-                    actor.SetVisibility(False)
+                make()
             for actor in made.get(name, ()):
                 actor.SetVisibility(on)
 

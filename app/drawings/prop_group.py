@@ -54,18 +54,12 @@ class PropGroup:
         for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
             renderer.SetDraw(drawn)
 
-    @property
-    def last(self) -> vtkProp:
-        """The prop that was added last."""
-        return self._props[-1][1]
-
     def add(
-        self, *props: vtkProp, renderer: Any = None, layer: str = "", after: vtkProp | None = None
+        self, *props: vtkProp, renderer: Any = None, layer: str = "", after: Any = None
     ) -> None:
-        """Add props to a renderer, the screen's own by default.
+        """Add props to a renderer, the screen's own by default, to be drawn last or `after` one.
 
-        They are drawn in the order in which they were added, or `after` another one. The props of a
-        layer are shown and hidden by `set_visible` alone.
+        The props of a layer are shown and hidden by `set_visible` alone.
         """
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
@@ -74,7 +68,6 @@ class PropGroup:
                 drawn = renderer.GetViewProps()
                 drawn.RemoveItem(prop)
                 drawn.InsertItem(drawn.IsItemPresent(after) - 1, prop)
-                after = prop
             self._props.append((renderer, prop))
             if layer:
                 self._layers[prop] = layer

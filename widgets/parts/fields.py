@@ -216,9 +216,7 @@ class Row(TintedWidget, QWidget, Gestures):
         self._attend("keyboard", False)
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
-        if isinstance(
-            event, QtGui.QFocusEvent
-        ):  # focus by a click is covered by the mouse's own events
+        if isinstance(event, QtGui.QFocusEvent):  # a click's is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
         # Of all other events the type is not asked: hundreds come with another scene.
         is_one = isinstance(event, QtGui.QFocusEvent | QtGui.QHelpEvent)
