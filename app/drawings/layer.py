@@ -18,6 +18,7 @@ from contextlib import contextmanager
 from functools import cache
 from operator import attrgetter
 from typing import Any, ClassVar, NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,8 +42,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
-_MOST_FACES = 10_000  # of larger meshes, vertices are sampled
-_MOST_POINTS = 10_000
+_MOST_FACES = _MOST_POINTS = 10_000  # of larger meshes, vertices are sampled
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
 
@@ -123,6 +123,7 @@ def _lattice(count: int) -> Array:
 
 
 NO_POINTS = np.empty((0, 3))
+_silhouettes: WeakKeyDictionary[Scene, Silhouette] = WeakKeyDictionary()  # shared by all drawings
 
 
 def together(named: Iterable[tuple[str, Array]]) -> dict[str, Array]:
@@ -166,7 +167,8 @@ class PaneState:
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
-        self.silhouette = Silhouette(scene)
+        kept = _silhouettes.get(scene)
+        self.silhouette = _silhouettes[scene] = kept or Silhouette(scene)
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()
