@@ -473,7 +473,6 @@ def test_a_bad_file_gives_one_sentence_and_leaves_the_window_as_it_was(
     ("way", "kind", "step"),
     [
         ("open", WorldDrawing, "__init__"),
-        ("use", StageDrawing, "__init__"),
         ("read again", ImageDrawing, "__init__"),
         ("lesson", WorldDrawing, "show_projection"),
         ("undo", StageDrawing, "show_projection"),
@@ -519,7 +518,6 @@ def test_a_scene_whose_drawing_fails_leaves_everything_as_it_was(
     monkeypatch.setattr(kind, step, fails_once)
     act: dict[str, Callable[[], object]] = {
         "open": partial(window.files.open, mesh),
-        "use": partial(window.files.use_mesh, str(mesh)),
         "read again": partial(window.files.use_mesh, str(mesh)),
         "lesson": partial(window.files.open, lesson),
         "undo": window.store.undo,
