@@ -321,7 +321,8 @@ class Layers:
         return self._those(verb)
 
     def show(self) -> None:
-        for layer in self._changing("show"):
+        self._state.board.rests = False
+        for layer in self._those("show"):
             layer.show()
 
     def show_names(self) -> None:
@@ -338,7 +339,8 @@ class Layers:
         return any(changes)
 
     def settle(self) -> None:
-        for layer in self._changing("settle"):
+        """Follow the pane's own camera; then place the labels."""
+        for layer in self._those("settle"):
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
