@@ -36,6 +36,8 @@ class CameraDrawing(Layer):
     - `steps`: what the frame's construction adds; None before it is first shown.
     """
 
+    follows = ("standing",)
+
     def __init__(self, state: WorldState) -> None:
         self._state, self._canvas = state, state.canvas
         style, add = state.style, partial(state.canvas.add, layer="camera")
@@ -68,7 +70,6 @@ class CameraDrawing(Layer):
         self._named: frozenset[str] = frozenset()
         self.axes_lead = False  # whether the axes are what the picture is about
         self._show_parts()
-        self._placed: object = None
         self._followed: tuple[object, object] = None, None
         self._settled: tuple[float, float, int | None] | None = None
         self._make_emphasis()
@@ -92,9 +93,7 @@ class CameraDrawing(Layer):
 
     def show(self) -> None:
         standing = self._state.standing
-        if standing is not self._placed:
-            self._placed = standing
-            self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+        self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
 
     def follow(self) -> None:
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""

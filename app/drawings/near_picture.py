@@ -33,6 +33,7 @@ class NearPicture(FacesLayer):
     """The scene on the near plane of a frustum; `is_seen` if its layer is visible."""
 
     _state: WorldState
+    follows = ("local_from_object",)
 
     def __init__(self, state: WorldState) -> None:
         self._planes = [vtkPlane() for _ in range(6)]
@@ -47,6 +48,7 @@ class NearPicture(FacesLayer):
         self.is_seen = False
 
     def show(self) -> None:
+        self.actors.show_moved(not self._state.projection.placement.is_identity)
         if self._changes:
             super().show()
 
@@ -74,7 +76,6 @@ class NearPicture(FacesLayer):
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
         toward = SLAB * thick * pane.way_from(corners[:4].mean(axis=0))
-        self.actors.show_moved(not projection.placement.is_identity)
         self.actors.show_slope(pane.slope_of_depth(corners[:4], *state.own.depths), pane.size_px)
         if reach is None:
             film = flatten_free(projection, state.origin, toward)

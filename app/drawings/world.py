@@ -47,6 +47,7 @@ class SceneInWorld(FacesLayer):
     """The scene itself, whose dots and lines are lifted before its faces."""
 
     _state: WorldState
+    follows = "local_from_object", "ghosts"
 
     def __init__(self, state: WorldState) -> None:
         drawn = SceneActors(state.scene, state.style)
@@ -57,16 +58,13 @@ class SceneInWorld(FacesLayer):
         self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
         self._ghosts: list[SceneActors] = []
         self._beside: list[Array] = []  # corners of the ghosts' boxes
-        self._placed: object = None
         self._part: tuple[Vector, Vector] | None = None  # of the ground, local; None for all of it
 
     def show(self) -> None:
         state = self._state
-        if state.local_from_object is not self._placed:
-            self._placed = state.local_from_object
-            self.actors.show_moved(not state.projection.placement.is_identity)
-            self._faces_space.set(state.local_from_object)
-            self.lift_lines()
+        self.actors.show_moved(not state.projection.placement.is_identity)
+        self._faces_space.set(state.local_from_object)
+        self.lift_lines()
         if state.ghosts or self._beside:
             self._show_ghosts(state.ghosts)
         if self._changes:
