@@ -223,8 +223,9 @@ def test_a_flattened_picture_is_where_its_corners_are_seen_and_in_order(parallel
         if inside.sum() < 2:
             continue
         checked += 1
-        on_face = np.column_stack([trace.ndc[inside, :2], np.full(inside.sum(), -1.0)])
-        face = applied(projection.with_depth("opengl").world_from_clip_at(np.zeros(3)), on_face)
+        on_face = np.column_stack([trace.ndc[inside, :2], np.ones(inside.sum())])
+        world_from_clip = projection.with_depth("reversed").world_from_clip_at(np.zeros(3))
+        face = applied(world_from_clip, on_face)
         thick = SLAB * (10.0 if lens.parallel else lens.near)
         pane_eye = random.uniform(20.0, 40.0, 3) * random.choice([-1.0, 1.0], 3)
         sight = pane_eye - face
@@ -232,8 +233,8 @@ def test_a_flattened_picture_is_where_its_corners_are_seen_and_in_order(parallel
         if parallel:
             sight = np.tile(pane_eye / np.linalg.norm(pane_eye), (len(face), 1))
             toward = thick * np.array([*sight[0], 0.0])
-        view = view_matrices(camera, np.zeros(3))
-        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward)
+        view, corners = view_matrices(camera, np.zeros(3))[0], applied(world_from_clip, CUBE[:4])
+        film = flatten(projection, view, (depths.min(), depths.max()), corners, 10.0, toward)
         moved = applied(film.surface, points[inside]) - face
         parts = (moved * sight).sum(axis=1) / (sight * sight).sum(axis=1)
         rounding = 1e-9 * (1.0 + np.abs(face).max())
@@ -260,9 +261,11 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
         if not (depths.max() > near and depths.min() < far):
             continue
         bounds = depths.min(), depths.max()
-        view = view_matrices(projection.camera, np.zeros(3))
+        view = view_matrices(projection.camera, np.zeros(3))[0]
+        world_from_clip = projection.with_depth("reversed").world_from_clip_at(np.zeros(3))
+        corners = applied(world_from_clip, CUBE[:4])
         toward = 0.05 * np.array([*random.uniform(-1.0, 1.0, 3), 0.0])
-        film = flatten(projection, view, bounds, 10.0, toward)
+        film = flatten(projection, view, bounds, corners, 10.0, toward)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
         outside = projection.trace(points).outside
