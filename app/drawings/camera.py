@@ -223,7 +223,7 @@ class CameraDrawing(Layer):
 
     def want(self, ground: Ground) -> None:
         state, board = self._state, self._state.board
-        arrows, ends = self.named_arrows
+        (arrows, ends), named = self.named_arrows, state.named_points("eye", "target")
         box, standing = self.box, state.standing
         points = box, [standing.eye, standing.target], ends.reshape(-1, 3)
         spots = state.own.pane.seen(np.concatenate(points))
@@ -232,7 +232,6 @@ class CameraDrawing(Layer):
         if depth.min() > 0.0:
             line = _LINE_EM * state.em
             ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
-        named = state.named_points("eye", "target")
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
             if name in named:
                 if spot[2] > 0.0:

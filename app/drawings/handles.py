@@ -297,7 +297,8 @@ class WorldHandles(HandleMarks):
         self._without = state.unseen
         if "frustum" in state.canvas.hidden:
             self._without |= {*ENDS} if self._has_sides else {*ENDS, CORNER}
-        reach = dict(zip(*self._camera.arrows, strict=True)).get("up")
+        arrows = {} if state.step is None else dict(zip(*self._camera.arrows, strict=True))
+        reach = arrows.get(UP.name)
         return super()._visible(
             0.0 if axes is None else axes.reach,
             0.0 if reach is None else float(np.linalg.norm(reach)),

@@ -325,9 +325,8 @@ class Layers:
 
     def show(self) -> None:
         self._state.board.rests = False
-        for layer in self._those("show"):
-            if self._has_changed(layer):
-                layer.show()
+        for layer in [each for each in self._those("show") if self._has_changed(each)]:
+            layer.show()
 
     def _has_changed(self, layer: Layer) -> bool:
         """Whether anything that a layer follows has changed since it was asked last."""

@@ -259,7 +259,7 @@ class WorldState(PaneState):
         unseen = {"object"} if self.ghosts else set[str]()
         if "frustum" in self.hidden or self.step is not None:
             # They would cover the arrows of the construction.
-            unseen |= {*ENDS, "corner", *WINDOW}
+            unseen |= {*ENDS, "corner", *SIDES, *WINDOW}
         if "camera" in self.hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self.canvas.hidden:  # the pane looks through it, or from right behind it

@@ -53,7 +53,6 @@ from app.model.limits import (
     Vector,
     between,
     check_name,
-    read_only,
 )
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
 from app.model.tables import evaluated
@@ -95,7 +94,7 @@ class Projection(Pipeline):
         The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
         loses no digits.
         """
-        return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
+        return np.asarray(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
         """From points relative to `origin` to world axes with their origin in the eye, (4, 4).
@@ -114,7 +113,7 @@ class Projection(Pipeline):
         hold.
         """
         shift = translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
-        return read_only(reduce(np.matmul, self.passage.eye_from_clip, shift))
+        return np.asarray(reduce(np.matmul, self.passage.eye_from_clip, shift))
 
     @property
     def frustum_sign(self) -> int:
@@ -253,8 +252,8 @@ class Projection(Pipeline):
 
 
 @lru_cache(maxsize=16)  # the drawn parts of one volume, which most edits do not change
-def _depth_rows(kind: Any, near: float, far: float) -> tuple[Array, Array]:
-    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range.
+def _depth_rows(kind: Any, near: float, far: float) -> tuple[list[float], list[list[float]]]:
+    """Row z of `clip_from_view`, and rows z and w of its inverse, in the reversed range.
 
     `kind` is a class of lenses.
     """
@@ -262,6 +261,6 @@ def _depth_rows(kind: Any, near: float, far: float) -> tuple[Array, Array]:
     assert table.view_from_clip is not None
     z_near, z_far = DEPTH_RANGES["reversed"]
     letters = {"n": near, "f": far, "z_n": z_near, "z_f": z_far}
-    rows = evaluated((table.clip_from_view[2], *table.view_from_clip[2:]), letters, FLOAT64)
-    depth, *back = rows
-    return read_only(depth), read_only(back)
+    rows = table.clip_from_view[2], *table.view_from_clip[2:]
+    depth, *back = evaluated(rows, letters, FLOAT64)
+    return depth, back
