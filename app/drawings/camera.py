@@ -179,14 +179,6 @@ class CameraDrawing(Layer):
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
         return np.asarray(np.concatenate([frame.BODY_BOX, ends]) @ camera.frame)
 
-    @property
-    def depths(self) -> tuple[float, float]:
-        """The distances of target and axes from the pane's own camera, which has to see them."""
-        pane = self._state.own.pane
-        target = float((self._state.standing.target - pane.eye) @ pane.axes[2])
-        # The axes are moved before the body, see `settle`.
-        return target, self._eye_depth - 5.4 * self.axes_size
-
     def settle(self) -> None:
         """Move eye, target and axes before what would hide them."""
         state = self._state
@@ -243,7 +235,11 @@ class CameraDrawing(Layer):
         ground.ink_arrows(self._state.own.pane.spots(self.named_arrows[1]))
 
     def reach(self) -> Array:
-        return self._state.standing.eye + frame.AROUND * self.axes_size * frame.SIX_WAYS
+        standing, size = self._state.standing, self.axes_size
+        around = standing.eye + frame.AROUND * size * frame.SIX_WAYS
+        # The axes are moved before the body, see `settle`.
+        axes = standing.eye - 5.4 * size * self._state.own.pane.axes[2]
+        return np.vstack([around, standing.target, axes])
 
     def inside(self) -> dict[str, Array]:
         """The eye, with the camera's body, unless it is not drawn; a parallel lens has none."""

@@ -148,7 +148,7 @@ def _stage(at: float, projection: Projection) -> str:
         before = VIEW if VIEW < at < NDC else before
         after = NDC if VIEW < at < NDC else after
     stops = [
-        stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
+        stop + (stop == CANONICAL_PERSPECTIVE and not lens.central) for stop in (before, after)
     ]
     names = [_said(STAGES[stop]) for stop in stops]
     template = DESCRIPTION["at-a-stage"] if stops[0] == stops[1] else DESCRIPTION["between-stages"]

@@ -189,12 +189,9 @@ def _side_planes(projection: Projection) -> Array:
 
     Clip space has them as w + x and so on, which cancel for a window far off the axis.
     """
-    left, right, bottom, top = projection.window
+    starts, along = projection.lens.rays(np.reshape(projection.window, (2, 2)).T)
     planes = np.zeros((4, 4))
-    for row, (axis, edge, sign) in enumerate(
-        ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
-    ):
-        starts, along = projection.lens.rays(np.full((1, 2), edge))
+    for row, (axis, end, sign) in enumerate(((0, 0, 1.0), (0, 1, -1.0), (1, 0, 1.0), (1, 1, -1.0))):
         planes[row, axis] = sign
-        planes[row, 2:] = sign * along[0, axis], sign * (0.0 - starts[0, axis])
+        planes[row, 2:] = sign * along[end, axis], sign * (0.0 - starts[end, axis])
     return planes

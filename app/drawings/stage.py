@@ -132,7 +132,7 @@ class StageDrawing(Drawing):
     ) -> None:
         state, before = self.state, self.state.projection
         reshaped = projection.image_size != before.image_size
-        reshaped |= projection.lens.has_pyramid != before.lens.has_pyramid
+        reshaped |= projection.lens.central != before.lens.central
         state.take(projection, illustration)
         if state.is_gliding:
             return

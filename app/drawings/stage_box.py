@@ -362,7 +362,7 @@ class StageBox(Layer):
         box, lens, words = self._state.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
-        is_pyramid = lens.has_pyramid
+        is_pyramid = lens.central
         self._at |= {self.near: near, self.far: far}
         near_text, far_text = (words[end] for end in ENDS)
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")

@@ -404,6 +404,6 @@ class WorldDrawing(Drawing):
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
         self.camera.follow()  # its body has to be within reach
-        self.own.fit_range(self.layers.reach(), *self.camera.depths)
+        self.own.fit_range(self.layers.reach())
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)

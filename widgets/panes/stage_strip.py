@@ -132,7 +132,7 @@ class StageStrip(FittedWidget, QWidget, Playing):
         self._projection = shown.projection
         lens, was_free = self._projection.lens, self._free
         self._free = not lens.has_steps
-        parallel = not self._free and not lens.has_pyramid
+        parallel = not self._free and not lens.central
         is_other = changed != {"lens"} or self._free != was_free
         tiles = self._projection.placement.on
         tiles = tiles if self.from_left else tiles[::-1]
