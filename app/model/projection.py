@@ -53,6 +53,7 @@ from app.model.limits import (
     Vector,
     between,
     check_name,
+    read_only,
 )
 from app.model.pipeline import Pipeline, Stage, Trace, checked_pixels, checked_points, translation
 from app.model.tables import evaluated
@@ -94,7 +95,7 @@ class Projection(Pipeline):
         The eye is subtracted from the origin in float64 before any product, so that a scene at 1e9
         loses no digits.
         """
-        return np.asarray(self.clip_from_eye @ self.local_to_eye(origin, space))
+        return read_only(self.clip_from_eye @ self.local_to_eye(origin, space))
 
     def local_to_eye(self, origin: ArrayLike, space: Space = "world") -> Array:
         """From points relative to `origin` to world axes with their origin in the eye, (4, 4).
@@ -113,7 +114,7 @@ class Projection(Pipeline):
         hold.
         """
         shift = translation(self.camera.eye - np.asarray(origin, dtype=np.float64))
-        return np.asarray(reduce(np.matmul, self.passage.eye_from_clip, shift))
+        return read_only(reduce(np.matmul, self.passage.eye_from_clip, shift))
 
     @property
     def frustum_sign(self) -> int:
