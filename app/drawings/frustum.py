@@ -200,17 +200,18 @@ class FrustumDrawing(Layer):
             near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does
         else:
             low = -0.5 * _BEYOND * extent
-        near_break = far_break = None
+        near_break = far_break = start = end = None
         if near > _BREAK * high:
             near, near_break = _BREAK * high, (_BREAK**2 * high, _BREAK * high)
         elif near < low:
-            near, near_break = low, (low, _BREAK * low)
+            near, near_break, start = low, (low, _BREAK * low), _BREAK * low
         if far > high:
-            far, far_break = high, (_BREAK * high, high)
+            far, far_break, end = high, (_BREAK * high, high), _BREAK * high
         elif far < _BREAK * low:
             far, far_break = _BREAK * low, (_BREAK * low, _BREAK**2 * low)
         far = max(far, near + 1e-9 * (high - low))
-        return DrawnDepths(low, high, near, far, near_break, far_break)
+        body = near if start is None else start, far if end is None else end
+        return DrawnDepths(low, high, near, far, near_break, far_break, body)
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
