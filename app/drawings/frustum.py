@@ -156,24 +156,23 @@ class FrustumDrawing(Layer):
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
         parts = [*self._volume]
-        view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
-        frustum = normalised(local_from_view @ view_from_cube)
+        whole = view_from_cube(projection, reach.near, reach.far)
+        frustum = normalised(local_from_view @ whole)
         start, end = reach.body
         if start < end:
             parts.append(self._body)
-            self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
+            self._body_space.set(frustum @ _cube_from_part(whole, start, end))
         self.space.set(frustum)
         for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
             if broken is not None:
-                cut = frustum @ _cube_from_part(view_from_cube, *broken)
+                cut = frustum @ _cube_from_part(whole, *broken)
                 self._break_ends[name] = applied(cut, CUBE)
                 parts += [edge for _, edge in self.breaks[name]]
         if lens.central:
             parts.append(self.apex)
             base = frustum
             if reach.near_break is not None:
-                _, view_from_cube = matrices_between(projection, *reach.near_break)
-                base = normalised(local_from_view @ view_from_cube)
+                base = normalised(local_from_view @ view_from_cube(projection, *reach.near_break))
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
         corners = applied(frustum, CUBE)
         self._show_parts(*parts)
@@ -210,7 +209,7 @@ class FrustumDrawing(Layer):
         elif far < _BREAK * low:
             far, far_break = _BREAK * low, (_BREAK * low, _BREAK**2 * low)
         far = max(far, near + 1e-9 * (high - low))
-        body = near if start is None else start, far if end is None else end
+        body = start or near, end or far
         return DrawnDepths(low, high, near, far, near_break, far_break, body)
 
     def _held_depth(self, standing: CameraPose) -> float:
@@ -364,12 +363,12 @@ class FrustumDrawing(Layer):
         }
 
 
-def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:
-    """`Projection.matrices_between`, with an inverse that float32 can draw."""
-    clip_from_view, view_from_clip = projection.matrices_between(near, far)
+def view_from_cube(projection: Projection, near: float, far: float) -> Array:
+    """The inverse of `Projection.matrices_between`, (4, 4), as far as float32 can draw it."""
+    matrix = projection.matrices_between(near, far)[1]
     widest = _STEEPEST if projection.lens.central else WIDEST
-    view_from_clip[:2] = np.clip(view_from_clip[:2], -widest, widest)
-    return clip_from_view, view_from_clip
+    matrix[:2] = np.clip(matrix[:2], -widest, widest)
+    return matrix
 
 
 def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:

@@ -49,8 +49,7 @@ class NearPicture(FacesLayer):
 
     def show(self) -> None:
         self.actors.show_moved(not self._state.projection.placement.is_identity)
-        if self._changes:
-            super().show()
+        super().show()
 
     def settle(self) -> None:
         """Lay the scene onto the near plane, as the pane's own camera sees it."""

@@ -67,8 +67,7 @@ class SceneInWorld(FacesLayer):
         self.lift_lines()
         if state.ghosts or self._beside:
             self._show_ghosts(state.ghosts)
-        if self._changes:
-            super().show()
+        super().show()
 
     def _show_ghosts(self, chains: Sequence[Chain]) -> None:
         state = self._state
@@ -134,8 +133,6 @@ class EyeWalk(Layer):
     All walks have as many points.
     """
 
-    needs = "walk"
-
     def __init__(self, state: WorldState) -> None:
         self._state = state
         self._line: vtkActor | None = None
@@ -144,7 +141,6 @@ class EyeWalk(Layer):
     def show_walk(self, eyes: Sequence[Vector]) -> None:
         """Draw a line through places of the eye, in the world; hide it for none."""
         state = self._state
-        state.walk = eyes
         self._points = np.reshape(np.array(eyes, dtype=np.float64), (-1, 3)) - state.origin
         if self._line is None and len(eyes):
             ends = [range(len(eyes))]

@@ -15,7 +15,7 @@ from app.drawings.own_view import OwnView
 from app.drawings.pane_view import Spot
 from app.drawings.prop_group import PropGroup
 from app.lecture.highlight import AXES, ENDS, SIDES, WINDOW, Highlight
-from app.model.projection import Array, Camera, Chain, Projection, Vector
+from app.model.projection import Array, Camera, Chain, Projection
 from app.picking.sight import Sight
 from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Length
@@ -127,8 +127,7 @@ class WorldState(PaneState):
 
     `local_from_object` is another array when the objects are placed elsewhere, and `standing`
     another pose when the camera or the objects move. `hidden` are the layers that the user hides;
-    `step` is the step of the frame's construction, and `light` how bright the frustum is meanwhile;
-    `walk` are the places of the eye while the camera walks.
+    `step` is the step of the frame's construction, and `light` how bright the frustum is meanwhile.
     """
 
     pane = "world"
@@ -138,7 +137,6 @@ class WorldState(PaneState):
         self.hidden: frozenset[str] = frozenset()
         self.step: int | None = None
         self.light = 1.0
-        self.walk: Sequence[Vector] = ()
         self._place(scene.start.placement)
         self.standing = self._stand(scene.start.camera)
         self.volume = DrawnVolume(np.tile(self.standing.eye, (8, 1)), None, exists=False)

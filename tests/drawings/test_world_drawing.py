@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
 from app.drawings.dimensions import Dimensions
-from app.drawings.frustum import matrices_between
+from app.drawings.frustum import view_from_cube
 from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.style import DARK, LIGHT, Style
@@ -200,7 +200,8 @@ def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
         near = max(projection.lens.near, 0.01) * random.uniform(0.5, 3.0)
         far = near + 10.0 ** random.uniform(-1.0, 3.0)
         part = replace(projection.between(near, far), depth="reversed")
-        clip_from_view, view_from_clip = matrices_between(projection, near, far)
+        clip_from_view = projection.matrices_between(near, far)[0]
+        view_from_clip = view_from_cube(projection, near, far)
         for found, expected in (
             (applied(view_from_clip, CUBE), applied(part.view_from_clip, CUBE)),
             (clip_from_view, part.clip_from_view),
