@@ -298,11 +298,8 @@ class WorldHandles(HandleMarks):
         if "frustum" in state.canvas.hidden:
             self._without |= {*ENDS} if self._has_sides else {*ENDS, CORNER}
         arrows = {} if state.step is None else dict(zip(*self._camera.arrows, strict=True))
-        reach = arrows.get(UP.name)
-        return super()._visible(
-            0.0 if axes is None else axes.reach,
-            0.0 if reach is None else float(np.linalg.norm(reach)),
-        )
+        up = arrows.get(UP.name, np.zeros(3))
+        return super()._visible(0.0 if axes is None else axes.reach, float(np.linalg.norm(up)))
 
     @property
     def _planes(self) -> dict[str, Handle]:
