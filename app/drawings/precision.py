@@ -114,7 +114,7 @@ class ModelActors:
         bounds = *bounds_px, 0.0  # while nothing is moved there is no ground
         matrices = [*[clip_from_object] * _GROUND, clip_from_world]
         for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=False)):
-            if made is not None and bound_px > self._tolerance_px and made.is_seen:
+            if made is not None and made.is_seen and bound_px > self._tolerance_px:
                 matrices[which] = made.replace(self._part(which, made, projection))
             elif made is not None:
                 made.restore()
