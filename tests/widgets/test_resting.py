@@ -64,6 +64,7 @@ ACTS: dict[str, Callable[[MainWindow], object]] = {
     "probes": lambda window: window.panes["world"].request("probes", PROBES),
     "fixed": lambda window: window.panes["world"].request("fixed", "top"),
     "step": lambda window: window.panes["world"].request("step", 2),
+    "grips": lambda window: window.panes["world"].request("grips", ()),
     "highlight": lambda window: window.panes["ndc"].show_highlight(frozenset({"near"})),
 }
 
@@ -77,7 +78,7 @@ def test_what_was_done_to_a_scene_is_not_seen_when_it_is_chosen_again(window: Ma
         show_scene(window, "clipping")
         for pane in window.panes.values():
             pane.show_highlight(NOTHING)
-            for what in ("names", "layers", "probes", "fixed", "step"):
+            for what in ("names", "layers", "probes", "fixed", "step", "grips"):
                 pane.request(what, AS_BUILT[what])
         assert differing(show_scene(window, "letter-f"), first) == [], act
         assert window.panes["world"].drawing is before, act
