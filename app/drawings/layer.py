@@ -16,7 +16,7 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
-from operator import attrgetter
+from operator import attrgetter, is_not
 from typing import Any, ClassVar, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -250,10 +250,12 @@ class Layer:
     """One idea in a pane. A method without an override has nothing to do, and is not called.
 
     `needs` names the field of the state without which it has nothing to show: no method is called
-    before that has a value for the first time.
+    before that has a value for the first time. `follows` names the fields on which `show` depends:
+    it is called when one of them is another object; without names, at every change.
     """
 
     needs: ClassVar[str] = ""
+    follows: tuple[str, ...] = ()
 
     def show(self) -> None:
         """Set the matrices of what the state shows."""
@@ -293,6 +295,7 @@ class Layers:
         self._state, self._layers = state, layers
         self._waiting = {layer: attrgetter(layer.needs) for layer in layers if layer.needs}
         self._kept: dict[str, list[Layer]] = {}
+        self._followed: dict[Layer, list[object]] = {}  # what layers follow, as it was last
         self._asked: list[bool | None] | None = None
         """While all changes are awaited: whether labels are placed afresh, or None to `settle`."""
 
@@ -326,8 +329,15 @@ class Layers:
         return self._those(verb)
 
     def show(self) -> None:
-        for layer in self._changing("show"):
+        self._state.board.rests = False
+        for layer in [each for each in self._those("show") if self._has_changed(each)]:
             layer.show()
+
+    def _has_changed(self, layer: Layer) -> bool:
+        """Whether anything that a layer follows has changed since it was asked last."""
+        before = self._followed.get(layer)
+        self._followed[layer] = now = [getattr(self._state, name) for name in layer.follows]
+        return not now or before is None or any(map(is_not, now, before))
 
     def show_names(self) -> None:
         for layer in self._changing("show_names"):
@@ -343,10 +353,11 @@ class Layers:
         return any(changes)
 
     def settle(self) -> None:
+        """Follow the pane's own camera; then place the labels."""
         if self._asked is not None:
             self._asked.append(None)
             return
-        for layer in self._changing("settle"):
+        for layer in self._those("settle"):
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
@@ -391,6 +402,8 @@ class FacesLayer(Layer):
     def __init__(self, state: PaneState, drawn: SceneActors, shows: str) -> None:
         self._state, self.actors = state, drawn
         self._changes = bool(state.scene.requires)  # otherwise nothing about its faces ever changes
+        if self._changes:
+            self.follows = ()
         self._detail = Detail(drawn.surface, drawn.dots)
         faces = drawn.surface, drawn.spaces[0]
         self._rasterisers = textured(state.scene, state.canvas, faces)

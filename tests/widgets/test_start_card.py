@@ -97,6 +97,7 @@ def test_one_click_or_escape_closes_it(window: MainWindow) -> None:
         assert is_gone(window) and window.store.document == before
 
 
+@pytest.mark.undrawn
 def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path) -> None:
     path, lesson = tmp_path / "document with a rather long name.json", tmp_path / "l1.md"
     write(Document("cube", load("cube").start), path)
@@ -119,6 +120,7 @@ def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path
     assert is_gone(window) and window.store.document.scene == "cube"
 
 
+@pytest.mark.undrawn
 def test_the_switch_is_kept(make_window: MakeWindow, own_home: Path) -> None:
     card = opened(make_window(settings=Settings(own_home / "own.ini")))
     (always,) = card.findChildren(QCheckBox)
