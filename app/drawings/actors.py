@@ -176,11 +176,11 @@ def colour_by_points(actor: vtkActor, name: str) -> None:
     mapper.ScalarVisibilityOn()
 
 
-def actor_2d(mesh: vtkPolyData) -> vtkActor2D:
+def actor_2d(mesh: vtkPolyData, actor: vtkActor2D | None = None) -> vtkActor2D:
     """Return an actor in the plane of the screen, in pixels from the renderer's left and bottom."""
     mapper = vtkPolyDataMapper2D()
     mapper.SetInputData(mesh)
-    actor = vtkActor2D()
+    actor = vtkActor2D() if actor is None else actor
     actor.SetMapper(mapper)
     return actor
 
@@ -196,7 +196,7 @@ class ScreenCells:
     Write `px`, (cells, points, 3), from the renderer's left and bottom; then call `changed`.
     """
 
-    def __init__(self, cells: int, points: int) -> None:
+    def __init__(self, cells: int, points: int, actor: vtkActor2D | None = None) -> None:
         self.px = np.zeros((cells, points, 3), dtype=np.float32)
         self._points = vtkPoints()
         data: Any = vtkFloatArray()  # numpy_to_vtk takes twice as long
@@ -207,7 +207,7 @@ class ScreenCells:
         self.mesh = vtkPolyData()
         self.mesh.SetPoints(self._points)
         (self.mesh.SetLines if points == 2 else self.mesh.SetPolys)(_cells_in_order(cells, points))
-        self.actor = actor_2d(self.mesh)
+        self.actor = actor_2d(self.mesh, actor)
 
     def changed(self) -> None:
         self._points.Modified()

@@ -36,6 +36,8 @@ class CameraDrawing(Layer):
     - `steps`: what the frame's construction adds; None before it is first shown.
     """
 
+    follows = ("standing",)
+
     def __init__(self, state: WorldState) -> None:
         self._state, self._canvas = state, state.canvas
         style, add = state.style, partial(state.canvas.add, layer="camera")
@@ -68,7 +70,6 @@ class CameraDrawing(Layer):
         self._named: frozenset[str] = frozenset()
         self.axes_lead = False  # whether the axes are what the picture is about
         self._show_parts()
-        self._placed: object = None
         self._followed: tuple[object, object] = None, None
         self._settled: tuple[float, float, int | None] | None = None
         self._make_emphasis()
@@ -92,9 +93,7 @@ class CameraDrawing(Layer):
 
     def show(self) -> None:
         standing = self._state.standing
-        if standing is not self._placed:
-            self._placed = standing
-            self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
+        self._sight_space.set(_scaled(standing.local_from_view, standing.camera.distance))
 
     def follow(self) -> None:
         """Scale the body to a twelfth of the pane, however near it is: it is a symbol."""
@@ -180,14 +179,6 @@ class CameraDrawing(Layer):
         ends = reach * np.array(list(tips.values())).reshape(-1, 3)
         return np.asarray(np.concatenate([frame.BODY_BOX, ends]) @ camera.frame)
 
-    @property
-    def depths(self) -> tuple[float, float]:
-        """The distances of target and axes from the pane's own camera, which has to see them."""
-        pane = self._state.own.pane
-        target = float((self._state.standing.target - pane.eye) @ pane.axes[2])
-        # The axes are moved before the body, see `settle`.
-        return target, self._eye_depth - 5.4 * self.axes_size
-
     def settle(self) -> None:
         """Move eye, target and axes before what would hide them."""
         state = self._state
@@ -224,7 +215,7 @@ class CameraDrawing(Layer):
 
     def want(self, ground: Ground) -> None:
         state, board = self._state, self._state.board
-        arrows, ends = self.named_arrows
+        (arrows, ends), named = self.named_arrows, state.named_points("eye", "target")
         box, standing = self.box, state.standing
         points = box, [standing.eye, standing.target], ends.reshape(-1, 3)
         spots = state.own.pane.seen(np.concatenate(points))
@@ -233,7 +224,6 @@ class CameraDrawing(Layer):
         if depth.min() > 0.0:
             line = _LINE_EM * state.em
             ground.keep_box(x.min() - line, y.min() - line, x.max() + line, y.max() + line)
-        named = state.named_points("eye", "target")
         for name, spot, rank in (("eye", eye, EYE), ("target", target, TARGET)):
             if name in named:
                 if spot[2] > 0.0:
@@ -245,7 +235,11 @@ class CameraDrawing(Layer):
         ground.ink_arrows(self._state.own.pane.spots(self.named_arrows[1]))
 
     def reach(self) -> Array:
-        return self._state.standing.eye + frame.AROUND * self.axes_size * frame.SIX_WAYS
+        standing, size = self._state.standing, self.axes_size
+        around = standing.eye + frame.AROUND * size * frame.SIX_WAYS
+        # The axes are moved before the body, see `settle`.
+        axes = standing.eye - 5.4 * size * self._state.own.pane.axes[2]
+        return np.vstack([around, standing.target, axes])
 
     def inside(self) -> dict[str, Array]:
         """The eye, with the camera's body, unless it is not drawn; a parallel lens has none."""

@@ -8,7 +8,7 @@ import numpy as np
 from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
-from app.drawings.scene_bounds import bounds_px, predictions
+from app.drawings.scene_bounds import place_of, predictions
 from app.languages import translate, with_comma
 from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW
@@ -60,7 +60,7 @@ def describe(document: Document, scene: Scene, panes: Sequence[str] = PANES) -> 
     general += [*_camera(projection), *_points(document)]
     risky = []
     if scene.has_vertices:
-        drawing_px = max(bounds_px(projection, scene))
+        drawing_px = max(place_of(scene, projection).bounds_px)
         tolerance_px = document.quality.tolerance_px(DRAWING_TOLERANCE_PX)
         drawn: Precision = "float32" if drawing_px <= tolerance_px else "float64"
         risky = risks(
@@ -148,7 +148,7 @@ def _stage(at: float, projection: Projection) -> str:
         before = VIEW if VIEW < at < NDC else before
         after = NDC if VIEW < at < NDC else after
     stops = [
-        stop + (stop == CANONICAL_PERSPECTIVE and not lens.has_pyramid) for stop in (before, after)
+        stop + (stop == CANONICAL_PERSPECTIVE and not lens.central) for stop in (before, after)
     ]
     names = [_said(STAGES[stop]) for stop in stops]
     template = DESCRIPTION["at-a-stage"] if stops[0] == stops[1] else DESCRIPTION["between-stages"]

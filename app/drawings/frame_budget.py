@@ -41,16 +41,12 @@ class FrameBudget:
     def __init__(self, levels: Sequence[FrameQuality], target_ms: float, first: int = 0) -> None:
         self._levels = tuple(levels)
         self.target_ms = target_ms
-        self._now = first
+        self._now, self.level = first, self._levels[first]
         self._count = 0
         self._recent: deque[float] = deque(maxlen=_WINDOW)
         self._known: dict[int, tuple[float, int]] = {}
         self._is_new = first > 0
         self.is_late = False
-
-    @property
-    def level(self) -> FrameQuality:
-        return self._levels[self._now]
 
     @property
     def frame_ms(self) -> float:
@@ -89,7 +85,7 @@ class FrameBudget:
 
     def _go(self, level: int) -> None:
         self._is_new = level not in self._known
-        self._now = level
+        self._now, self.level = level, self._levels[level]
         self._recent.clear()
 
     def _expected(self, level: int) -> float:

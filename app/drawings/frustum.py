@@ -15,12 +15,14 @@ there::
 import math
 from functools import partial
 from itertools import pairwise
+from operator import add
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings import actors
 from app.drawings.actors import Space, applied
+from app.drawings.label import SceneLabel
 from app.drawings.label_placement import NOWHERE, SQUARE_EM, Ground, flanking
 from app.drawings.labels import DOT_EM, SIDE, want_plane, written_distance
 from app.drawings.layer import Layer
@@ -38,10 +40,8 @@ CUBE = actors.CUBE_CORNERS * (1.0, 1.0, -0.5) + (0.0, 0.0, 0.5)
 _BEYOND = 1.5  # how far the frustum is drawn, relative to the depth of the objects
 _BREAK = 0.8  # of the reach: where a break begins
 _STROKES_AT = 0.38  # of a broken edge
-_FADE_FROM, _FADED = (
-    0.6,
-    0.15,
-)  # share of the pane under a plane; share of the tint if that is all of it
+# Share of the pane under a plane; share of the tint if that is all of it.
+_FADE_FROM, _FADED = 0.6, 0.15
 _STEEPEST = 1e16  # edge of a frustum, sideways per distance: a plane, and its square is finite
 _NAMED_BY = {NEAR.name: (NEAR.name, *WINDOW), FAR.name: (FAR.name,)}
 """The planes, and the names for which they are not drawn quietly."""
@@ -103,6 +103,7 @@ class FrustumDrawing(Layer):
         lines = near_line, far_line, self._body, self.apex, *broken
         self.dimmable = *lines, walls
         self._parts = *lines, far_face, walls, near_face
+        self._shown: tuple[vtkActor, ...] = ()
         self._canvas.add(*self._parts, layer="frustum")
         self._make_emphasis(broken)
 
@@ -115,11 +116,13 @@ class FrustumDrawing(Layer):
         for line in (self._body, *broken):
             emphasis.line(line, of=_VOLUME)
         self._measured = dict[str, str]()  # what stands before a plane's distance
+        self._labels = dict[str, SceneLabel]()  # of the planes
         for name in ENDS:
             letter = state.words.get(f"{{{name}_distance}}", name)
             self._measured[name] = f"{state.words[name]} {letter} = "
             label = state.board.label(name, state.words[name], getattr(state.style, name))
             emphasis.label(label, name)
+            self._labels[name] = label
         for letter, side in WINDOW.items():
             emphasis.label(state.board.label(letter, "", state.style.near), side)
 
@@ -151,24 +154,23 @@ class FrustumDrawing(Layer):
         """Draw a lens' frustum, with breaks where a plane is not drawn at its own distance."""
         lens, local_from_view = projection.lens, standing.local_from_view
         parts = [*self._volume]
-        view_from_cube = matrices_between(projection, reach.near, reach.far)[1]
-        frustum = normalised(local_from_view @ view_from_cube)
+        whole = view_from_cube(projection, reach.near, reach.far)
+        frustum = normalised(local_from_view @ whole)
         start, end = reach.body
         if start < end:
             parts.append(self._body)
-            self._body_space.set(frustum @ _cube_from_part(view_from_cube, start, end))
+            self._body_space.set(frustum @ _cube_from_part(whole, start, end))
         self.space.set(frustum)
         for name, broken in zip(ENDS, (reach.near_break, reach.far_break), strict=True):
             if broken is not None:
-                cut = frustum @ _cube_from_part(view_from_cube, *broken)
+                cut = frustum @ _cube_from_part(whole, *broken)
                 self._break_ends[name] = applied(cut, CUBE)
                 parts += [edge for _, edge in self.breaks[name]]
         if lens.central:
             parts.append(self.apex)
             base = frustum
             if reach.near_break is not None:
-                _, view_from_cube = matrices_between(projection, *reach.near_break)
-                base = normalised(local_from_view @ view_from_cube)
+                base = normalised(local_from_view @ view_from_cube(projection, *reach.near_break))
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
         corners = applied(frustum, CUBE)
         self._show_parts(*parts)
@@ -176,9 +178,11 @@ class FrustumDrawing(Layer):
 
     def _show_parts(self, *parts: vtkActor) -> None:
         """Show these actors, and no others."""
-        others = [part for part in self._parts if part not in parts]
-        self._canvas.set_visible(True, *parts)
-        self._canvas.set_visible(False, *others)
+        if parts != self._shown:
+            self._shown = parts
+            others = [part for part in self._parts if part not in parts]
+            self._canvas.set_visible(True, *parts)
+            self._canvas.set_visible(False, *others)
 
     def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:
@@ -193,17 +197,18 @@ class FrustumDrawing(Layer):
             near = max(near, 1e-12 * high)  # nobody sees the difference; float32 does
         else:
             low = -0.5 * _BEYOND * extent
-        near_break = far_break = None
+        near_break = far_break = start = end = None
         if near > _BREAK * high:
             near, near_break = _BREAK * high, (_BREAK**2 * high, _BREAK * high)
         elif near < low:
-            near, near_break = low, (low, _BREAK * low)
+            near, near_break, start = low, (low, _BREAK * low), _BREAK * low
         if far > high:
-            far, far_break = high, (_BREAK * high, high)
+            far, far_break, end = high, (_BREAK * high, high), _BREAK * high
         elif far < _BREAK * low:
             far, far_break = _BREAK * low, (_BREAK * low, _BREAK**2 * low)
         far = max(far, near + 1e-9 * (high - low))
-        return DrawnDepths(low, high, near, far, near_break, far_break)
+        body = start or near, end or far
+        return DrawnDepths(low, high, near, far, near_break, far_break, body)
 
     def _held_depth(self, standing: CameraPose) -> float:
         """The largest depth of a scene's grips, of those near the scene; 0 without any."""
@@ -263,31 +268,34 @@ class FrustumDrawing(Layer):
     def want(self, ground: Ground) -> None:
         """Ask for places of the window's sides, and of the planes with their distances."""
         state, planes = self._state, self._state.projection.lens.planes
+        corners, written = state.corners_seen, state.written
+        named = state.named_points(*ENDS, *SIDES, *WINDOW)
         if state.volume.exists and planes is not None:
-            self._want_sides()
-        corners, named = state.corners_seen, state.named_points(*ENDS)
+            self._want_sides(named, written)
         if corners is None:
             return
-        digits, body = 0 if planes is None else digits_apart(*planes), state.own.pane.seen(corners)
-        faces = slice(4), slice(4, 8)
-        for name, face, distance in zip(ENDS, faces, planes or (None, None), strict=True):
-            if name not in named:
-                continue
-            text = state.words[name]
-            if distance is not None:
-                text = self._measured[name] + written_distance(distance, digits)
-            state.board.label(name).set_text(text)
-            covered = partial(state.own.pane.covered, corners[face])
-            want_plane(state.board, ground, name, body[face], body, covered)
+        texts = state.words
+        if planes is not None:
+            digits = digits_apart(*planes)
+            distances = [written_distance(plane, digits) for plane in planes]
+            texts = dict(zip(ENDS, map(add, self._measured.values(), distances), strict=True))
+        for name, label in self._labels.items():
+            if name in named:
+                label.set_text(texts[name])
+        body = state.own.pane.seen(corners)
+        for name, face in zip(ENDS, (slice(4), slice(4, 8)), strict=True):
+            if name in named:
+                covered = partial(state.own.pane.covered, corners[face])
+                want_plane(state.board, ground, name, body[face], body, covered)
 
-    def _want_sides(self) -> None:
-        """Ask for a place beside each side of the window, outside it or inside."""
+    def _want_sides(self, names: set[str], written: frozenset[str]) -> None:
+        """Ask for a place beside each named side of the window, unless lengths write its name."""
         state, board, near = self._state, self._state.board, self._state.volume.corners[:4]
-        window, without = state.projection.window, state.unseen | state.written
+        window = state.projection.window
         if state.names.wanted is None:
-            without |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
+            written |= _ONE_OVER_THE_OTHER.get(state.own.fixed, frozenset())
         named = [
-            letter not in without and (letter in state.names or side in state.names)
+            letter not in written and not names.isdisjoint((letter, side))
             for letter, side in WINDOW.items()
         ]
         if not any(named):
@@ -353,12 +361,12 @@ class FrustumDrawing(Layer):
         }
 
 
-def matrices_between(projection: Projection, near: float, far: float) -> tuple[Array, Array]:
-    """`Projection.matrices_between`, with an inverse that float32 can draw."""
-    clip_from_view, view_from_clip = projection.matrices_between(near, far)
+def view_from_cube(projection: Projection, near: float, far: float) -> Array:
+    """The inverse of `Projection.matrices_between`, (4, 4), as far as float32 can draw it."""
+    matrix = projection.matrices_between(near, far)[1]
     widest = _STEEPEST if projection.lens.central else WIDEST
-    view_from_clip[:2] = np.clip(view_from_clip[:2], -widest, widest)
-    return clip_from_view, view_from_clip
+    matrix[:2] = np.clip(matrix[:2], -widest, widest)
+    return matrix
 
 
 def _cube_from_part(view_from_cube: Array, near: float, far: float) -> Array:

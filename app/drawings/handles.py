@@ -101,15 +101,19 @@ class HandleMarks(Handles, Layer):
 
     def call(self, names: frozenset[str]) -> None:
         self.called = names
-        self.settle()
+        self._mark_others()
 
     def rest(self, paths: tuple[str, ...] | None) -> None:
         self._paths = self._controls if paths is None else paths
         self._at_rest = (), frozenset()
-        self.settle()
+        self._mark_others()
 
     def hold(self, handle: Handle | None) -> None:
         self.held = handle
+        self._mark_others()
+
+    def _mark_others(self) -> None:
+        self._state.wake()  # labels keep off them
         self.settle()
 
     def settle(self) -> None:
@@ -134,7 +138,6 @@ class HandleMarks(Handles, Layer):
         return [(x - left, height - (y - top)) for x, y in spots]
 
     def _mark(self, handles: list[tuple[Handle, Spot]]) -> None:
-        self._state.wake()  # labels keep off them
         self.shown = handles[:_MOST]
         listed = [handle for handle, _ in self.shown]
         if listed != self._at_rest[0]:
@@ -294,11 +297,9 @@ class WorldHandles(HandleMarks):
         self._without = state.unseen
         if "frustum" in state.canvas.hidden:
             self._without |= {*ENDS} if self._has_sides else {*ENDS, CORNER}
-        reach = dict(zip(*self._camera.arrows, strict=True)).get("up")
-        return super()._visible(
-            0.0 if axes is None else axes.reach,
-            0.0 if reach is None else float(np.linalg.norm(reach)),
-        )
+        arrows = {} if state.step is None else dict(zip(*self._camera.arrows, strict=True))
+        up = arrows.get(UP.name, np.zeros(3))
+        return super()._visible(0.0 if axes is None else axes.reach, float(np.linalg.norm(up)))
 
     @property
     def _planes(self) -> dict[str, Handle]:

@@ -199,9 +199,15 @@ class SceneLabel:
         self._write(with_comma(text))
         self._drawn: tuple[str, str, bool] | None = None
         self._size = (0, 0)
-        self._image, self.texture = vtkImageData(), vtkTexture()
-        self.texture.SetInputData(self._image)
-        self.texture.SetColorModeToDirectScalars()
+        self.actor = LabelActor()
+        self.actor.label = weakref.ref(self)
+        self._show()
+
+    def _make_quad(self) -> None:
+        """Make what the actor draws, when it is first seen: most labels are not."""
+        self._image, self._texture = vtkImageData(), vtkTexture()
+        self._texture.SetInputData(self._image)
+        self._texture.SetColorModeToDirectScalars()
         self._corners = vtkPoints()
         self._corners.SetNumberOfPoints(4)
         quad = vtkPolyData()
@@ -210,11 +216,8 @@ class SceneLabel:
         quad.GetPointData().SetTCoords(_ON_IMAGE)
         mapper = vtkPolyDataMapper2D()
         mapper.SetInputData(quad)
-        self.actor = LabelActor()
-        self.actor.label = weakref.ref(self)
         self.actor.SetMapper(mapper)
-        self.actor.SetTexture(self.texture)
-        self._show()
+        self.actor.SetTexture(self._texture)
 
     @property
     def _shown_px(self) -> tuple[int, int]:
@@ -278,6 +281,8 @@ class SceneLabel:
         self.actor.SetVisibility(seen)
         if not seen:
             return
+        if self._drawn is None:
+            self._make_quad()
         wanted = self.text, self._tone, self._underlined
         if wanted != self._drawn:
             self._drawn = wanted
@@ -289,7 +294,7 @@ class SceneLabel:
             self._image.SetDimensions(width, height, 1)
             self._image.GetPointData().SetScalars(numpy_to_vtk(rows, deep=1))  # type: ignore[no-untyped-call]
         (x, y, turn), (width, height) = self._place, self._size
-        self.texture.SetInterpolate(bool(turn))
+        self._texture.SetInterpolate(bool(turn))
         (wide, high), rim, (to_right, to_top) = self._shown_px, rim_px(self.em), self._anchor
         below = height - high - rim  # with the underline
         left, low = -(to_right + 1) / 2.0 * wide - rim, -(to_top + 1) / 2.0 * high - below

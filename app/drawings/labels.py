@@ -3,10 +3,11 @@
 import math
 import weakref
 from collections.abc import Callable, Hashable, Mapping, Sequence
-from functools import partial
+from functools import cached_property, partial
 from typing import Any, TypeAlias
 
 import numpy as np
+from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.drawings.actors import ScreenCells
 from app.drawings.label import SceneLabel
@@ -308,13 +309,20 @@ class ScreenLines:
     """Thin lines of one colour in the plane of the screen, drawn anew by ``begin, add..., end``."""
 
     def __init__(self, canvas: PropGroup, colour: str, most: int, renderer: Any = None) -> None:
-        self._canvas, self._cells, self.used = weakref.proxy(canvas), ScreenCells(most, 2), 0
-        self._cells.px[..., :2] = _AWAY_PX
-        self.actor = self._cells.actor
-        self.actor.GetProperty().SetColor(*rgb(colour))
-        self.actor.GetProperty().SetLineWidth(canvas.style.line_width / 2.0)
+        self._canvas, self.used = weakref.proxy(canvas), 0
+        self._colour, self._most = colour, most
+        self.actor = vtkActor2D()
         canvas.add(self.actor, renderer=renderer, layer="labels")
-        self.end()
+        canvas.set_visible(False, self.actor)
+
+    @cached_property
+    def _cells(self) -> ScreenCells:
+        """What is drawn, made at the first line: most labels have no leader."""
+        cells = ScreenCells(self._most, 2, self.actor)
+        cells.px[..., :2] = _AWAY_PX
+        self.actor.GetProperty().SetColor(*rgb(self._colour))
+        self.actor.GetProperty().SetLineWidth(self._canvas.style.line_width / 2.0)
+        return cells
 
     @property
     def ends(self) -> Array:
@@ -322,17 +330,19 @@ class ScreenLines:
         return self._cells.px[: self.used, :, :2].astype(np.float64)
 
     def begin(self) -> None:
-        self._cells.px[: self.used, :, :2] = _AWAY_PX
-        self.used = 0
+        if self.used:
+            self._cells.px[: self.used, :, :2] = _AWAY_PX
+            self.used = 0
 
     def add(self, start_px: tuple[float, float], end_px: tuple[float, float]) -> None:
         """Draw a line between two pixels, counted from the left and from the bottom."""
-        if self.used < len(self._cells.px):
+        if self.used < self._most:
             self._cells.px[self.used, :, :2] = start_px, end_px
             self.used += 1
 
     def end(self) -> None:
-        self._cells.changed()
+        if self.used:
+            self._cells.changed()
         self._canvas.set_visible(self.used > 0, self.actor)
 
 

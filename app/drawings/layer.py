@@ -16,8 +16,9 @@ from abc import abstractmethod
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from functools import cache
-from operator import attrgetter
+from operator import attrgetter, is_not
 from typing import Any, ClassVar, NamedTuple
+from weakref import WeakKeyDictionary
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,8 +42,7 @@ from app.scenes.phenomena.illustration import Illustration
 from app.scenes.phenomena.marks import Grip
 from app.scenes.scene import Scene
 
-_MOST_FACES = 10_000  # of larger meshes, vertices are sampled
-_MOST_POINTS = 10_000
+_MOST_FACES = _MOST_POINTS = 10_000  # of larger meshes, vertices are sampled
 _MOST_STEPS = 256  # across one triangle; larger ones are sampled more coarsely
 _MOST_PLACES = 200_000  # in all; more would overlap
 
@@ -123,6 +123,7 @@ def _lattice(count: int) -> Array:
 
 
 NO_POINTS = np.empty((0, 3))
+_silhouettes: WeakKeyDictionary[Scene, Silhouette] = WeakKeyDictionary()  # shared by all drawings
 
 
 def together(named: Iterable[tuple[str, Array]]) -> dict[str, Array]:
@@ -166,7 +167,8 @@ class PaneState:
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
-        self.silhouette = Silhouette(scene)
+        kept = _silhouettes.get(scene)
+        self.silhouette = _silhouettes[scene] = kept or Silhouette(scene)
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()
@@ -248,10 +250,12 @@ class Layer:
     """One idea in a pane. A method without an override has nothing to do, and is not called.
 
     `needs` names the field of the state without which it has nothing to show: no method is called
-    before that has a value for the first time.
+    before that has a value for the first time. `follows` names the fields on which `show` depends:
+    it is called when one of them is another object; without names, at every change.
     """
 
     needs: ClassVar[str] = ""
+    follows: tuple[str, ...] = ()
 
     def show(self) -> None:
         """Set the matrices of what the state shows."""
@@ -291,17 +295,21 @@ class Layers:
         self._state, self._layers = state, layers
         self._waiting = {layer: attrgetter(layer.needs) for layer in layers if layer.needs}
         self._kept: dict[str, list[Layer]] = {}
-        self._asked: list[bool] | None = None  # whether afresh, while labels wait for all changes
+        self._followed: dict[Layer, list[object]] = {}  # what layers follow, as it was last
+        self._asked: list[bool | None] | None = None
+        """While all changes are awaited: whether labels are placed afresh, or None to `settle`."""
 
     @contextmanager
     def placing_once(self) -> Iterator[None]:
-        """Place the labels once, after several changes."""
-        self._asked = asked = list[bool]()
+        """Settle once, and place the labels once, after several changes."""
+        self._asked = asked = list[bool | None]()
         try:
             yield
         finally:
             self._asked = None
-            if asked:
+            if None in asked:
+                self.settle()
+            if any(each is not None for each in asked):
                 self.place_labels(afresh=any(asked))
 
     def _those(self, verb: str) -> list[Layer]:
@@ -321,8 +329,15 @@ class Layers:
         return self._those(verb)
 
     def show(self) -> None:
-        for layer in self._changing("show"):
+        self._state.board.rests = False
+        for layer in [each for each in self._those("show") if self._has_changed(each)]:
             layer.show()
+
+    def _has_changed(self, layer: Layer) -> bool:
+        """Whether anything that a layer follows has changed since it was asked last."""
+        before = self._followed.get(layer)
+        self._followed[layer] = now = [getattr(self._state, name) for name in layer.follows]
+        return not now or before is None or any(map(is_not, now, before))
 
     def show_names(self) -> None:
         for layer in self._changing("show_names"):
@@ -338,7 +353,11 @@ class Layers:
         return any(changes)
 
     def settle(self) -> None:
-        for layer in self._changing("settle"):
+        """Follow the pane's own camera; then place the labels."""
+        if self._asked is not None:
+            self._asked.append(None)
+            return
+        for layer in self._those("settle"):
             layer.settle()
 
     def place_labels(self, *, afresh: bool = False, at_rest: bool = False) -> bool:
@@ -383,6 +402,8 @@ class FacesLayer(Layer):
     def __init__(self, state: PaneState, drawn: SceneActors, shows: str) -> None:
         self._state, self.actors = state, drawn
         self._changes = bool(state.scene.requires)  # otherwise nothing about its faces ever changes
+        if self._changes:
+            self.follows = ()
         self._detail = Detail(drawn.surface, drawn.dots)
         faces = drawn.surface, drawn.spaces[0]
         self._rasterisers = textured(state.scene, state.canvas, faces)

@@ -1,9 +1,9 @@
 """The picture on the near plane: the scene once more in the world pane, under
 
-    local_from_film . flatten . clip_from_local
+    local_from_face . clip_from_local
 
-where flatten lays all depths onto the near face. What is nearer is then moved a little towards the
-pane's camera, so that it stays in front: along a line of sight no pixel moves.
+where local_from_face lays all depths onto the near face. What is nearer is then moved a little
+towards the pane's camera, so that it stays in front: along a line of sight no pixel moves.
 """
 
 import math
@@ -13,7 +13,7 @@ import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings import actors
-from app.drawings.frustum import matrices_between, normalised
+from app.drawings.frustum import normalised
 from app.drawings.label_placement import Ground
 from app.drawings.layer import FacesLayer
 from app.drawings.world_state import WorldState
@@ -33,6 +33,7 @@ class NearPicture(FacesLayer):
     """The scene on the near plane of a frustum; `is_seen` if its layer is visible."""
 
     _state: WorldState
+    follows = ("local_from_object",)
 
     def __init__(self, state: WorldState) -> None:
         self._planes = [vtkPlane() for _ in range(6)]
@@ -47,8 +48,8 @@ class NearPicture(FacesLayer):
         self.is_seen = False
 
     def show(self) -> None:
-        if self._changes:
-            super().show()
+        self.actors.show_moved(not self._state.projection.placement.is_identity)
+        super().show()
 
     def settle(self) -> None:
         """Lay the scene onto the near plane, as the pane's own camera sees it."""
@@ -74,13 +75,12 @@ class NearPicture(FacesLayer):
             return
         thick = across if reach is None else reach.high if lens.parallel else lens.near
         toward = SLAB * thick * pane.way_from(corners[:4].mean(axis=0))
-        self.actors.show_moved(not projection.placement.is_identity)
         self.actors.show_slope(pane.slope_of_depth(corners[:4], *state.own.depths), pane.size_px)
         if reach is None:
             film = flatten_free(projection, state.origin, toward)
         else:
-            view = standing.view_from_local, standing.local_from_view
-            film = flatten(projection, view, depths, reach.high, toward)
+            view = standing.view_from_local
+            film = flatten(projection, view, depths, corners[:4], reach.high, toward)
         self.space.set(film.surface @ state.local_from_object)
         lines = film.surface if self.actors.surface is None else film.lines  # which far would cut
         for space in self._line_spaces:
@@ -119,21 +119,22 @@ class Film(NamedTuple):
 
 def flatten(
     projection: Projection,
-    view: tuple[Array, Array],
+    view_from_local: Array,
     depths: tuple[float, float],
+    corners: Array,
     reach: float,
     toward: Array,
 ) -> Film:
     """Lay the scene onto the near face, every point along its ray to the lens's eye.
 
-    `view` are view from scene-local coordinates, (4, 4), and back. `depths` are the least and
-    largest distance of anything in the scene from the eye plane, in front (+) or behind (-); the
-    picture's thickness is spent on them. `reach` is the length of a parallel lens' drawn volume.
-    `toward` is how far the nearest things are moved to the viewer, homogeneous, (4,); see
-    `PaneView.way_from`. From behind, a picture is its mirror image, not the things' back sides.
+    `depths` are the least and largest distance of anything in the scene from the eye plane, in
+    front (+) or behind (-); the picture's thickness is spent on them. `corners`, (4, 3), are those
+    of the near face, and `reach` is the length of a parallel lens' drawn volume. `toward` is how
+    far the nearest things are moved to the viewer, homogeneous, (4,); see `PaneView.way_from`. From
+    behind, a picture is its mirror image, not the things' back sides.
 
-    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture:
-    ``flatten: z' = w``; x, y and w stay, so that each point keeps its ray. Then
+    In homogeneous coordinates, with depth 1 at the near and 0 at the far end of the picture, x, y
+    and w say where on the face a point is, so that each point keeps its ray. Then
     ``p' = p + z toward``, which is on the line of sight through p.
     """
     lens = projection.lens
@@ -141,45 +142,41 @@ def flatten(
     free = max(_MARGIN * (depths[1] - depths[0]), 1e-6 * reach)  # flat scenes have no depth
     start = max(near, depths[0] - free)
     end = max(min(far, depths[1] + free), start + 1e-6 * reach)
-    view_from_local, local_from_view = view
     clip_from_local = projection.matrices_between(start, end)[0] @ view_from_local
-    film_end = math.inf if lens.far_may_be_infinite else near + reach
-    film = matrices_between(projection, near, film_end)
-    film_from_local, local_from_film = film[0] @ view_from_local, local_from_view @ film[1]
+    local_from_face = np.zeros((4, 4))
+    local_from_face[:3, 0] = (corners[1] - corners[0]) / 2.0
+    local_from_face[:3, 1] = (corners[3] - corners[0]) / 2.0
+    local_from_face[:, 3] = *corners.mean(axis=0), 1.0
+    face = view_from_local[2] + (0.0, 0.0, 0.0, near)
     side_planes = _side_planes(projection) @ view_from_local
-    return _film(clip_from_local, film_from_local, local_from_film, side_planes, toward)
+    return _film(clip_from_local, local_from_face, face, side_planes, toward)
 
 
 def flatten_free(projection: Projection, origin: Array, toward: Array) -> Film:
     """`flatten` under a free matrix: onto the cube's near face."""
     reversed_range = projection.with_depth("reversed")
     clip_from_local = reversed_range.clip_from_local(origin)
-    local_from_clip = reversed_range.world_from_clip_at(origin)
-    x, y, _, w = clip_from_local
+    local_from_face = reversed_range.world_from_clip_at(origin) @ np.eye(4)[[0, 1, 3, 3]]
+    x, y, z, w = clip_from_local
     side_planes = np.array([w + x, w - x, w + y, w - y])
-    return _film(clip_from_local, clip_from_local, local_from_clip, side_planes, toward)
+    return _film(clip_from_local, local_from_face, z - w, side_planes, toward)
 
 
 def _film(
-    clip_from_local: Array,
-    film_from_local: Array,
-    local_from_film: Array,
-    side_planes: Array,
-    toward: Array,
+    clip_from_local: Array, local_from_face: Array, face: Array, side_planes: Array, toward: Array
 ) -> Film:
-    """The picture between four planes, (4, 4), which are right on the near face."""
-    flat = np.eye(4)
-    flat[2] = 0.0, 0.0, 0.0, 1.0
-    scale = float(local_from_film[3, 2:].sum())  # of a point in the middle of the near face
-    z, w = clip_from_local[2:]
-    surface = local_from_film @ flat @ clip_from_local + scale * np.outer(toward, z)
+    """The picture between four planes, (4, 4), which are right on the near face.
+
+    The plane `face`, (4,), is 0 there, so that it measures how far a point was moved.
+    """
+    middle, (z, w) = local_from_face[:, 3], clip_from_local[2:]
+    scale = float(middle[3])
+    surface = local_from_face @ clip_from_local + scale * np.outer(toward, z)
     lines = surface + _LINES_IN_FRONT * scale * np.outer(toward, w)
-    # On the near face the plane `face` is 0, so that it measures how far a point was moved.
-    face, film_w = film_from_local[2] - film_from_local[3], film_from_local[3]
     away = float(face @ toward)
-    depth = face / (scale * away)
+    depth = face * float(w @ middle) / (scale * away)
     sides = side_planes - np.outer(side_planes @ toward / away, face)
-    planes = np.vstack([sides, film_w - float(film_w @ toward) / away * face - depth, depth])
+    planes = np.vstack([sides, w - float(w @ toward) / away * face - depth, depth])
     for order in (np.inf, 2):  # the largest first, or the squares may overflow
         lengths = np.linalg.norm(planes[:, :3], order, axis=1, keepdims=True)
         planes /= np.where(lengths > 0.0, lengths, 1.0)  # rounding can leave nothing of a plane
@@ -191,12 +188,9 @@ def _side_planes(projection: Projection) -> Array:
 
     Clip space has them as w + x and so on, which cancel for a window far off the axis.
     """
-    left, right, bottom, top = projection.window
+    starts, along = projection.lens.rays(np.reshape(projection.window, (2, 2)).T)
     planes = np.zeros((4, 4))
-    for row, (axis, edge, sign) in enumerate(
-        ((0, left, 1.0), (0, right, -1.0), (1, bottom, 1.0), (1, top, -1.0))
-    ):
-        starts, along = projection.lens.rays(np.full((1, 2), edge))
+    for row, (axis, end, sign) in enumerate(((0, 0, 1.0), (0, 1, -1.0), (1, 0, 1.0), (1, 1, -1.0))):
         planes[row, axis] = sign
-        planes[row, 2:] = sign * along[0, axis], sign * (0.0 - starts[0, axis])
+        planes[row, 2:] = sign * along[end, axis], sign * (0.0 - starts[end, axis])
     return planes

@@ -268,9 +268,9 @@ class OwnView(PaneCamera):
 
     # -- what depends on where it stands
 
-    def fit_range(self, points: Array, *depths: float) -> None:
-        """Let the camera see these points, (n, 3), and depths, as far as it can be precise."""
-        seen = np.append((points - self.pane.eye) @ self.pane.axes[2], depths)
+    def fit_range(self, points: Array) -> None:
+        """Let the camera see these points, (n, 3), as far as it can be precise."""
+        seen = (points - self.pane.eye) @ self.pane.axes[2]
         nearest = max(0.95 * float(seen.min()), _NEAREST * float(self._camera.GetDistance()))
         self.depths = nearest, max(1.02 * float(seen.max()), 2.0 * nearest)
         self._camera.SetClippingRange(*self.depths)

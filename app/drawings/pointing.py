@@ -1,16 +1,17 @@
 """What a pane names, and how it highlights what is pointed at.
 
-Everything for the highlight is created with its drawing. A highlight changes line widths, point
-sizes and visibilities, never the number of actors, and costs a slider step nothing.
+A highlight changes line widths, point sizes and visibilities, and costs a slider step nothing. What
+it alone shows of a view volume is created at the first one.
 """
 
 from collections.abc import Callable, Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
 from vtkmodules.vtkRenderingCore import vtkActor
 
-from app.drawings.actors import Space, face_actor, line_actor, point_actor
+from app.drawings.actors import Space, face_actor, line_actor, point_actor, put_behind
 from app.drawings.label import SceneLabel
 from app.drawings.prop_group import PropGroup
 from app.drawings.style import QUIET, QUIET_WIDTH, Style, rgb
@@ -95,28 +96,37 @@ class Emphasis:
         """Underline this label."""
         self._call_for((name,), label.set_underlined)
 
-    def volume(self, space: Space, corners: Array) -> list[Any]:
-        """Create a view volume's faces, outlines and corners that only a highlight shows.
+    def volume(self, space: Space, corners: Array, *, behind: bool = False) -> None:
+        """Create a view volume's faces, outlines and corners when one is first highlighted.
 
-        `corners`, (8, 3), are in the order of `highlight.CORNERS` and under `space`. Returns the
-        faces, which may have to be put behind the scene.
+        `corners`, (8, 3), are in the order of `highlight.CORNERS` and under `space`. The faces may
+        be put `behind` the scene.
         """
-        faces, style = [], self._canvas.style
-        for name, face in FACES.items():
-            colour = getattr(style, name, style.accent)
-            tint = face_actor(corners, [face], colour, _TINT)
-            around = line_actor(corners, [(*face, face[0])], colour, _WIDER * style.line_width)
-            for actor in (around, tint):
+        made, style = dict[str, list[vtkActor]](), self._canvas.style
+        before = self._canvas.renderer.GetViewProps().GetLastProp()
+
+        def make() -> None:
+            for name, face in FACES.items():
+                colour, ends = getattr(style, name, style.accent), [(*face, face[0])]
+                around = line_actor(corners, ends, colour, _WIDER * style.line_width)
+                made[name] = [around, face_actor(corners, [face], colour, _TINT)]
+                if behind:
+                    put_behind(made[name][1])
+            for name, corner in zip(CORNERS, corners, strict=True):
+                made[name] = [point_actor([corner], style.accent, _CORNER * style.line_width)]
+            for actor in [actor for each in made.values() for actor in each][::-1]:
+                actor.SetVisibility(False)
                 space.add(actor)
-                self._canvas.add(actor)
-                self.hidden(actor, name)
-            faces.append(tint)
-        for name, corner in zip(CORNERS, corners, strict=True):
-            point = point_actor([corner], style.accent, _CORNER * style.line_width)
-            space.add(point)
-            self._canvas.add(point)
-            self.hidden(point, name)
-        return faces
+                self._canvas.add(actor, after=before)
+
+        def show(name: str, on: bool) -> None:
+            if on and not made:
+                make()
+            for actor in made.get(name, ()):
+                actor.SetVisibility(on)
+
+        for name in (*FACES, *CORNERS):
+            self._call_for((name,), partial(show, name))
 
     def show(self, highlighted: Highlight) -> bool:
         """Highlight these things, and nothing else; return whether anything has changed."""

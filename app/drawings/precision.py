@@ -42,7 +42,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors, lifted
-from app.drawings.scene_bounds import bounds_px
+from app.drawings.scene_bounds import place_of
 from app.drawings.style import Style
 from app.model.projection import Array, Chain, Projection, Space
 from app.precision.levels import Precision
@@ -110,11 +110,8 @@ class ModelActors:
         """
         scene, placement = self._scene, projection.placement
         self._move(placement)
-        bounds = (*bounds_px(projection, scene), 0.0)  # while nothing is moved there is no ground
-        clip_from_world = projection.clip_from_local(scene.origin)
-        clip_from_object = clip_from_world
-        if not placement.is_identity:
-            clip_from_object = projection.clip_from_local(scene.origin, "object")
+        _, clip_from_object, clip_from_world, bounds_px = place_of(scene, projection)
+        bounds = *bounds_px, 0.0  # while nothing is moved there is no ground
         matrices = [*[clip_from_object] * _GROUND, clip_from_world]
         for which, (made, bound_px) in enumerate(zip(self._made, bounds, strict=False)):
             if made is not None and made.is_seen and bound_px > self._tolerance_px:

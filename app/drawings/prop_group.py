@@ -54,14 +54,20 @@ class PropGroup:
         for renderer in {self.renderer, *(renderer for renderer, _ in self._props)}:
             renderer.SetDraw(drawn)
 
-    def add(self, *props: vtkProp, renderer: Any = None, layer: str = "") -> None:
-        """Add props to a renderer, the screen's own by default.
+    def add(
+        self, *props: vtkProp, renderer: Any = None, layer: str = "", after: Any = None
+    ) -> None:
+        """Add props to a renderer, the screen's own by default, to be drawn last or `after` one.
 
         The props of a layer are shown and hidden by `set_visible` alone.
         """
         renderer = self.renderer if renderer is None else renderer
         for prop in props:
             renderer.AddViewProp(prop)
+            if after is not None:
+                drawn = renderer.GetViewProps()
+                drawn.RemoveItem(prop)
+                drawn.InsertItem(drawn.IsItemPresent(after) - 1, prop)
             self._props.append((renderer, prop))
             if layer:
                 self._layers[prop] = layer

@@ -21,7 +21,6 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkPlane
 
 from app.drawings.actors import fitting, lift_lines, make_pale
 from app.drawings.drawing import Drawing, light_of_labels
@@ -53,9 +52,7 @@ class SceneAtStage(FacesLayer):
 
     def __init__(self, state: StageState, tolerance_px: float) -> None:
         scene, style = state.scene, state.style
-        # Left, right, bottom, top, far, near of the view volume, normals inwards.
-        self.planes = [vtkPlane() for _ in range(6)]
-        self.model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), self.planes)
+        self.model = ModelActors(scene, style, least_tolerance(scene, tolerance_px), state.planes)
         drawn = self.model.actors
         if state.pane in scene.pale:
             make_pale(drawn, style)
@@ -64,19 +61,12 @@ class SceneAtStage(FacesLayer):
                 lift_lines(drawing)
         state.canvas.add(*drawn)
         super().__init__(state, drawn, "projected")
-        self._placed: object = None
 
     def show_detail(self, fewer: Scene | None) -> None:
         self.model.show_detail(fewer)
 
     def show(self) -> None:
         state = self._state
-        if state.placed != self._placed:
-            self._placed = state.placed
-            planes = state.morph.planes_display(state.position).tolist()
-            for plane, (*normal, offset) in zip(self.planes, planes, strict=True):
-                plane.SetNormal(*normal)
-                plane.SetOrigin(*(-offset * part for part in normal))
         if state.position == NDC:  # only the volume's content is shown, as precisely as it needs
             to_display = state.display_from_ndc
             matrices = [to_display @ m for m in self.model.show_projection(state.seen_projection)]
@@ -121,15 +111,16 @@ class StageDrawing(Drawing):
         self.names, self.board, self.own = state.names, state.board, state.own
         self._scene = SceneAtStage(state, tolerance_px)
         self.box = StageBox(state)
-        self._marks = MarksDrawing(state, clip=self._scene.planes, lifts_copies=True)
+        self._marks = MarksDrawing(state, clip=state.planes, lifts_copies=True)
         # The scene stands in the box.
         layers: list[Layer] = [StageProbes(state), self.box, self._scene, self._marks]
         if live:
             self.handles = HandleMarks(state)
             layers.append(self.handles)
         self.layers = Layers(state, *layers)
-        self._show()
-        self.reset_view()
+        with self.layers.placing_once():
+            self._show()
+            self.reset_view()
 
     @property
     def precision(self) -> Precision:
@@ -142,7 +133,7 @@ class StageDrawing(Drawing):
     ) -> None:
         state, before = self.state, self.state.projection
         reshaped = projection.image_size != before.image_size
-        reshaped |= projection.lens.has_pyramid != before.lens.has_pyramid
+        reshaped |= projection.lens.central != before.lens.central
         state.take(projection, illustration)
         if state.is_gliding:
             return

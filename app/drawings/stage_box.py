@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPlane
 from vtkmodules.vtkFiltersSources import vtkConeSource
 from vtkmodules.vtkRenderingCore import vtkActor
 
@@ -69,7 +70,8 @@ class StageState(PaneState):
     """What the layers of the stage pane share: the position on the strip, and the volume there.
 
     `stop` is the one whose axes and words are shown; `display_from_box` is where the volume is
-    shown, (4, 4), 0 without one.
+    shown, (4, 4), 0 without one. `planes` are left, right, bottom, top, far, near of the volume,
+    normals inwards.
     """
 
     pane = "ndc"
@@ -79,6 +81,7 @@ class StageState(PaneState):
         self.own = StageView(canvas, scene.start.camera, scene.cube_side)
         self.position = float(NDC)
         self.stop, self.display_from_box = NDC, np.zeros((4, 4))
+        self.planes = [vtkPlane() for _ in range(6)]
         self.is_gliding = False  # whether `glide` will show and place everything, once a frame
         self._morph: Morph | None = None
 
@@ -244,8 +247,7 @@ class StageBox(Layer):
 
     def _make_emphasis(self) -> None:
         emphasis = self._state.emphasis
-        for face in emphasis.volume(self._space, CUBE):
-            put_behind(face)
+        emphasis.volume(self._space, CUBE, behind=True)
         for name, line in self._outlines.items():
             emphasis.line(line, name)
         emphasis.line(self._edges, of=ENDS)
@@ -268,6 +270,10 @@ class StageBox(Layer):
         has_depth = stop != IMAGE
         state.stop, state.display_from_box = stop, box
         self._space.set(box)
+        planes = morph.planes_display(position).tolist()
+        for plane, (*normal, offset) in zip(state.planes, planes, strict=True):
+            plane.SetNormal(*normal)
+            plane.SetOrigin(*(-offset * part for part in normal))
         for actor in self._volume:
             actor.SetVisibility(drawn)
         is_cube = stop in (CANONICAL_PARALLEL, NDC)
@@ -355,7 +361,7 @@ class StageBox(Layer):
         box, lens, words = self._state.display_from_box, morph.projection.lens, self._words
         limit = RADIUS if stop <= VIEW else 2.0
         near, far = (_edge(box, -1.0, 1.0, limit, z) for z in (1.0, 0.0))
-        is_pyramid = lens.has_pyramid
+        is_pyramid = lens.central
         self._at |= {self.near: near, self.far: far}
         near_text, far_text = (words[end] for end in ENDS)
         x, y, z = ("−1", "1"), ("−1", "1"), ("0", "−1")

@@ -108,7 +108,7 @@ class StageView(PaneCamera):
             across, down, _ = sides / sides.max()
             drawn = CUBE_CORNERS * (across, down, 0.0)
             drawn = np.vstack([drawn, [across + OVERSHOOT, -down - OVERSHOOT, 0.0]])
-        elif stop == CANONICAL_PERSPECTIVE and projection.lens.has_pyramid:
+        elif stop == CANONICAL_PERSPECTIVE and projection.lens.central:
             drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.0) - (0.0, 0.0, 0.5), CANONICAL_AXES])
         elif stop in (CANONICAL_PERSPECTIVE, CANONICAL_PARALLEL):
             drawn = np.vstack([CUBE_CORNERS * (1.0, 1.0, 0.5), CANONICAL_AXES])

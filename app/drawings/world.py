@@ -47,6 +47,7 @@ class SceneInWorld(FacesLayer):
     """The scene itself, whose dots and lines are lifted before its faces."""
 
     _state: WorldState
+    follows = "local_from_object", "ghosts"
 
     def __init__(self, state: WorldState) -> None:
         drawn = SceneActors(state.scene, state.style)
@@ -57,20 +58,16 @@ class SceneInWorld(FacesLayer):
         self._faces_space, *self._line_spaces, self._ground_space = drawn.spaces
         self._ghosts: list[SceneActors] = []
         self._beside: list[Array] = []  # corners of the ghosts' boxes
-        self._placed: object = None
         self._part: tuple[Vector, Vector] | None = None  # of the ground, local; None for all of it
 
     def show(self) -> None:
         state = self._state
-        if state.local_from_object is not self._placed:
-            self._placed = state.local_from_object
-            self.actors.show_moved(not state.projection.placement.is_identity)
-            self._faces_space.set(state.local_from_object)
-            self.lift_lines()
+        self.actors.show_moved(not state.projection.placement.is_identity)
+        self._faces_space.set(state.local_from_object)
+        self.lift_lines()
         if state.ghosts or self._beside:
             self._show_ghosts(state.ghosts)
-        if self._changes:
-            super().show()
+        super().show()
 
     def _show_ghosts(self, chains: Sequence[Chain]) -> None:
         state = self._state
@@ -204,9 +201,10 @@ class WorldDrawing(Drawing):
             for actor in (*self.frustum.dimmable, *self.picture.actors, *self.camera.solid)
         ]
         self._goes_to: Framed | None = None  # what is framed where the pane's present way ends
-        self._name()
-        self.show_projection(scene.start)
-        self.reset_view()
+        with self.layers.placing_once():
+            self._name()
+            self.show_projection(scene.start)
+            self.reset_view()
 
     # -- fixed views and layers
 
@@ -406,6 +404,6 @@ class WorldDrawing(Drawing):
     def _follow_pane(self, *, afresh: bool) -> None:
         """Update everything that depends on the model and on the pane's camera."""
         self.camera.follow()  # its body has to be within reach
-        self.own.fit_range(self.layers.reach(), *self.camera.depths)
+        self.own.fit_range(self.layers.reach())
         self.layers.settle()
         self.layers.place_labels(afresh=afresh)

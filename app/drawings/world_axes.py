@@ -24,17 +24,16 @@ class WorldAxes(Layer):
     `drawn` is the object, which shows its axes while it is moved.
     """
 
+    follows = ("local_from_object",)
+
     def __init__(self, state: WorldState, drawn: SceneActors) -> None:
         self._state, self._names, self._drawn = state, state.names, drawn
         self._object: ObjectAxes | None = None
         self._world: ObjectAxes | None = None
-        self._placed: object = None
         self.is_wanted = False  # whether the object shows its axes although it is not moved
 
     def show(self) -> None:
-        if self._state.local_from_object is not self._placed:
-            self._placed = self._state.local_from_object
-            self.show_names()
+        self.show_names()
 
     def show_names(self) -> None:
         """Show the axes that are wanted where they belong, and hide the others."""

@@ -107,15 +107,7 @@ class DrawnDepths(NamedTuple):
     far: float
     near_break: tuple[float, float] | None  # where edges are broken, if a plane is not at its own
     far_break: tuple[float, float] | None  # distance
-
-    @property
-    def body(self) -> tuple[float, float]:
-        start, end = self.near, self.far
-        if self.near_break is not None and self.near_break[0] >= start:
-            start = self.near_break[1]
-        if self.far_break is not None and self.far_break[1] <= end:
-            end = self.far_break[0]
-        return start, end
+    body: tuple[float, float]  # between which the edges are whole
 
 
 class DrawnVolume(NamedTuple):
@@ -259,7 +251,7 @@ class WorldState(PaneState):
         unseen = {"object"} if self.ghosts else set[str]()
         if "frustum" in self.hidden or self.step is not None:
             # They would cover the arrows of the construction.
-            unseen |= {*ENDS, "corner", *WINDOW}
+            unseen |= {*ENDS, "corner", *SIDES, *WINDOW}
         if "camera" in self.hidden:
             unseen |= {"eye", "target"}
         elif "camera" in self.canvas.hidden:  # the pane looks through it, or from right behind it

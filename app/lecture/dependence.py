@@ -10,20 +10,8 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
 
+from app.model import formula
 from app.model.chain import MOST_TILES, lettered_kinds
-from app.model.formula import (
-    Call,
-    Difference,
-    Formula,
-    Letter,
-    Negative,
-    Number,
-    Pair,
-    Power,
-    Quotient,
-    Sum,
-    parse,
-)
 from app.model.lenses.perspective import FOV_Y
 from app.model.parameters import ASPECT, EYE, PARAMETERS, ROTATE, TARGET, TILES, TRANSLATE, UP
 from app.model.projection import Projection
@@ -113,38 +101,38 @@ def _only_axis(vector: Sequence[float | Fraction]) -> str:
 
 
 @lru_cache(maxsize=8192)
-def reach(formula: str, state: ProjectionState) -> Influence:
+def reach(text: str, state: ProjectionState) -> Influence:
     """Return the fields that change a formula in the names of `app.lecture.notation`."""
-    fields, is_zero = _of(parse(formula), state)
+    fields, is_zero = _of(formula.parse(text), state)
     return Influence(tuple(fields), is_zero)
 
 
-def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
-    if isinstance(node, Number):
+def _of(node: formula.Formula, state: ProjectionState) -> _FieldsAndZero:
+    if isinstance(node, formula.Number):
         return {}, node.number == 0
-    if isinstance(node, Letter):
+    if isinstance(node, formula.Letter):
         return _of_name(node.name, state)
-    if isinstance(node, Negative | Power):
+    if isinstance(node, formula.Negative | formula.Power):
         return _of(node.parts[0], state)
-    if isinstance(node, Call):
+    if isinstance(node, formula.Call):
         first = node.arguments[0]
         if node.name == "dot":
-            assert isinstance(first, Letter)
+            assert isinstance(first, formula.Letter)
             return _of_dot(first.name, state)
         fields, _ = _of(first, state)
         return fields, node.text in state.zeros
-    assert isinstance(node, Pair)
-    if isinstance(node.left, Letter) and isinstance(node.right, Letter):
+    assert isinstance(node, formula.Pair)
+    if isinstance(node.left, formula.Letter) and isinstance(node.right, formula.Letter):
         across = _SIDES.get((node.left.name, node.right.name))
         if across is not None:
-            return _of_window(across, isinstance(node, Sum), state)
+            return _of_window(across, isinstance(node, formula.Sum), state)
     (left, left_is_zero), (right, right_is_zero) = _of(node.left, state), _of(node.right, state)
-    if isinstance(node, Quotient):
+    if isinstance(node, formula.Quotient):
         cancelled = _only_nonzero_plane(node.left, state)
         if cancelled and cancelled == _only_nonzero_plane(node.right, state):
             return {field: None for field in left | right if field not in FIELDS[cancelled]}, False
         return (left if left_is_zero else left | right), left_is_zero
-    if isinstance(node, Sum | Difference):
+    if isinstance(node, formula.Sum | formula.Difference):
         return left | right, left_is_zero and right_is_zero
     if left_is_zero and right_is_zero:
         return {field: None for field in left if field in right}, True
@@ -153,15 +141,19 @@ def _of(node: Formula, state: ProjectionState) -> _FieldsAndZero:
     return left | right, False
 
 
-def _only_nonzero_plane(node: Formula, state: ProjectionState) -> str:
+def _only_nonzero_plane(node: formula.Formula, state: ProjectionState) -> str:
     """Return the only plane of a sum that is not 0: f for ``f - n`` with n = 0."""
-    if isinstance(node, Negative):
+    if isinstance(node, formula.Negative):
         return _only_nonzero_plane(node.operand, state)
-    if isinstance(node, Sum | Difference):
+    if isinstance(node, formula.Sum | formula.Difference):
         for gone, other in ((node.left, node.right), (node.right, node.left)):
             if _of(gone, state)[1]:
                 return _only_nonzero_plane(other, state)
-    if isinstance(node, Letter) and node.name in ("n", "f") and node.name not in state.zeros:
+    if (
+        isinstance(node, formula.Letter)
+        and node.name in ("n", "f")
+        and node.name not in state.zeros
+    ):
         return node.name
     return ""
 
@@ -188,7 +180,7 @@ def _of_dot(axis: str, state: ProjectionState) -> _FieldsAndZero:
     if axis == "axis_n":
         return dict.fromkeys(("eye",) if "eye" in state.zeros else ("eye", "target")), is_zero
     by_eye, by_target = (
-        _of(parse(" + ".join(f"{axis[-1]}_{x}*{point}_{x}" for x in "xyz")), state)[0]
+        _of(formula.parse(" + ".join(f"{axis[-1]}_{x}*{point}_{x}" for x in "xyz")), state)[0]
         for point in ("eye", "target")
     )
     return {field: None for field in by_eye if field in by_target}, is_zero

@@ -21,7 +21,7 @@ import numpy as np
 
 from app.document.document import Document
 from app.document.view import View
-from app.model import formula
+from app.model import formula, parameters
 from app.model.formula import Arithmetic, Formula
 from app.model.infinity import trace_at_infinity
 from app.model.lenses.lens import FAR, NEAR
@@ -29,20 +29,6 @@ from app.model.lenses.oblique import ALPHA, BETA
 from app.model.lenses.perspective import FOV_Y, focal_length_35mm
 from app.model.limits import LARGEST, Row
 from app.model.parameter import Parameter
-from app.model.parameters import (
-    ASPECT,
-    AZIMUTH,
-    DISTANCE,
-    ELEVATION,
-    FOCAL_E,
-    FOCAL_LENGTH,
-    FOV_X,
-    HEIGHT,
-    PARAMETERS,
-    ROTATE,
-    WIDTH,
-    WINDOW_SIDES,
-)
 from app.model.pipeline import Stage
 from app.model.projection import Array, Projection, Trace
 from app.model.refusal import REFUSALS, Refusal
@@ -412,7 +398,7 @@ def _of_tile(parameter: Parameter, known: Quantities) -> float:
     Raise `NotThere` for several.
     """
     letter = parameter.name[-1]
-    kind = f"rotate {letter}" if ROTATE.name in parameter.name else parameter.name[:-2]
+    kind = f"rotate {letter}" if parameters.ROTATE.name in parameter.name else parameter.name[:-2]
     rivals = [kind, "rotate"] if kind.startswith("rotate") else [kind]
     tiles = [tile for tile in known.projection.placement.on if tile.kind in rivals]
     if len(tiles) > 1 or any(tile.kind != kind for tile in tiles):
@@ -424,24 +410,34 @@ def _of_frame(row: int, place: int, known: Quantities) -> float:
     return float(known.projection.camera.frame[row][place])
 
 
-_VALUES = WIDTH, HEIGHT, DISTANCE, AZIMUTH, ELEVATION
+_VALUES = (
+    parameters.WIDTH,
+    parameters.HEIGHT,
+    parameters.DISTANCE,
+    parameters.AZIMUTH,
+    parameters.ELEVATION,
+)
 _SIMPLE: dict[str, Callable[[Quantities], Any]] = {
     "pi": lambda known: math.pi,
     "infinity": lambda known: math.inf,
     **{each.formula: partial(_of_lens, each) for each in (NEAR, FAR)},
-    **{side.formula: _window(place) for place, side in enumerate(WINDOW_SIDES)},
+    **{side.formula: _window(place) for place, side in enumerate(parameters.WINDOW_SIDES)},
     FOV_Y.formula: _fov,
-    FOV_X.formula: partial(_angle_of_view, 0, 1),
-    ASPECT.formula: lambda known: float(known.projection.aspect),
+    parameters.FOV_X.formula: partial(_angle_of_view, 0, 1),
+    parameters.ASPECT.formula: lambda known: float(known.projection.aspect),
     **{each.formula: partial(_of_lens, each) for each in (ALPHA, BETA)},
-    FOCAL_E.formula: lambda known: 1.0 / math.tan(math.radians(_angle_of_view(0, 1, known) / 2.0)),
-    FOCAL_LENGTH.formula: lambda known: focal_length_35mm(_fov(known), known.projection.aspect),
+    parameters.FOCAL_E.formula: lambda known: (
+        1.0 / math.tan(math.radians(_angle_of_view(0, 1, known) / 2.0))
+    ),
+    parameters.FOCAL_LENGTH.formula: lambda known: focal_length_35mm(
+        _fov(known), known.projection.aspect
+    ),
     **{each.formula: partial(_value, each) for each in _VALUES},
     "stage": lambda known: known._view.stage,
     "turned": lambda known: float("world" in known._view.panes),
 }
 for _place, _axis in enumerate(XYZ):
-    for _vector in (each for each in PARAMETERS.values() if each.vector):
+    for _vector in (each for each in parameters.PARAMETERS.values() if each.vector):
         _read = _of_tile if _vector.section == "object" else _value
         _SIMPLE[f"{_vector.formula}_{_axis}"] = partial(_read, _vector.component(_place))
     for _row, _letter in enumerate("uvn"):

@@ -95,9 +95,8 @@ def sphere(projection: Projection) -> Scene:
     source.SetPhiResolution(_RINGS)
     source.Update()
     mesh = PolyMesh.sharing(source.GetOutput())
-    mesh.points = mesh.points[:, [2, 1, 0]] * np.array(
-        [1, 1, -1], np.float32
-    )  # poles left and right
+    # Poles left and right.
+    mesh.points = mesh.points[:, [2, 1, 0]] * np.array([1, 1, -1], np.float32)
     mesh.cell_data["rgb"] = np.full((mesh.n_cells, 3), 200, dtype=np.uint8)
     ends = [vector(np.array(camera.target) + side * radius) for side in (-1.0, 1.0)]
     return Scene(

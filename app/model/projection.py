@@ -253,8 +253,8 @@ class Projection(Pipeline):
 
 
 @lru_cache(maxsize=16)  # the drawn parts of one volume, which most edits do not change
-def _depth_rows(kind: Any, near: float, far: float) -> tuple[Array, Array]:
-    """Row z of `clip_from_view`, (4,), and rows z and w of its inverse, (2, 4), reversed range.
+def _depth_rows(kind: Any, near: float, far: float) -> tuple[list[float], list[list[float]]]:
+    """Row z of `clip_from_view`, and rows z and w of its inverse, in the reversed range.
 
     `kind` is a class of lenses.
     """
@@ -262,6 +262,6 @@ def _depth_rows(kind: Any, near: float, far: float) -> tuple[Array, Array]:
     assert table.view_from_clip is not None
     z_near, z_far = DEPTH_RANGES["reversed"]
     letters = {"n": near, "f": far, "z_n": z_near, "z_f": z_far}
-    rows = evaluated((table.clip_from_view[2], *table.view_from_clip[2:]), letters, FLOAT64)
-    depth, *back = rows
-    return read_only(depth), read_only(back)
+    rows = table.clip_from_view[2], *table.view_from_clip[2:]
+    depth, *back = evaluated(rows, letters, FLOAT64)
+    return depth, back

@@ -299,8 +299,10 @@ def test_a_mesh_far_from_the_origin_is_drawn_as_cleanly_as_near_it(tmp_path: Pat
     assert (near != far).any(axis=2).mean() < 1e-3
 
 
-@pytest.mark.parametrize("scale", [1.0, 2.0])
-@pytest.mark.parametrize("scene", ["letter-f", "similar-triangles", "focus", "clipping"])
+@pytest.mark.parametrize(
+    ("scene", "scale"),
+    [("letter-f", 1.0), ("similar-triangles", 2.0), ("focus", 1.0), ("clipping", 2.0)],
+)
 def test_all_letters_of_a_figure_have_one_size(
     scene: str, scale: float, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -288,7 +288,8 @@ def test_large_letters_leave_the_drawing_in_the_pane_and_cover_nothing(
 
 def dimension_lines(prop: Any) -> list[list[tuple[float, float]]]:
     """The ends of each line of an actor with many lines."""
-    data = prop.GetMapper().GetInput() if isinstance(prop, vtkActor2D) else None
+    mapper = prop.GetMapper() if isinstance(prop, vtkActor2D) else None  # none before it is seen
+    data = None if mapper is None else mapper.GetInput()
     if not isinstance(data, vtkPolyData) or data.GetNumberOfLines() < 20:
         return []
     ends = [data.GetPoint(i)[:2] for i in range(data.GetNumberOfPoints())]

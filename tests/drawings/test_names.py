@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from vtkmodules.vtkRenderingCore import vtkActor2D
 
 from app.document.document import Document
 from app.document.naming import nameable, named_in
@@ -12,6 +13,7 @@ from app.document.view import View
 from app.drawings import WORDS, DrawingWords
 from app.drawings.actors import CUBE_CORNERS
 from app.drawings.image import ImageDrawing
+from app.drawings.near_picture import NearPicture
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, TITLE_EM, rgb
 from app.drawings.world import WorldDrawing
@@ -352,3 +354,47 @@ def test_a_question_knows_where_the_objects_are(off_screen: MakeScreen) -> None:
     boxes = (x - 15.0, y - 15.0, x + 15.0, y + 15.0), (-200.0, -200.0, 0.0, 0.0), (-9, -9, 9e3, 9e3)
     inside, beside, everywhere = ground.inked_px(np.array(boxes)).tolist()
     assert inside > 300.0 and beside == 0.0 and everywhere < 0.5 * PANE_PX[0] * PANE_PX[1]
+
+
+def test_what_is_hidden_is_made_when_it_is_first_seen(off_screen: MakeScreen) -> None:
+    """A new drawing has no mesh for its hidden labels and leaders."""
+    drawing = opened(off_screen(*PANE_PX))
+    flat = [prop for prop in drawing.board.renderer.GetViewProps() if isinstance(prop, vtkActor2D)]
+    hidden = [actor for actor in flat if not actor.GetVisibility()]
+    assert hidden and all(actor.GetMapper() is None for actor in hidden)
+    label = drawing.board.label("another", "another")
+    assert label.actor.GetMapper() is None
+    label.set_visible(True)
+    assert label.actor.GetMapper().GetInput().GetNumberOfPoints() == 4
+
+
+def test_a_highlight_makes_what_it_shows_once_and_in_its_place(off_screen: MakeScreen) -> None:
+    """What lies before another thing lies before it, too, if it is made later."""
+    drawing = opened(off_screen(*PANE_PX))
+    props = drawing.board.renderer.GetViewProps()
+    before = list(props)
+    drawing.show_highlight(frozenset({"left"}))
+    after = list(props)
+    made = [prop for prop in after if prop not in before]
+    assert made and [prop for prop in after if prop in before] == before
+    first = after.index(made[0])
+    assert after[first : first + len(made)] == made and after[-1] is before[-1]
+    assert sum(bool(prop.GetVisibility()) for prop in made) == 2  # the face and its outline
+    drawing.show_highlight(frozenset())
+    drawing.show_highlight(frozenset({"right", "near_left_bottom"}))
+    assert list(props) == after
+    assert sum(bool(prop.GetVisibility()) for prop in made) == 3
+
+
+def test_several_changes_settle_once(
+    off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    settled: list[object] = []
+    monkeypatch.setattr(NearPicture, "settle", lambda layer: settled.append(layer))
+    drawing = WorldDrawing(off_screen(*PANE_PX), load("letter-f"), WORDS, LIGHT)
+    assert len(settled) == 1
+    with drawing.layers.placing_once():
+        drawing.show_projection(drawing.state.scene.start)
+        drawing.reset_view()
+        assert len(settled) == 1
+    assert len(settled) == 2

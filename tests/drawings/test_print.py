@@ -77,11 +77,9 @@ def test_every_letter_has_the_size_that_is_asked_for(
     ("scene", "panes", "values", "width_mm"),
     [
         (*CHAPTER[0], 84.0),
-        (*CHAPTER[1], 120.0),
         (*CHAPTER[4], 84.0),
         (*CHAPTER[7], 120.0),
         ("clipping", "world,ndc", (), 84.0),
-        ("clipping", "world,ndc", (), 174.0),
         ("off-axis-window", "world,ndc", (), 84.0),
         ("interpolation", "image", (COMPARED,), 84.0),
         ("interpolation", "world,ndc,image", (), 84.0),  # pixels, which are empty above
@@ -99,7 +97,7 @@ def test_a_figure_is_as_wide_as_asked_after_it_was_cropped(
     left, top, right, low = box_of(shapes, "#ffffff") or (0.0,) * 4
     assert (left, right) == pytest.approx((0.0, width), abs=0.01)
     assert (top, low) == pytest.approx((0.0, height), abs=1e-6)
-    if width_mm == 84.0:
+    if scene in ("letter-f", "interpolation", "cheap-arithmetic") and width_mm == 84.0:
         high, wide = shown.pixels().shape[:2]
         assert wide == round(width) and high == pytest.approx(height, abs=2.0)
 
@@ -261,17 +259,11 @@ def test_near_is_named_below_its_plane_where_what_lay_before_it_was_cut_away(sce
     assert far < 0.2 * high and near > 0.8 * high
 
 
-def test_a_column_of_three_panes_goes_into_a_page_of_a_book() -> None:
-    (width, height), _ = places_mm(
-        figure("letter-f", "world/ndc/image", (), size=None, width=84.0 / 25.4 * DPI)
-    )
-    assert width == pytest.approx(84.0) and height < 180.0
-
-
-@pytest.mark.parametrize("scene", ["letter-f", "focus"])
+@pytest.mark.parametrize("scene", ["letter-f", "similar-triangles"])
 def test_no_more_than_a_gap_is_empty_between_panes_of_a_column(scene: str) -> None:
     shown = figure(scene, "world/ndc/image", (), size=None, width=84.0 / 25.4 * DPI)
     (_, height), shapes = shown.shapes()
+    assert scene != "letter-f" or height < 180.0 / 25.4 * DPI, "it goes into a page of a book"
     pixels = shown.pixels()
     ink = (pixels != 255).any(axis=(1, 2)).nonzero()[0]
     rows = np.zeros(len(pixels), dtype=np.bool_)

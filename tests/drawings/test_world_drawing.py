@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkCamera
 
 from app.drawings import WORDS
 from app.drawings.dimensions import Dimensions
-from app.drawings.frustum import matrices_between
+from app.drawings.frustum import view_from_cube
 from app.drawings.label_placement import Ground
 from app.drawings.near_picture import SLAB, flatten, flatten_free
 from app.drawings.style import DARK, LIGHT, Style
@@ -200,7 +200,8 @@ def test_a_part_of_the_view_volume_is_what_the_model_says() -> None:
         near = max(projection.lens.near, 0.01) * random.uniform(0.5, 3.0)
         far = near + 10.0 ** random.uniform(-1.0, 3.0)
         part = replace(projection.between(near, far), depth="reversed")
-        clip_from_view, view_from_clip = matrices_between(projection, near, far)
+        clip_from_view = projection.matrices_between(near, far)[0]
+        view_from_clip = view_from_cube(projection, near, far)
         for found, expected in (
             (applied(view_from_clip, CUBE), applied(part.view_from_clip, CUBE)),
             (clip_from_view, part.clip_from_view),
@@ -223,8 +224,9 @@ def test_a_flattened_picture_is_where_its_corners_are_seen_and_in_order(parallel
         if inside.sum() < 2:
             continue
         checked += 1
-        on_face = np.column_stack([trace.ndc[inside, :2], np.full(inside.sum(), -1.0)])
-        face = applied(projection.with_depth("opengl").world_from_clip_at(np.zeros(3)), on_face)
+        on_face = np.column_stack([trace.ndc[inside, :2], np.ones(inside.sum())])
+        world_from_clip = projection.with_depth("reversed").world_from_clip_at(np.zeros(3))
+        face = applied(world_from_clip, on_face)
         thick = SLAB * (10.0 if lens.parallel else lens.near)
         pane_eye = random.uniform(20.0, 40.0, 3) * random.choice([-1.0, 1.0], 3)
         sight = pane_eye - face
@@ -232,8 +234,8 @@ def test_a_flattened_picture_is_where_its_corners_are_seen_and_in_order(parallel
         if parallel:
             sight = np.tile(pane_eye / np.linalg.norm(pane_eye), (len(face), 1))
             toward = thick * np.array([*sight[0], 0.0])
-        view = view_matrices(camera, np.zeros(3))
-        film = flatten(projection, view, (depths.min(), depths.max()), 10.0, toward)
+        view, corners = view_matrices(camera, np.zeros(3))[0], applied(world_from_clip, CUBE[:4])
+        film = flatten(projection, view, (depths.min(), depths.max()), corners, 10.0, toward)
         moved = applied(film.surface, points[inside]) - face
         parts = (moved * sight).sum(axis=1) / (sight * sight).sum(axis=1)
         rounding = 1e-9 * (1.0 + np.abs(face).max())
@@ -260,9 +262,11 @@ def test_the_windows_planes_cut_what_the_model_says_is_outside() -> None:
         if not (depths.max() > near and depths.min() < far):
             continue
         bounds = depths.min(), depths.max()
-        view = view_matrices(projection.camera, np.zeros(3))
+        view = view_matrices(projection.camera, np.zeros(3))[0]
+        world_from_clip = projection.with_depth("reversed").world_from_clip_at(np.zeros(3))
+        corners = applied(world_from_clip, CUBE[:4])
         toward = 0.05 * np.array([*random.uniform(-1.0, 1.0, 3), 0.0])
-        film = flatten(projection, view, bounds, 10.0, toward)
+        film = flatten(projection, view, bounds, corners, 10.0, toward)
         flat = points @ film.surface[:, :3].T + film.surface[:, 3]
         cut = ((flat @ film.planes.T) < 0.0).any(axis=1)
         outside = projection.trace(points).outside

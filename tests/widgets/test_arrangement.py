@@ -217,6 +217,7 @@ def test_unsaved_work_is_undone_to_and_is_in_recovery_meanwhile(
     assert not list(data_folder().glob("autosave-*.json")), "saved work needs no copy"
 
 
+@pytest.mark.undrawn
 def test_unsaved_work_behind_another_file_is_offered_by_the_next_window(
     make_window: MakeWindow, prepared: Path
 ) -> None:

@@ -241,8 +241,10 @@ def test_it_tells_where_it_is_clicked_dragged_hovered_over_and_left(opened: Open
     assert told[0][1] == QPointF(40.5, 50.5) * ratio and told[1][1] == QPointF(30, 0) * ratio
 
 
-def test_keys_it_does_not_know_go_on_to_the_window(opened: Opened) -> None:
+def test_drops_and_keys_it_does_not_know_are_the_windows(opened: Opened) -> None:
     window = opened()
+    canvases: list[QWidget] = [pane.canvas for pane in window.panes.values()]
+    assert not any(canvas.acceptDrops() for canvas in canvases)
     before = pixels(window)
     for key in "3wsqerfp":
         QTest.keyClick(window.panes["world"].canvas, key)
@@ -316,12 +318,6 @@ def test_a_canvas_that_is_forced_and_cannot_be_had_is_refused(tmp_path: Path) ->
     )  # fmt: skip
     assert done.returncode == 3
     assert "platform offscreen shows no OpenGL" in done.stderr and done.stderr.count("\n") == 1
-
-
-def test_it_takes_no_drops_which_are_the_windows(opened: Opened) -> None:
-    window = opened()
-    canvases: list[QWidget] = [pane.canvas for pane in window.panes.values()]
-    assert not any(canvas.acceptDrops() for canvas in canvases)
 
 
 def test_a_blurred_picture_is_refined_while_nothing_changes_and_then_rests(

@@ -124,9 +124,8 @@ def heard(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     return texts
 
 
-def test_a_lesson_without_the_mouse(either: MainWindow, heard: list[str]) -> None:
+def test_a_lesson_without_the_mouse(window: MainWindow, heard: list[str]) -> None:
     """Drag near, undo it, follow a vertex, read its probe, drag the eye."""
-    window = either
     start = model(window)
     unvisited = {pane.canvas for pane in window.panes.values()}
     for _ in range(200):  # Tab comes to every pane

@@ -249,6 +249,7 @@ def test_the_strip_of_stages_is_shown_to_a_class_only_if_it_is_asked_for(
     assert window.strip.isVisible() and window.control_strip.isHidden()
 
 
+@pytest.mark.undrawn
 def test_no_markdown_is_read_without_a_talk(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -295,6 +295,7 @@ def test_a_broken_settings_file_is_set_aside(
     assert Settings(ini).theme == "dark"
 
 
+@pytest.mark.undrawn
 def test_the_window_says_which_settings_it_could_not_use(
     ini: Path, tmp_path: Path, make_window: MakeWindow
 ) -> None:
@@ -310,6 +311,7 @@ def test_the_window_says_which_settings_it_could_not_use(
     assert not window.messages.text
 
 
+@pytest.mark.undrawn
 def test_that_settings_cannot_be_written_is_said_once_and_tried_again(
     tmp_path: Path, make_window: MakeWindow, caplog: pytest.LogCaptureFixture
 ) -> None:
@@ -360,6 +362,7 @@ def test_two_windows_do_not_undo_each_others_settings(ini: Path) -> None:
     assert (again.theme, again.start_card, again.recent) == ("dark", False, one.recent)
 
 
+@pytest.mark.undrawn
 def test_two_windows_do_not_lose_each_others_recent_files(
     ini: Path, tmp_path: Path, make_window: MakeWindow
 ) -> None:
@@ -912,6 +915,7 @@ def test_what_the_command_line_changes_is_unsaved(
     assert Store(document, saved=saved).modified == is_unsaved
 
 
+@pytest.mark.undrawn
 def test_a_picture_is_no_place_to_save_in_whatever_its_name(
     make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -62,7 +62,7 @@ def test_it_has_every_scene_as_a_picture(window: MainWindow) -> None:
 def test_the_pictures_are_what_the_program_draws(dark: bool, tmp_path: Path) -> None:
     known = {tile_path(name, dark=each) for name in BUILT_IN for each in (False, True)}
     assert set(TILES.glob("*.png")) == known
-    for name in BUILT_IN:
+    for name in BUILT_IN[dark::2]:  # one that changes does so in both palettes
         drawn, shipped = tmp_path / "drawn.png", tile_path(name, dark=dark)
         draw_tile(name, drawn, dark=dark)
         assert different(shipped, drawn) <= MOST_DIFFERENT, f"tests.pictures --tiles {name}"
@@ -97,6 +97,7 @@ def test_one_click_or_escape_closes_it(window: MainWindow) -> None:
         assert is_gone(window) and window.store.document == before
 
 
+@pytest.mark.undrawn
 def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path) -> None:
     path, lesson = tmp_path / "document with a rather long name.json", tmp_path / "l1.md"
     write(Document("cube", load("cube").start), path)
@@ -119,6 +120,7 @@ def test_recent_files_are_there_and_open(make_window: MakeWindow, tmp_path: Path
     assert is_gone(window) and window.store.document.scene == "cube"
 
 
+@pytest.mark.undrawn
 def test_the_switch_is_kept(make_window: MakeWindow, own_home: Path) -> None:
     card = opened(make_window(settings=Settings(own_home / "own.ini")))
     (always,) = card.findChildren(QCheckBox)

@@ -38,7 +38,6 @@ SAMPLE: tuple[str, ...] = (
     "letter-f",
     "similar-triangles",
     "off-axis-window",
-    "view-volumes",
     "affine-depth",
 )
 MORE = "vanishing-points", "planar-shadow", "two-eyes"

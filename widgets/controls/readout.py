@@ -157,7 +157,7 @@ class Readout(LetteredWidget, QWidget):
                 if watched in line and event.type() == QEvent.Type.Enter:
                     about = frozenset(reading.about)
             self.highlighted.emit(about)
-        return super().eventFilter(watched, event)
+        return False
 
     def _add_line(self) -> None:
         label, value, unit = Balanced(), _Value(), PlainLabel()

@@ -378,14 +378,14 @@ class SceneCard(QWidget, RowHolder):
         return WORDS.say("only", label, of_phenomena(dict(other.choices)[str(wanted)]))
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.Show:  # perhaps elsewhere, while the card is hidden
+        if isinstance(event, QShowEvent):  # perhaps elsewhere, while the card is hidden
             self.readable.settle()
         if isinstance(event, QHelpEvent) and event.type() == QEvent.Type.ToolTip:
             why = self._why_not.get(watched) if isinstance(watched, QWidget) else None
             if why:
                 show_tip(event.globalPos(), why)  # instead of its own
                 return True
-        return super().eventFilter(watched, event)
+        return False
 
     def _dress(self) -> None:
         """Set the size of the name with a style sheet, because a theme would reset a font."""

@@ -12,21 +12,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QSize, Qt, Signal
 from PySide6.QtGui import QFont, QGuiApplication, QIcon, QPalette
-from PySide6.QtWidgets import (
-    QAbstractItemView,
-    QFileDialog,
-    QGridLayout,
-    QHeaderView,
-    QListWidget,
-    QListWidgetItem,
-    QProgressBar,
-    QSizePolicy,
-    QTableWidget,
-    QTableWidgetItem,
-    QWidget,
-)
 
 from app.document.document import Document
 from app.document.files import write_bytes_atomically
@@ -63,23 +51,23 @@ _HUES = ("ink", "near", "far", "u", "v", "n", "eye", "target", "frustum", "accen
 _NAME = Qt.ItemDataRole.UserRole
 
 
-class _ResultsTable(FittedWidget, QTableWidget):
+class _ResultsTable(FittedWidget, QtWidgets.QTableWidget):
     """A table of whole rows, whose last column, the notes, has the remaining width."""
 
     def __init__(self) -> None:
         super().__init__()
         self._least_notes = 0
-        self.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
-        self.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
+        self.setEditTriggers(QtWidgets.QAbstractItemView.EditTrigger.NoEditTriggers)
+        self.setSelectionBehavior(QtWidgets.QAbstractItemView.SelectionBehavior.SelectRows)
         self.setTabKeyNavigation(False)  # the keyboard could not leave the table
-        self.setSelectionMode(QAbstractItemView.SelectionMode.SingleSelection)
+        self.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.SingleSelection)
         self.verticalHeader().hide()
         self.setMinimumSize(200, 40)
         self.horizontalHeader().sectionResized.connect(self._fit)
 
     def fit_columns(self) -> None:
         header = self.horizontalHeader()
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.setSectionResizeMode(QtWidgets.QHeaderView.ResizeMode.Interactive)
         self._least_notes = 0
         self.resizeColumnsToContents()
         if self.rowCount():
@@ -115,7 +103,7 @@ class MeasurePanel(DiagramPanel):
         document: Callable[[], Document],
         current: Callable[[], Mapping[str, str]],
         smoothings: Sequence[str],
-        precision: QWidget,
+        precision: QtWidgets.QWidget,
     ) -> None:
         super().__init__()
         self._document, self._current, self._smoothings = document, current, smoothings
@@ -140,25 +128,29 @@ class MeasurePanel(DiagramPanel):
         self._show_running()
         self._readable.changed()
 
-    def _make_controls(self) -> QGridLayout:
-        self.list = QListWidget()
-        self.list.setSelectionMode(QAbstractItemView.SelectionMode.ExtendedSelection)
+    def _make_controls(self) -> QtWidgets.QGridLayout:
+        self.list = QtWidgets.QListWidget()
+        self.list.setSelectionMode(QtWidgets.QAbstractItemView.SelectionMode.ExtendedSelection)
         WORDS.name(self.list, "list")
         for name, title in chart.TITLES.items():
-            QListWidgetItem(of_measure(title), self.list).setData(_NAME, name)
+            QtWidgets.QListWidgetItem(of_measure(title), self.list).setData(_NAME, name)
         self.list.setCurrentRow(0)
         self.list.currentItemChanged.connect(self._withdraw_refusal)
         self.list.currentItemChanged.connect(self._readable.changed)
         self.list.setMinimumHeight(40)
-        self.list.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Ignored)
+        self.list.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Preferred, QtWidgets.QSizePolicy.Policy.Ignored
+        )
         self.how = WORDS.combo("how", {"quick": True, "full": False})
         self.run_button = WORDS.push("run", self.run)
         self.run_button.setObjectName("measureHere")  # the style sheet makes it large
         self.cancel_button = WORDS.push("cancel", self.measuring.cancel)
-        self.progress = QProgressBar()
+        self.progress = QtWidgets.QProgressBar()
         self.progress.setRange(0, 1000)
         self.progress.setAccessibleName(WORDS.say("progress"))
-        self.progress.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Preferred)
+        self.progress.setSizePolicy(
+            QtWidgets.QSizePolicy.Policy.Ignored, QtWidgets.QSizePolicy.Policy.Preferred
+        )
         self.progress.hide()
         self.export_button = WORDS.push("export", self.export_dialog)
         self.load_button = WORDS.push("load", self.load_dialog)
@@ -166,7 +158,7 @@ class MeasurePanel(DiagramPanel):
         self.cost = WORDS.combo("cost")
         self.cost.currentIndexChanged.connect(self._withdraw_refusal)
         self.cost.currentIndexChanged.connect(self._readable.changed)
-        buttons = QGridLayout()
+        buttons = QtWidgets.QGridLayout()
         buttons.setSpacing(3)
         for row, widgets in (
             (0, (self.how, self.cancel_button, self.progress)),
@@ -300,7 +292,9 @@ class MeasurePanel(DiagramPanel):
 
     def export_dialog(self) -> None:
         title, kinds, kind = WORDS["export-as"]
-        path, _ = QFileDialog.getSaveFileName(self, title, f"{self.name}.pdf", kinds, kind)
+        path, _ = QtWidgets.QFileDialog.getSaveFileName(
+            self, title, f"{self.name}.pdf", kinds, kind
+        )
         if path:
             self.export(Path(path))
 
@@ -338,7 +332,7 @@ class MeasurePanel(DiagramPanel):
     def load_dialog(self) -> None:
         """Ask for a file of results, and draw it over the measured ones."""
         title, kinds = WORDS["load-from"]
-        path, _ = QFileDialog.getOpenFileName(self, title, "", kinds)
+        path, _ = QtWidgets.QFileDialog.getOpenFileName(self, title, "", kinds)
         if path:
             self.load(Path(path))
 
@@ -459,7 +453,7 @@ class MeasurePanel(DiagramPanel):
         slanted = QFont(self.table.font())
         slanted.setItalic(True)
         for x, text in enumerate(row):
-            cell = QTableWidgetItem(named(text))
+            cell = QtWidgets.QTableWidgetItem(named(text))
             if why:
                 cell.setFont(slanted)
                 if x == 0 and choice is not None and choice.cost is not None:

@@ -131,13 +131,12 @@ class StageStrip(FittedWidget, QWidget, Playing):
         """Name the stops, axes and limits of this projection."""
         self._projection = shown.projection
         lens, was_free = self._projection.lens, self._free
-        self._free = not lens.has_steps
-        parallel = not self._free and not lens.has_pyramid
+        self._free = lens.planes is None
         is_other = changed != {"lens"} or self._free != was_free
         tiles = self._projection.placement.on
         tiles = tiles if self.from_left else tiles[::-1]
-        if parallel != self._parallel or tiles != self._tiles:
-            self._parallel, self._tiles, self.first = parallel, tiles, WORLD - len(tiles)
+        if lens.parallel != self._parallel or tiles != self._tiles:
+            self._parallel, self._tiles, self.first = lens.parallel, tiles, WORLD - len(tiles)
             self._make_stops()
             is_other = True
             if self.position < self.first:

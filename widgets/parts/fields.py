@@ -216,13 +216,13 @@ class Row(TintedWidget, QWidget, Gestures):
         self._attend("keyboard", False)
 
     def eventFilter(self, watched: Any, event: QEvent) -> bool:
-        if isinstance(
-            event, QtGui.QFocusEvent
-        ):  # focus by a click is covered by the mouse's own events
+        if isinstance(event, QtGui.QFocusEvent):  # a click's is covered by the mouse's own events
             self._attend("keyboard", event.gotFocus() and event.reason() in _BY_KEYS)
-        if event.type() in (QEvent.Type.FocusIn, QEvent.Type.ToolTip):
+        # Of all other events the type is not asked: hundreds come with another scene.
+        is_one = isinstance(event, QtGui.QFocusEvent | QtGui.QHelpEvent)
+        if is_one and event.type() in (QEvent.Type.FocusIn, QEvent.Type.ToolTip):
             self._describe_part(watched)
-        return super().eventFilter(watched, event)
+        return False
 
     def _describe_part(self, part: QWidget) -> None:
         """Bring what a part says about the value up to date, now that somebody reads it."""

@@ -140,10 +140,12 @@ class Balanced(PlainLabel):
         painter = QPainter(self)
         painter.setPen(self.palette().color(self.foregroundRole()))
         for part, needed in zip(parts, heights, strict=True):
-            longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
-            widths = range(min(longest + 2, inside.width()), inside.width())
-            place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
-            width = widths.start + place
+            width = inside.width()
+            if needed >= 2 * metrics.height():  # of several lines
+                longest = max(map(metrics.horizontalAdvance, part.split()), default=0)
+                widths = range(min(longest + 2, width), width)
+                place = bisect_left(widths, True, key=lambda w: height(w, part) <= needed)
+                width = widths.start + place
             if "_" in part and not self._is_name:
                 self._paint_subscripts(painter, inside.left(), top, width, part)
             else:

@@ -108,7 +108,7 @@ class NumberField(QLineEdit):
         self.setSelection(len(self.text()), -len(self.text()))
 
     def event(self, event: QEvent) -> bool:
-        if event.type() == QEvent.Type.ShortcutOverride and isinstance(event, QKeyEvent):
+        if isinstance(event, QKeyEvent) and event.type() == QEvent.Type.ShortcutOverride:
             if event.key() == Qt.Key.Key_Escape and not self.at_rest:
                 event.accept()
                 return True

@@ -140,9 +140,10 @@ class _TypedRow(Row):
             field.take_back()
 
     def clear_error(self) -> None:
-        for field in self.fields:
-            field.refused = False
-        super().clear_error()
+        if self.error:
+            for field in self.fields:
+                field.refused = False
+            super().clear_error()
 
     def keyPressEvent(self, event: QKeyEvent) -> None:
         typing = not all(field.at_rest for field in self.fields)

@@ -135,7 +135,7 @@ class ShownData:
         changed = {
             part
             for part in PROJECTION
-            if getattr(new.projection, part) != getattr(old.projection, part)
+            if getattr(self.projection, part) != getattr(before.projection, part)
         }
         besides = {
             "scene": self.scene is not before.scene,

@@ -14,16 +14,6 @@ from typing import Any
 
 from PySide6 import QtGui
 from PySide6.QtCore import QPoint, QPointF, QRectF, QSizeF, Qt, QUrl
-from PySide6.QtGui import (
-    QAbstractTextDocumentLayout,
-    QAction,
-    QFontMetrics,
-    QKeySequence,
-    QMouseEvent,
-    QPainter,
-    QPalette,
-    QTextDocument,
-)
 from PySide6.QtWidgets import QLabel, QMessageBox, QTableWidgetItem, QTextEdit, QToolTip, QWidget
 
 
@@ -55,10 +45,10 @@ def with_native_keys(text: str) -> str:
     """Write keys such as Ctrl+F as this system does: macOS has signs for them."""
     if sys.platform != "darwin":
         return text
-    native = QKeySequence.SequenceFormat.NativeText
+    native = QtGui.QKeySequence.SequenceFormat.NativeText
     return re.sub(
         r"\b(?:(?:Ctrl|Alt|Shift|Meta)\+)+\w+",
-        lambda match: QKeySequence(match[0]).toString(native), text,
+        lambda match: QtGui.QKeySequence(match[0]).toString(native), text,
     )  # fmt: skip
 
 
@@ -70,7 +60,7 @@ def tip_of(text: str) -> str:
     return wrapped(text)
 
 
-def set_tip(target: QWidget | QAction | QTableWidgetItem, text: str) -> None:
+def set_tip(target: QWidget | QtGui.QAction | QTableWidgetItem, text: str) -> None:
     target.setToolTip(tip_of(text))
 
 
@@ -80,7 +70,9 @@ def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
 
 def show_tip_off(boxes: Iterable[QRectF], place: QPointF, widget: QWidget) -> None:
     """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
-    size = QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
+    size = QtGui.QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(
+        8.0, 8.0
+    )
 
     def hidden(corner: QPointF) -> float:
         meets = [QRectF(place + corner, size).intersected(box) for box in boxes]
@@ -107,14 +99,14 @@ class PlainLabel(QLabel):
         super().setText(text)
 
 
-class TextDocument(QTextDocument):
+class TextDocument(QtGui.QTextDocument):
     """A document that loads neither pictures nor styles."""
 
     def loadResource(self, kind: int, name: QUrl | str) -> Any:
         return None
 
-    def paint(self, painter: QPainter, place: QPointF, palette: QPalette) -> None:
-        context = QAbstractTextDocumentLayout.PaintContext()
+    def paint(self, painter: QtGui.QPainter, place: QPointF, palette: QtGui.QPalette) -> None:
+        context = QtGui.QAbstractTextDocumentLayout.PaintContext()
         context.palette = palette
         painter.save()
         painter.translate(place)
@@ -132,7 +124,7 @@ class ReadText(QTextEdit):
         super().__init__(readOnly=True)
         self.setDocument(TextDocument(self))
 
-    def mousePressEvent(self, event: QMouseEvent) -> None:
+    def mousePressEvent(self, event: QtGui.QMouseEvent) -> None:
         """Begin to select anew, also where something is selected."""
         is_left = event.button() == Qt.MouseButton.LeftButton
         if is_left and not event.modifiers() & Qt.KeyboardModifier.ShiftModifier:

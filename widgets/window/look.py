@@ -142,7 +142,6 @@ class Look(QObject):
         for name, pane in self._panes.items():
             args = self._arguments(name, self.adaptive.drawn, style)
             pane.build(shown, turned.get(name), *args, anew=anew)
-        icons.fit(self._window)
         self.built.emit(style)
 
     def _style(self) -> Style:
@@ -220,6 +219,7 @@ class Look(QObject):
 
     def _dress(self) -> None:
         dress(self._settings, self._screen_px, self.kept)
+        icons.fit(self._window)
         self.rebuild(anew=False)
 
     def _scheme_changed(self) -> None:

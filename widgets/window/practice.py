@@ -6,18 +6,9 @@ from collections.abc import Mapping, Sequence
 from datetime import date, timedelta
 from functools import partial
 
+from PySide6 import QtWidgets
 from PySide6.QtCore import QCoreApplication, QDate, QLocale, QObject
 from PySide6.QtGui import QIntValidator
-from PySide6.QtWidgets import (
-    QCheckBox,
-    QDialog,
-    QDialogButtonBox,
-    QGridLayout,
-    QInputDialog,
-    QLineEdit,
-    QScrollArea,
-    QWidget,
-)
 
 from app import __version__
 from app.document.files import write_bytes_atomically
@@ -38,30 +29,33 @@ from widgets.window.settings import Settings
 COLUMNS = 2
 
 
-class SelfTestDialog(QDialog):
+class SelfTestDialog(QtWidgets.QDialog):
     """Asks for topics (title and number of exercises by name) and for the number of a test."""
 
     def __init__(
-        self, topics: Mapping[str, tuple[str, int]], number: int, parent: QWidget | None = None
+        self,
+        topics: Mapping[str, tuple[str, int]],
+        number: int,
+        parent: QtWidgets.QWidget | None = None,
     ) -> None:
         super().__init__(parent)
         self.setWindowTitle(self.tr("Test yourself"))
         self._counts = {name: count for name, (_, count) in topics.items()}
         self._boxes = {
-            name: QCheckBox(f"{name} {title}".replace("&", "&&"))
+            name: QtWidgets.QCheckBox(f"{name} {title}".replace("&", "&&"))
             for name, (title, _) in topics.items()
         }
-        holder = QWidget()
-        grid = QGridLayout(holder)
+        holder = QtWidgets.QWidget()
+        grid = QtWidgets.QGridLayout(holder)
         rows = -(-len(topics) // COLUMNS)
         for place, (name, box) in enumerate(self._boxes.items()):
             box.setEnabled(self._counts[name] > 0)
             box.toggled.connect(self._show_count)
             grid.addWidget(box, place % rows, place // rows)
-        area = QScrollArea(widgetResizable=True)
+        area = QtWidgets.QScrollArea(widgetResizable=True)
         area.setWidget(holder)
         area.setMinimumWidth(holder.sizeHint().width() + 2 * area.frameWidth() + 20)
-        self.number = QLineEdit(str(number))
+        self.number = QtWidgets.QLineEdit(str(number))
         self.number.setValidator(QIntValidator(1, LARGEST_SEED, self))
         self.number.setAccessibleName(self.tr("Number of the test"))
         set_tip(self.number, self.tr("The same topics and number give everyone the same test"))
@@ -75,8 +69,10 @@ class SelfTestDialog(QDialog):
             " digits. At the end you see all solutions."
         )
         how = PlainLabel(text.format(practice.MOST), wordWrap=True)
-        buttons = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel)
-        self.begin = buttons.addButton(self.tr("&Begin"), QDialogButtonBox.ButtonRole.AcceptRole)
+        buttons = QtWidgets.QDialogButtonBox(QtWidgets.QDialogButtonBox.StandardButton.Cancel)
+        self.begin = buttons.addButton(
+            self.tr("&Begin"), QtWidgets.QDialogButtonBox.ButtonRole.AcceptRole
+        )
         buttons.accepted.connect(self.accept)
         buttons.rejected.connect(self.reject)
         last = in_row(every, none, FREE, PlainLabel(self.tr("Test number")), self.number)
@@ -128,7 +124,7 @@ def next_review(waiting: Waiting) -> str:
 class Practice(QObject):
     def __init__(
         self,
-        window: QWidget,
+        window: QtWidgets.QWidget,
         card: LessonCard,
         record: Record,
         settings: Settings,
@@ -195,7 +191,7 @@ class Practice(QObject):
         """Ask for a file, and write answers to it for a teacher."""
         title = self.tr("Save the result")
         asked = self.tr("Your name, if your teacher is to read it in the file:")
-        student, is_wanted = QInputDialog.getText(self._window, title, asked)
+        student, is_wanted = QtWidgets.QInputDialog.getText(self._window, title, asked)
         path = ""
         if is_wanted:
             kinds = self.tr("Results (*.json);;All files (*)")

@@ -17,7 +17,7 @@ from PySide6.QtCore import QObject
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.store import Store
-from app.drawings.scene_bounds import bounds_px
+from app.drawings.scene_bounds import place_of
 from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal, counted
 from app.precision.quality import AUTO, AUTOMATIC, Quality
@@ -146,7 +146,7 @@ class DrawnQuality(QObject):
         quality = document.quality
         precision = quality.rung
         if precision == AUTO:
-            is_enough = max(bounds_px(projection, scene)) <= self._settings.tolerance_px
+            is_enough = max(place_of(scene, projection).bounds_px) <= self._settings.tolerance_px
             precision = "float32" if is_enough else "float64"
         automatic = self._look.adaptive.smoothing(True)
         return {

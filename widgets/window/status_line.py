@@ -13,7 +13,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
-from app.drawings.scene_bounds import bounds_px, predictions
+from app.drawings.scene_bounds import place_of, predictions
 from app.model.projection import Projection
 from app.precision import levels
 from app.precision.quality import AUTOMATIC, Quality
@@ -136,7 +136,7 @@ class StatusLine(QStatusBar):
         projection, scene = self._projection, self._scene
         self._predictions = predictions(projection, scene)
         tolerance_px = self._quality.tolerance_px(self.tolerance_px)
-        found_px = bounds_px(projection, scene)
+        found_px = place_of(scene, projection).bounds_px
         drawing_px = max(found_px)
         self._drawn = "float32" if drawing_px <= tolerance_px else "float64"
         float32_px = max((px for px in found_px if px <= tolerance_px), default=0.0)

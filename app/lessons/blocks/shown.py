@@ -8,38 +8,29 @@ import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from app.lessons.blocks.block import (
-    Block,
-    Here,
-    Sample,
-    SpeakerNote,
-    State,
-    StepContent,
-    Trial,
-    read_state,
-)
+from app.lessons.blocks import block
 from app.lessons.lines import Body, number_in, refused
 from app.model.refusal import REFUSALS
 
 
 @dataclass(frozen=True, kw_only=True)
-class ShownState(Block):
+class ShownState(block.Block):
     """The state of a step; a step without one keeps the previous state."""
 
     kind = "state"
     once = True
-    state: State
+    state: block.State
 
-    def add_to(self, content: StepContent) -> None:
+    def add_to(self, content: block.StepContent) -> None:
         content.state = self.state
 
     @classmethod
     def read(cls, body: Body) -> "ShownState":
-        return cls(line=body.line, state=read_state(body.lines, body.line))
+        return cls(line=body.line, state=block.read_state(body.lines, body.line))
 
 
 @dataclass(frozen=True, kw_only=True)
-class Note(Block):
+class Note(block.Block):
     """Text for the speaker only; a lesson with a note is a talk."""
 
     kind = "note"
@@ -48,8 +39,8 @@ class Note(Block):
     minutes: float
     text_line: int
 
-    def add_to(self, content: StepContent) -> None:
-        content.note = SpeakerNote(self.line, self.text, self.minutes)
+    def add_to(self, content: block.StepContent) -> None:
+        content.note = block.SpeakerNote(self.line, self.text, self.minutes)
 
     @classmethod
     def read(cls, body: Body) -> "Note":
@@ -72,11 +63,11 @@ class Note(Block):
 
 
 @dataclass(frozen=True, kw_only=True)
-class Samples(Block):
+class Samples(block.Block):
     kind = "test"
-    samples: tuple[Sample, ...]
+    samples: tuple[block.Sample, ...]
 
-    def add_to(self, content: StepContent) -> None:
+    def add_to(self, content: block.StepContent) -> None:
         content.samples += self.samples
 
     @classmethod
@@ -84,7 +75,7 @@ class Samples(Block):
         samples = (_sample(text, number) for number, text in body.lines if text.strip())
         return cls(line=body.line, samples=tuple(samples))
 
-    def check(self, here: Here, trial: Trial) -> None:
+    def check(self, here: block.Here, trial: block.Trial) -> None:
         # A step lacks the blocks that cannot be read.
         for each in (each for each in self.samples if each.block in here.asked):
             trial.checks += 1
@@ -99,9 +90,9 @@ class Samples(Block):
                     )
 
 
-def _sample(text: str, line: int) -> Sample:
+def _sample(text: str, line: int) -> block.Sample:
     name, colon, rest = text.partition(":")
     sample, arrow, verdict = rest.rpartition("->")
     if not colon or not arrow or not verdict.strip():
         raise refused(line, REFUSALS["a-sample"], value=text.strip()[:60])
-    return Sample(name.strip(), sample.strip(), verdict.strip(), line)
+    return block.Sample(name.strip(), sample.strip(), verdict.strip(), line)

@@ -33,7 +33,7 @@ from app.model.limits import (
 )
 from app.model.parameter import Parameter, read_sections, section_of, stated
 from app.model.refusal import REFUSALS, Refusal, format_value
-from app.model.tables import TO_PYRAMID, PipelineStep, Table
+from app.model.tables import PipelineStep, Table
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,11 +127,6 @@ class Lens(Geometry):
     def has_steps(self) -> bool:
         """Whether points pass the canonical volumes; a typed matrix is one step."""
         return bool(self.table.steps)
-
-    @cached_property
-    def has_pyramid(self) -> bool:
-        """Whether the first canonical volume is the pyramid, from which M_pp leads to the box."""
-        return self.has_steps and self.table.steps[0].name == TO_PYRAMID
 
     @property
     def own_view(self) -> Cells | None:
