@@ -104,7 +104,7 @@ class Pane(QFrame):
         self.shown: ShownData | None = None  # what the pane shows, or will show when it appears
         self._to_build: tuple[object, ...] | None = None
         self.built_with: tuple[object, ...] | None = None  # the last arguments of `build`
-        self._drawn_with: tuple[object, ...] | None = None  # those of `drawing`
+        self.drawn_with: tuple[object, ...] | None = None  # those of `drawing`
         self._waits = self._appears = False
         self.requested = dict(AS_BUILT)  # the values of `request`
         self._due: set[str] = set()  # what the drawing has yet to show
@@ -189,9 +189,9 @@ class Pane(QFrame):
         `anew`, a drawing that was made with the same arguments stays.
         """
         self.shown, self.built_with = shown, args
-        if anew and args == self._drawn_with:
-            self._drawn_with = None  # other words: the drawing of now is not shown again
-        self._to_build = args if args != self._drawn_with else None
+        if anew and args == self.drawn_with:
+            self.drawn_with = None  # other words: the drawing of now is not shown again
+        self._to_build = args if args != self.drawn_with else None
         self._due |= {"projection", "view"}
         self.requested["view"] = view
         self._refresh()
@@ -212,18 +212,14 @@ class Pane(QFrame):
             self._refresh()
 
     @property
-    def is_built(self) -> bool:
-        """Whether the pane has the drawing for what it shows; a hidden one may not."""
-        return self._to_build is None and self.drawing is not None
-
-    @property
     def view(self) -> Camera | None:
         """The pane's own camera if the user has moved it, else None."""
         if self._goes_to is not None:
             return self._goes_to[0]
         asked: Camera | None = self.requested["view"]
-        drawing = self.drawing if self.is_built and "view" not in self._due else None
-        return asked if drawing is None else drawing.view
+        if self._to_build is not None or self.drawing is None or "view" in self._due:
+            return asked
+        return self.drawing.view
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Show the model's new value; a hidden pane does it on appearing."""
@@ -268,7 +264,8 @@ class Pane(QFrame):
 
     def show_highlight(self, highlighted: Highlight) -> None:
         self.requested["highlight"] = highlighted
-        if not self.isVisible() or self._waits or self.drawing is None or not self.is_built:
+        is_old = self._waits or self._to_build is not None
+        if not self.isVisible() or is_old or self.drawing is None:
             self._due.add("highlight")
             return
         self._applied["highlight"] = highlighted
@@ -324,7 +321,7 @@ class Pane(QFrame):
                     _SHOW[what](drawing, wanted)
         self._applied = dict(self.requested)
         if args is not None:  # none that has failed rests
-            self._drawn_with, self._in_first = args, shown
+            self.drawn_with, self._in_first = args, shown
         elif self._due & {"projection", "view"}:
             self._in_first = None
         self._due.clear()
@@ -349,9 +346,9 @@ class Pane(QFrame):
         self.glide(1.0)
         taken = self.resting.take(args)
         if self.drawing is not None:
-            self.resting.put(Resting(self._drawn_with, self.drawing, self._applied, self._in_first))
+            self.resting.put(Resting(self.drawn_with, self.drawing, self._applied, self._in_first))
             self._releasing.start()
-        self.drawing = self._drawn_with = None
+        self.drawing = self.drawn_with = None
         if taken is None:
             with self.canvas.new_page():
                 self.drawing = self.make_drawing(self.canvas, *args)

@@ -1,6 +1,7 @@
 """The panes' appearance: theme, text size, and drawing quality."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from typing import Any
 
 from PySide6.QtCore import QObject, Signal
@@ -167,17 +168,12 @@ class Look(QObject):
         for step in steps:
             self.adaptive.reduce_ahead(step.scene)
             yield
-        style, drawn = self._style(), self.adaptive.drawn
-        plan = [
-            (pane, step, self._arguments(name, self.adaptive.whole(step.scene), style))
-            for step in steps
-            for name, pane in self._panes.items()
-            if self._is_seen_at(step, name)
-            and not (pane.is_built and self.adaptive.whole(step.scene) is drawn)
-        ]
-        for pane, step, arguments in plan:
-            pane.resting.draw(step, pane.drawing, *arguments)
-            yield
+        style = self._style()
+        for step, (name, pane) in product(steps, self._panes.items()):
+            asked = self._arguments(name, self.adaptive.whole(step.scene), style)
+            if asked != pane.drawn_with and self._is_seen_at(step, name):
+                pane.resting.draw(step, pane.drawing, *asked)
+                yield
 
     def _is_seen_at(self, step: ShownData, name: str) -> bool:
         """Whether a pane will be visible at a step."""
