@@ -118,6 +118,8 @@ def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     kept = tmp_path_factory.getbasetemp()
     kept = kept.parent if _worker else kept  # the processes share it
     os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(kept)
+    import matplotlib.font_manager  # noqa: F401  (a slow machine says that it reads all fonts)
+
     return (folder / str(number) for number in itertools.count())
 
 

@@ -43,7 +43,7 @@ from tests.support.tools import ToolParser
 
 CONFIRMED = 50
 LONGEST_S = 10.0
-LONGEST_OF_LESSON_S = 1.0
+LONGEST_OF_LESSON_S = 3.0  # a slow or busy machine needs more than one
 LONGEST_WORK_S = 60
 """Processor time after which the system ends a process."""
 LONGEST_WAIT_S = 600.0
