@@ -1332,6 +1332,7 @@ def test_the_band_of_the_next_step_is_laid_out_ahead(
 def open_without_notes(window: MainWindow, folder: Path, steps: str, instead: str = "") -> None:
     """Open a lesson: a talk whose notes are left out, or replaced."""
     window.present.end()
+    SET.clear()  # a full one takes no more
     path = folder / "lesson.md"
     path.write_text(steps.replace("```note\nminutes: 1\n```\n", instead), encoding="utf-8")
     assert window.lessons.open(path) and not window.lessons.lesson.is_talk

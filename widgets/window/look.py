@@ -171,7 +171,8 @@ class Look(QObject):
         style = self._style()
         for step, (name, pane) in product(steps, self._panes.items()):
             asked = self._arguments(name, self.adaptive.whole(step.scene), style)
-            if asked != pane.drawn_with and self._is_seen_at(step, name):
+            is_there = asked[0] is self.adaptive.drawn and asked == pane.drawn_with
+            if not is_there and self._is_seen_at(step, name):
                 pane.resting.draw(step, pane.drawing, *asked)
                 yield
 
