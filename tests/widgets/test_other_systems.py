@@ -157,7 +157,7 @@ def test_on_macos_keys_in_texts_are_written_as_there(monkeypatch: pytest.MonkeyP
     monkeypatch.setattr(sys, "platform", "linux")
     assert [*map(plain.with_native_keys, texts)] == [*texts]
     monkeypatch.setattr(sys, "platform", "darwin")
-    monkeypatch.setattr(plain, "QKeySequence", Keys)
+    monkeypatch.setattr(plain.QtGui, "QKeySequence", Keys)
     native = "Find it (⌘F)", "press ⌘2.", "as ⌘⇧S; ⌥Right", "a + b"
     assert [*map(plain.with_native_keys, texts)] == [*native]
     assert plain.tip_of(texts[0]) == native[0]
