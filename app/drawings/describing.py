@@ -8,7 +8,7 @@ import numpy as np
 from app.document.document import Document
 from app.document.naming import seen_from
 from app.document.view import PANES
-from app.drawings.scene_bounds import place_of, predictions
+from app.drawings.scene_place import place_of, predictions
 from app.languages import translate, with_comma
 from app.lecture.letters import in_letters
 from app.lecture.stages import CANONICAL_PERSPECTIVE, NDC, VIEW

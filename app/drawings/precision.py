@@ -42,7 +42,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPlane, vtkPolyData
 from vtkmodules.vtkRenderingCore import vtkActor
 
 from app.drawings.actors import CUBE_CORNERS, Detail, SceneActors, lifted
-from app.drawings.scene_bounds import place_of
+from app.drawings.scene_place import place_of
 from app.drawings.style import Style
 from app.model.projection import Array, Chain, Projection, Space
 from app.precision.levels import Precision

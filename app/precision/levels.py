@@ -164,8 +164,7 @@ class _Bounds:
 def _with_depth(projection: Projection, clip: Array) -> Array:
     """Rows of clip space with the depth's numerator instead of z."""
     rows = clip.copy()
-    if projection.depth == "opengl":
-        rows[2] = (clip[2] + clip[3]) / 2.0
+    rows[2] = projection.image_from_ndc[2, 2:] @ clip[2:]
     return rows
 
 

@@ -9,7 +9,7 @@ from PySide6.QtCore import QLocale, QTimer
 from pytestqt.qtbot import QtBot
 
 from app.document.document import Document
-from app.drawings.scene_bounds import predictions
+from app.drawings.scene_place import predictions
 from app.model.projection import Camera, Perspective, Projection
 from app.precision.levels import predict
 from app.precision.quality import Quality

@@ -38,11 +38,7 @@ from widgets.parts.typeset import em_px, fill_line
 INKS = "inks"  # a document's property: the colours of letters, ``"#rrggbb"`` by their names
 SPACIOUS = "spacious"  # a document's property: room for large fractions and displayed formulas
 _KIND = QtGui.QTextFormat.ObjectTypes.UserObject + 1
-_TEX = QtGui.QTextFormat.Property.UserProperty + 1
-_IS_DISPLAYED, _TAIL = (
-    QtGui.QTextFormat.Property.UserProperty + 2,
-    QtGui.QTextFormat.Property.UserProperty + 3,
-)
+_TEX, _IS_DISPLAYED, _TAIL = (QtGui.QTextFormat.Property.UserProperty + at for at in (1, 2, 3))
 LONGEST_TAIL = 24
 """Most characters behind a formula that are drawn with it: Qt breaks a line behind any object."""
 LARGER = 1.12  # size of a formula's letters relative to the text's, whose small letters are taller

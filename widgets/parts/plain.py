@@ -70,9 +70,8 @@ def show_tip(place: QPoint, text: str, widget: QWidget | None = None) -> None:
 
 def show_tip_off(boxes: Iterable[QRectF], place: QPointF, widget: QWidget) -> None:
     """Show a widget's tooltip below a place in it, or where it hides less of these boxes."""
-    size = QtGui.QFontMetrics(QToolTip.font()).size(0, widget.toolTip()).toSizeF() + QSizeF(
-        8.0, 8.0
-    )
+    metrics = QtGui.QFontMetrics(QToolTip.font())
+    size = metrics.size(0, widget.toolTip()).toSizeF() + QSizeF(8.0, 8.0)
 
     def hidden(corner: QPointF) -> float:
         meets = [QRectF(place + corner, size).intersected(box) for box in boxes]

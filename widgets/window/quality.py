@@ -17,7 +17,7 @@ from PySide6.QtCore import QObject
 from app.document.document import Document
 from app.document.settings import set_values
 from app.document.store import Store
-from app.drawings.scene_bounds import place_of
+from app.drawings.scene_place import place_of
 from app.model.parameters import DISTANCE
 from app.model.refusal import Refusal, counted
 from app.precision.quality import AUTO, AUTOMATIC, Quality

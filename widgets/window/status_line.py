@@ -13,7 +13,7 @@ from PySide6.QtGui import QResizeEvent, QShowEvent
 from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
-from app.drawings.scene_bounds import place_of, predictions
+from app.drawings.scene_place import place_of, predictions
 from app.model.projection import Projection
 from app.precision import levels
 from app.precision.quality import AUTOMATIC, Quality
