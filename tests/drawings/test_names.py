@@ -14,10 +14,11 @@ from app.drawings import WORDS, DrawingWords
 from app.drawings.actors import CUBE_CORNERS
 from app.drawings.image import ImageDrawing
 from app.drawings.near_picture import NearPicture
+from app.drawings.pointing import FACES
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, TITLE_EM, rgb
 from app.drawings.world import WorldDrawing
-from app.lecture.highlight import AXES, WINDOW
+from app.lecture.highlight import AXES, CORNERS, WINDOW
 from app.lecture.letters import Letters
 from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
@@ -384,6 +385,21 @@ def test_a_highlight_makes_what_it_shows_once_and_in_its_place(off_screen: MakeS
     drawing.show_highlight(frozenset({"right", "near_left_bottom"}))
     assert list(props) == after
     assert sum(bool(prop.GetVisibility()) for prop in made) == 3
+
+
+@pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
+def test_every_face_and_corner_that_is_pointed_at_is_seen(
+    off_screen: MakeScreen, kind: Any
+) -> None:
+    screen, scene = off_screen(*PANE_PX), load("letter-f")
+    drawing = kind(screen, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    unlit = screen.pixels()
+    for name in (*FACES, *CORNERS):
+        drawing.show_highlight(frozenset({name}))
+        assert (screen.pixels() != unlit).any(), name
+    drawing.show_highlight(frozenset())
+    assert (screen.pixels() == unlit).all()
 
 
 def test_several_changes_settle_once(
