@@ -432,6 +432,8 @@ def test_a_step_knows_whether_the_window_still_shows_it() -> None:
     assert player.is_away(set_values(document, ["lens.near=1"]), look)
     assert player.is_away(document, replace(look, large="image"))
     assert not player.is_away(document, replace(look, layers=frozenset())), "no step sets it"
+    leading = Player(course_of(TALK.replace("=ndc", "=world")), 2)
+    assert not leading.is_away(document, AS_EVER), "the scene's own large pane has no name"
     turned = replace(look, panes=TURNED)
     assert player.is_away(document, turned)
     seen = player.view_of(player.shown_at(2), turned, other_scene=False)
