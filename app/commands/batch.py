@@ -150,8 +150,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     except (CliError, Refusal) as error:
         yield line._replace(cells=line.cells | {"out": out or stem}, wrong=str(error))
         return
-    folder = str(course.folder)
-    files = tuple(os.path.join(folder, name) for name in course.files)
+    files = tuple(os.path.join(course.folder, name) for name in course.files)
     for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
         where = languages.said("{0}, step {1}", line.where, place)

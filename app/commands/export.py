@@ -178,8 +178,7 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
         raise CliError("OUT = {0!r}: .webp has at most {1} pixels along each side.", out, WEBP_PX)
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
-            odd = "x".join(map(str, size))
-            raise CliError("even-sides", out, odd)
+            raise CliError("even-sides", out, "x".join(map(str, size)))
         with blamed_on(out, REFUSALS["unwritable"]):
             program()
 

@@ -105,8 +105,7 @@ class WorldAxes(Layer):
         if axes is None:
             return (), np.empty((0, 2, 3))
         is_named = [name in names or name.removeprefix("object_") in names for name in axes.shafts]
-        start = np.tile(axes.origin, (3, 1))
-        ends = np.stack([start, axes.ends], axis=1)
+        ends = np.stack([np.tile(axes.origin, (3, 1)), axes.ends], axis=1)
         return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def inside(self) -> dict[str, Array]:

@@ -426,8 +426,7 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
             numbers += [choice.values.get(name) for name in columns]
             cells = [plain(number, 3) for number in numbers]
             unmeasured = choice.cost is None and not part.complete
-            note = _note(choice) or (CANCELLED if unmeasured else "")
-            rows.append([choice.name, *cells, note])
+            rows.append([choice.name, *cells, _note(choice) or (CANCELLED if unmeasured else "")])
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
     judged = MEASURE["gap"] if part.parameter in GAPS else JUDGED

@@ -83,8 +83,7 @@ class MatrixAnswerView(MarkedAnswerView):
             cell.returnPressed.connect(self.check)
             cell.installEventFilter(self)
             grid.addWidget(cell, 2 * cell.row, cell.column)
-            middle = Qt.AlignmentFlag.AlignHCenter
-            grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, middle)
+            grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, Qt.AlignmentFlag.AlignHCenter)
         self._check = self._answer_button(self.check)
         unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder(holder, *unit, FREE, gap=5))
