@@ -176,11 +176,10 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
                 columns = _checked_columns(cells, where)
                 continue
             is_empty = False
-            named = dict(zip(columns, cells, strict=False))
             wrong = ""
             if len(cells) > len(columns):
                 wrong = languages.said("columns-more", len(cells), len(columns))
-            yield ListedFigure(where, named, (source,), wrong)
+            yield ListedFigure(where, dict(zip(columns, cells, strict=False)), (source,), wrong)
     except csv.Error as error:
         raise CliError("{0}, line {1}: is not CSV ({2}).", source, begin, error) from error
     if is_empty:

@@ -136,8 +136,7 @@ def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
         with importing():
             from app.lessons.course import panes_of
         document = document_before(file, options.set, options.step)
-        is_equation = document.view.slide == ("equation",)
-        panes = ["equation"] if is_equation else panes_of(document)
+        panes = ["equation"] if document.view.slide == ("equation",) else panes_of(document)
     options.panes = ",".join(panes)
     if any(re.match(r"\s*view\.equation\s*=\s*\S", each) for each in options.set):
         options.panes = "equation"

@@ -55,8 +55,7 @@ class WorldAxes(Layer):
         axes = ObjectAxes(state.canvas, state.scene.size)
         for name, shaft in axes.shafts.items():
             emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
-            label = state.board.label(name, state.words[name], axes.colours[name])
-            emphasis.label(label, name)
+            emphasis.label(state.board.label(name, state.words[name], axes.colours[name]), name)
         emphasis.show(self._names.pointed)
         return axes
 

@@ -434,9 +434,8 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
     notes = filter(None, (judged, SWEEP_NOTES.get(part.parameter)))
     rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):
-        errors = [curve.errors[i] for curve in part.curves.values()]
         said = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
-        cells = [plain(error, 2) for error in errors]
+        cells = [plain(curve.errors[i], 2) for curve in part.curves.values()]
         rows.append([repr(value) if all_digits else _swept(value), *cells, "; ".join(said)])
     return rows
 

@@ -165,12 +165,10 @@ class MatrixAnswerView(MarkedAnswerView):
             cell.setText(text)
 
     def _show_verdict(self, verdict: Verdict) -> None:
-        wrong = []
         for cell, is_right in zip(self.cells, verdict.cells, strict=True):
             if is_right or not verdict.too_short:
                 cell.mark(is_right)
-            if not is_right:
-                wrong.append(cell)
+        wrong = [cell for cell, fits in zip(self.cells, verdict.cells, strict=True) if not fits]
         if wrong:
             self._enter(wrong[0])
 
