@@ -254,6 +254,9 @@ def test_a_view_is_chosen_by_name_or_number() -> None:
     Path("a#b.json").write_text(json.dumps({"frames": frames}), encoding="utf-8")
     assert "(1), a\\x1b, a\\x1b (3)." in refusal("a#b.json")
     assert seen("a#b.json#2").intrinsics.fx == pytest.approx(900)
+    whole = {"frames": [{**frames[0], "fl_x": 950}]}
+    Path("a#b.json#2").write_text(json.dumps(whole), encoding="utf-8")
+    assert seen("a#b.json#2").intrinsics.fx == pytest.approx(950), "a file of the whole name"
     many = {"frames": [{"file_path": f"{i:03}"} for i in range(500)]}
     assert refusal("many.json", many).endswith("008, 009, 010, 011, ....")
 
