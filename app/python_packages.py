@@ -98,12 +98,10 @@ def requirements(root: Path, extras: Sequence[str] = (), python: str = "") -> li
     texts = list(project["dependencies"])
     for extra in extras:
         texts += project["optional-dependencies"][extra]
-    needed = []
-    for asked in _for(texts, python):
-        name = re.match(r"[\w.-]+", asked)
-        assert name is not None
-        needed.append(Requirement(asked, name[0], _bounds(asked)))
-    return needed
+    return [
+        Requirement(asked, re.split(r"[^\w.-]", asked)[0], _bounds(asked))
+        for asked in _for(texts, python)
+    ]
 
 
 def pins(root: Path, python: str = "") -> list[str]:

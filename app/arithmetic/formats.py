@@ -30,7 +30,6 @@ from numpy.typing import ArrayLike
 
 from app.arithmetic.double_double import Array
 
-_UNIT_64 = 2.0**-53
 _NATIVE = {"float64": np.float64, "float32": np.float32, "float16": np.float16}
 """The formats to which numpy rounds, once, as IEEE 754 demands."""
 

@@ -20,6 +20,17 @@ def rationals(matrix: Sequence[Sequence[float | Fraction]]) -> Rationals:
     return [[Fraction(part) for part in row] for row in matrix]
 
 
+def diagonal(*parts: Fraction | int) -> Rationals:
+    return [[Fraction(part if i == j else 0) for j in range(4)] for i, part in enumerate(parts)]
+
+
+def shift(*offset: Fraction | int) -> Rationals:
+    matrix = diagonal(1, 1, 1, 1)
+    for row, part in zip(matrix, offset, strict=False):
+        row[3] = Fraction(part)
+    return matrix
+
+
 def dot(a: Sequence[Fraction], b: Sequence[Fraction]) -> Fraction:
     return sum((x * y for x, y in zip(a, b, strict=True)), Fraction(0))
 

@@ -106,9 +106,8 @@ def with_values(document: Document, assignments: Sequence[str]) -> Document:
             or error.field in texts
         ):
             raise
-        eye = error.value
         raise Refusal.in_document(
-            REFUSALS["not-the-target"], field="camera.eye", value=eye
+            REFUSALS["not-the-target"], field="camera.eye", value=error.value
         ) from error
 
 

@@ -150,8 +150,7 @@ def _of_steps(lesson: str, line: ListedFigure, ending: str = "") -> Iterator[Lis
     except (CliError, Refusal) as error:
         yield line._replace(cells=line.cells | {"out": out or stem}, wrong=str(error))
         return
-    folder = str(course.folder)
-    files = tuple(os.path.join(folder, name) for name in course.files)
+    files = tuple(os.path.join(course.folder, name) for name in course.files)
     for place, out in enumerate(targets, 1):
         cells = line.cells | {"out": out, "step": str(place)}
         where = languages.said("{0}, step {1}", line.where, place)
@@ -177,11 +176,10 @@ def _of_list(source: str) -> Iterator[ListedFigure]:
                 columns = _checked_columns(cells, where)
                 continue
             is_empty = False
-            named = dict(zip(columns, cells, strict=False))
             wrong = ""
             if len(cells) > len(columns):
                 wrong = languages.said("columns-more", len(cells), len(columns))
-            yield ListedFigure(where, named, (source,), wrong)
+            yield ListedFigure(where, dict(zip(columns, cells, strict=False)), (source,), wrong)
     except csv.Error as error:
         raise CliError("{0}, line {1}: is not CSV ({2}).", source, begin, error) from error
     if is_empty:

@@ -33,8 +33,7 @@ def main(argv: list[str] | None = None) -> int:
     Return the exit status: 0 done, 1 an incomplete window, 2 bad input, 3 no usable display or
     OpenGL.
     """
-    arguments = sys.argv[1:] if argv is None else argv
-    return outcome(lambda: _run(arguments))
+    return outcome(lambda: _run(sys.argv[1:] if argv is None else argv))
 
 
 def _run(arguments: Sequence[str]) -> int:

@@ -136,8 +136,7 @@ def _choose_panes(options: argparse.Namespace, file: str | None) -> None:
         with importing():
             from app.lessons.course import panes_of
         document = document_before(file, options.set, options.step)
-        is_equation = document.view.slide == ("equation",)
-        panes = ["equation"] if is_equation else panes_of(document)
+        panes = ["equation"] if document.view.slide == ("equation",) else panes_of(document)
     options.panes = ",".join(panes)
     if any(re.match(r"\s*view\.equation\s*=\s*\S", each) for each in options.set):
         options.panes = "equation"
@@ -178,8 +177,7 @@ def _check_film(options: argparse.Namespace, out: str, sizes: set[tuple[int, int
         raise CliError("OUT = {0!r}: .webp has at most {1} pixels along each side.", out, WEBP_PX)
     if _ending(out) == ".mp4":
         if size[0] % 2 or size[1] % 2:
-            odd = "x".join(map(str, size))
-            raise CliError("even-sides", out, odd)
+            raise CliError("even-sides", out, "x".join(map(str, size)))
         with blamed_on(out, REFUSALS["unwritable"]):
             program()
 

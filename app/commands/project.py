@@ -93,6 +93,11 @@ class _PointBlock(NamedTuple):
     outside_of: list[tuple[str, ...]]
 
     @property
+    def outcomes(self) -> Iterator[tuple[int, tuple[bool, bool, tuple[str, ...]]]]:
+        """Number the points; each is in front or not, lost or not, and outside of some planes."""
+        return enumerate(zip(self.in_front, self.lost, self.outside_of, strict=True))
+
+    @property
     def texts(self) -> list[str]:
         """Return all numbers row by row, each as the shortest text that gives the same number."""
         return list(map(repr, self.numbers.ravel().tolist()))
@@ -148,9 +153,7 @@ def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
     separator = '{"points": [\n'
     for block in _blocks(answer):
         texts, lines = block.texts, []
-        for i, (in_front, lost, outside_of) in enumerate(
-            zip(block.in_front, block.lost, block.outside_of, strict=True)
-        ):
+        for i, (in_front, lost, outside_of) in block.outcomes:
             first = count * i
             if lost:
                 known = nothing % tuple(texts[first : first + answer.in_world])
@@ -160,8 +163,7 @@ def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
             line = form % tuple(texts[first : first + size])
             inside = "true" if in_front and not outside_of else "false"
             outside = json.dumps(outside_of)
-            more = next(others)
-            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{more}}}')
+            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{next(others)}}}')
         yield separator + ",\n".join(lines)
         separator = ",\n"
     wanted: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")
@@ -198,9 +200,7 @@ def _project_csv(answer: _ProjectedPoints) -> Iterator[str]:
     none = [""] * (count - before_ndc)
     for block in _blocks(answer):
         texts, lines = block.texts, []
-        for i, (in_front, lost, outside_of) in enumerate(
-            zip(block.in_front, block.lost, block.outside_of, strict=True)
-        ):
+        for i, (in_front, lost, outside_of) in block.outcomes:
             cells = texts[count * i : count * (i + 1)]
             if not in_front:
                 cells[before_ndc:] = none
@@ -253,9 +253,7 @@ def _project_table(answer: _ProjectedPoints) -> Iterator[str]:
         filled[::2] = widths(*counted.reshape(2, count, rows, 4))
         filled[1::2] = cells.ravel().tolist()
         lines = []
-        for i, (in_front, lost, outside_of) in enumerate(
-            zip(block.in_front, block.lost, block.outside_of, strict=True)
-        ):
+        for i, (in_front, lost, outside_of) in block.outcomes:
             number += 1
             shown, known = (nothing, 1) if lost else (seen, rows - 1) if in_front else (unseen, 3)
             first = 8 * rows * i

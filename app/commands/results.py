@@ -74,8 +74,7 @@ def _csv(rows: Iterable[Sequence[object]]) -> bytes:
     writer = csv.writer(text)
     writer.writerow(COLUMNS)
     for row in rows:
-        cells = map(str, row)
-        writer.writerow(f"'{cell}" if cell.startswith(_FORMULA) else cell for cell in cells)
+        writer.writerow(f"'{cell}" if cell.startswith(_FORMULA) else cell for cell in map(str, row))
     return text.getvalue().encode("utf-8-sig")
 
 

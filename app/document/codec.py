@@ -324,9 +324,8 @@ def _held(values: Tree, path: str, scene: str, mesh: Any) -> Held:
     """Read a held state, which must belong to the document's own scene."""
     for key, own in (("scene", scene), ("mesh", mesh)):
         if values.get(key, own) != own:
-            field = f"{path}.{key}"
             raise Refusal.in_document(
-                REFUSALS["held-elsewhere"], repr(own), field=field, value=values[key]
+                REFUSALS["held-elsewhere"], repr(own), field=f"{path}.{key}", value=values[key]
             )
     try:
         return from_tree(

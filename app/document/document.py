@@ -300,12 +300,11 @@ def controls_of(scene: str) -> tuple[str, ...]:
 
 def model_paths() -> dict[str, str]:
     """Return the document paths of those model fields whose path differs from their name."""
-    model = ("camera", "object", "lens", "image")
     return {
         field.name: field.path
         for kind in kinds()
         for field in fields_of("", kind)
-        if field.section in model
+        if field.section in ("camera", "object", "lens", "image")
     }
 
 

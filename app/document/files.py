@@ -62,8 +62,7 @@ def content_of(path: Path, largest: int) -> bytes:
     with open_regular(path) as file:
         content = file.read(largest + 1)
     if len(content) > largest:
-        is_small = largest < 2**20
-        limit = f"{largest // 2**10} KiB" if is_small else f"{largest // 2**20} MiB"
+        limit = f"{largest // 2**10} KiB" if largest < 2**20 else f"{largest // 2**20} MiB"
         raise Refusal.in_document(REFUSALS["files-too-large"], limit)
     return content
 

@@ -140,8 +140,7 @@ class Blurring:
             )
             pixels = _together(left, right, through)
         else:
-            seen = through.seen_from(projection, right, up, (shift[0], shift[1]))
-            pixels = self._drawn(seen)
+            pixels = self._drawn(through.seen_from(projection, right, up, (shift[0], shift[1])))
         if self._count == 0:
             self._sum = pixels.astype(np.uint16)
         else:

@@ -150,9 +150,8 @@ def _stage(at: float, projection: Projection) -> str:
     stops = [
         stop + (stop == CANONICAL_PERSPECTIVE and not lens.central) for stop in (before, after)
     ]
-    names = [_said(STAGES[stop]) for stop in stops]
     template = DESCRIPTION["at-a-stage"] if stops[0] == stops[1] else DESCRIPTION["between-stages"]
-    return _said(template, *names)
+    return _said(template, *(_said(STAGES[stop]) for stop in stops))
 
 
 def _cut(projection: Projection, scene: Scene) -> Iterator[tuple[str, list[str]]]:

@@ -268,8 +268,7 @@ class Dimensions(Layer):
         low, high = self._state.projection.window[:2]
         for y in (upper, lower):
             self._lines.add((left, y), (right, y))
-        ends = (("l", low, left, -1.0), ("r", high, right, 1.0))
-        for letter, value, x, one in ends:
+        for letter, value, x, one in (("l", low, left, -1.0), ("r", high, right, 1.0)):
             self._thin.add((x, foot), (x, lower))
             word = self._words.get(f"{{{letter}}}", letter)
             text = f"{word} = {written_distance(value, digits_apart(low, high))}"

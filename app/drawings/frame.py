@@ -130,8 +130,7 @@ class ObjectAxes:
         self._local_from_object = np.eye(4)
         self.shafts: dict[str, vtkActor] = {}
         self._actors: list[vtkActor] = []
-        colours = style.u, style.v, style.n
-        self.colours = dict(zip(OBJECT_AXES, colours, strict=False))
+        self.colours = dict(zip(OBJECT_AXES, (style.u, style.v, style.n), strict=False))
         for tip, (name, colour) in zip(self.reach * np.eye(3), self.colours.items(), strict=True):
             shaft, head = arrow(tip, colour, 1.5 * style.line_width)
             self.shafts[name] = shaft

@@ -87,9 +87,8 @@ class FrustumDrawing(Layer):
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(CUBE, edges, style.frustum, width)
         self._body_space.add(self._body)
-        apex = [(0.0, 0.0, 0.0), *CUBE[:4]]
         self.apex = actors.line_actor(
-            apex, [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
+            [(0.0, 0.0, 0.0), *CUBE[:4]], [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
         )
         self.apex_space.add(self.apex)
         self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {end: [] for end in ENDS}
@@ -172,17 +171,15 @@ class FrustumDrawing(Layer):
             if reach.near_break is not None:
                 base = normalised(local_from_view @ view_from_cube(projection, *reach.near_break))
             self.apex_space.set(base @ _CUBE_FROM_PYRAMID)
-        corners = applied(frustum, CUBE)
         self._show_parts(*parts)
-        return DrawnVolume(corners, reach, exists=True)
+        return DrawnVolume(applied(frustum, CUBE), reach, exists=True)
 
     def _show_parts(self, *parts: vtkActor) -> None:
         """Show these actors, and no others."""
         if parts != self._shown:
             self._shown = parts
-            others = [part for part in self._parts if part not in parts]
             self._canvas.set_visible(True, *parts)
-            self._canvas.set_visible(False, *others)
+            self._canvas.set_visible(False, *(part for part in self._parts if part not in parts))
 
     def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:

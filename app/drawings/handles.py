@@ -72,8 +72,7 @@ class HandleMarks(Handles, Layer):
         self._state, self._style, phenomenon = state, state.style, state.scene.phenomenon
         self._controls: tuple[str, ...] = _OF_ANY_SCENE
         if phenomenon is not None:
-            settings = (each.path for each in phenomenon.settings)
-            self._controls = *settings, *phenomenon.controls
+            self._controls = *(each.path for each in phenomenon.settings), *phenomenon.controls
         self._paths = self._controls
         self.held = None
         self.called = frozenset[str]()

@@ -105,8 +105,7 @@ class SceneInPicture(Layer):
         self.refused_depth = None
         if self._quality.has_depth and rendering.buffer is None:
             try:
-                buffer = self._quality.depth_buffer(state.projection)
-                rendering = replace(rendering, buffer=buffer)
+                rendering = replace(rendering, buffer=self._quality.depth_buffer(state.projection))
             except Refusal as error:
                 self.refused_depth = error
         self._rasteriser.show(rendering, seen)

@@ -167,8 +167,7 @@ class PaneState:
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
-        kept = _silhouettes.get(scene)
-        self.silhouette = _silhouettes[scene] = kept or Silhouette(scene)
+        self.silhouette = _silhouettes[scene] = _silhouettes.get(scene) or Silhouette(scene)
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()

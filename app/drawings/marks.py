@@ -165,8 +165,7 @@ class MarksDrawing(Layer):
 
     def _underline_texts(self) -> None:
         for key, text in self._texts:
-            lit = bool(self._highlighted.intersection(text.about))
-            self._board.label(key).set_underlined(lit)
+            self._board.label(key).set_underlined(bool(self._highlighted.intersection(text.about)))
 
     def _show_lines(self, lines: Sequence[Polyline], placing: Placing) -> Array:
         lines = [line for line in lines if len(line.points) > 1]
@@ -262,8 +261,7 @@ class MarksDrawing(Layer):
             return
         points = np.concatenate([self._text_points, self._away_points, self._dot_points])
         spots = self._state.seen(points)
-        dots = [spot for spot in spots[2 * count :] if spot[2] > 0.0]
-        ground.keep(dots, DOT_EM * board.em)
+        ground.keep([spot for spot in spots[2 * count :] if spot[2] > 0.0], DOT_EM * board.em)
         written = self._state.written
         for place, (key, text) in enumerate(self._texts):
             if key[1] in written:

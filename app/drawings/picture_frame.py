@@ -68,8 +68,7 @@ class ImageState(PaneState):
         if AXES in self.canvas.hidden:
             side = round(BARE_EM * em)
             return side, round((BARE_EM + TITLE_EM) * em), side, side
-        above = 1.7 + TITLE_EM
-        return round(2.2 * em), round(above * em), round(1.8 * em), round(2.0 * em)
+        return round(2.2 * em), round((1.7 + TITLE_EM) * em), round(1.8 * em), round(2.0 * em)
 
     @property
     def eyes(self) -> Eyes | None:

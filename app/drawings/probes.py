@@ -279,8 +279,7 @@ def _disc(radius_px: float, colour: str, corners: int = 24, hole_px: float = 0.0
     quads = np.stack([here, after, corners + after, corners + here], axis=1)
     faces = quads if hole_px else here[None]
     points = np.concatenate([radius_px * ring, hole_px * ring] if hole_px else [radius_px * ring])
-    disc = PolyMesh.of(points, faces=faces)
-    actor = actor_2d(disc)
+    actor = actor_2d(PolyMesh.of(points, faces=faces))
     actor.GetPositionCoordinate().SetCoordinateSystemToViewport()
     actor.GetProperty().SetColor(*rgb(colour))
     return actor

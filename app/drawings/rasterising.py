@@ -126,8 +126,7 @@ class Rasteriser:
         if "levels" in self._requires:
             if self._levels is None and rendering.levels:
                 self._build_levels(rendering.levels)
-            seen = projection.clip_from_local(self._scene.origin)
-            self._levels_space.set_projective(seen)
+            self._levels_space.set_projective(projection.clip_from_local(self._scene.origin))
             self._choose_faces(in_levels=bool(rendering.levels) and not self.refused)
         self._subdivide(rendering.texture)
         depth = self._depth_uniforms(rendering.buffer, projection)
@@ -183,8 +182,7 @@ class Rasteriser:
             parts.append(("Fragment", _COLOUR, colour))
         shader = actor.GetShaderProperty()
         for kind, place, text in parts:
-            add = getattr(shader, f"Add{kind}ShaderReplacement")
-            add(place, True, f"{place}\n{text}", False)
+            getattr(shader, f"Add{kind}ShaderReplacement")(place, True, f"{place}\n{text}", False)
         flat(actor).is_shaded = True
         self._shader_parts.append((actor, space, parts))
         itself = weakref.ref(self)  # or mapper and rasteriser would keep each other alive

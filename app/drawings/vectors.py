@@ -287,8 +287,7 @@ class _VectorPane:
         self._left, self._low = renderer.GetOrigin()
         self._wide, self._high = renderer.GetSize()
         camera, aspect = renderer.GetActiveCamera(), renderer.GetTiledAspectRatio()
-        matrix = camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)
-        self._clip = _array(matrix)
+        self._clip = _array(camera.GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0))
 
     def background(self) -> Iterator[Shape]:
         renderer = self._renderer

@@ -55,8 +55,7 @@ class WorldAxes(Layer):
         axes = ObjectAxes(state.canvas, state.scene.size)
         for name, shaft in axes.shafts.items():
             emphasis.line(shaft, name, of=(name, name[-1], *FRAMES))
-            label = state.board.label(name, state.words[name], axes.colours[name])
-            emphasis.label(label, name)
+            emphasis.label(state.board.label(name, state.words[name], axes.colours[name]), name)
         emphasis.show(self._names.pointed)
         return axes
 
@@ -105,8 +104,7 @@ class WorldAxes(Layer):
         if axes is None:
             return (), np.empty((0, 2, 3))
         is_named = [name in names or name.removeprefix("object_") in names for name in axes.shafts]
-        start = np.tile(axes.origin, (3, 1))
-        ends = np.stack([start, axes.ends], axis=1)
+        ends = np.stack([np.tile(axes.origin, (3, 1)), axes.ends], axis=1)
         return tuple(compress(axes.shafts, is_named)), ends[is_named]
 
     def inside(self) -> dict[str, Array]:

@@ -46,8 +46,7 @@ def as_latex(matrix: WrittenMatrix, letters: Letters, *, formulas: bool = False)
     )
     body = " \\\\\n".join(" & ".join(row) for row in cells)
     name = latex_called(matrix.called) or latex_name(matrix.name)
-    equation = f"{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}"
-    return f"\\[\n{equation}\n\\]\n"
+    return f"\\[\n{name} = \\begin{{pmatrix}}\n{body}\n\\end{{pmatrix}}\n\\]\n"
 
 
 def latex_called(called: str) -> str:

@@ -88,8 +88,7 @@ def equation_of(
     is_in_numbers = words[-1:] == [NUMBERS]
     words = words[:-1] if is_in_numbers else words
     if not 1 <= len(words) <= MOST_FACTORS:
-        some = REFUSALS["some-matrices"]
-        raise Refusal("equation", text, some, MOST_FACTORS, ", ".join(USUAL))
+        raise Refusal("equation", text, REFUSALS["some-matrices"], MOST_FACTORS, ", ".join(USUAL))
     distance: Any = (settings or {}).get(_PLANE)
     planes = ONTO_PLANE if isinstance(distance, float) and distance else {}
     term_of = _terms_of(projection, letters, [word for word in words if word not in planes])

@@ -145,8 +145,7 @@ def _of_vector(name: str, letter: str) -> dict[str, str]:
     arrow = letter if "_" in letter else f"{letter}{ARROW}"
     if name in ("target", "up"):
         return {name: arrow, f"{name}_point": letter}
-    parts = {f"{name}_{x}": _component(letter, x) for x in "xyz"}
-    return parts | (
+    return {f"{name}_{x}": _component(letter, x) for x in "xyz"} | (
         {"eye": arrow, "eye_point": letter} if name == "eye" else {f"axis_{name}": arrow}
     )
 

@@ -411,10 +411,9 @@ class _WrittenForm(NamedTuple):
 
 
 def _written(projection: Projection) -> _WrittenForm:
-    lens = projection.lens
     placement = projection.placement
     kinds = () if placement.is_identity else placement.kinds
-    return _WrittenForm(lens.table, not projection.has_camera, projection.depth, kinds)
+    return _WrittenForm(projection.lens.table, not projection.has_camera, projection.depth, kinds)
 
 
 def called(kind: str) -> str:

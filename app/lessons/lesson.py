@@ -134,8 +134,7 @@ def head_of(path: Path) -> Head:
         if path.parent == CONTENT:
             top["title"] = languages.sentence_of(path.stem, top["title"])
         is_talk = re.search(r"^(```+|~~~+)\s*note\b", text, re.MULTILINE) is not None
-        about = (top["lecture"],) if is_talk else top["topics"]
-        return Head(path, top["title"], about, is_talk)
+        return Head(path, top["title"], (top["lecture"],) if is_talk else top["topics"], is_talk)
 
 
 def parse_lesson(

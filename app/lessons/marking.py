@@ -325,8 +325,7 @@ def _with_roots(plain: str) -> str:
             at = len(before[:at].rstrip("acinopqrst"))
         else:
             break
-        power = match[1] or match[2]
-        plain = f"{before[:at]}pow({before[at:]},{power}){plain[match.end() :]}"
+        plain = f"{before[:at]}pow({before[at:]},{match[1] or match[2]}){plain[match.end() :]}"
     return plain
 
 

@@ -118,8 +118,7 @@ def diagrams(
     if isinstance(part, Trade):
         overlaid = other if isinstance(other, Trade) else None
         return _of_trade(part, current or {}, overlaid, other_name)
-    overlaid_sweep = other if isinstance(other, Sweep) else None
-    return _of_sweep(part, overlaid_sweep, other_name)
+    return _of_sweep(part, other if isinstance(other, Sweep) else None, other_name)
 
 
 def in_use(trade: Trade, current: Mapping[str, str]) -> ChartPoint | None:
@@ -271,10 +270,9 @@ def _of_sweep(sweep: Sweep, other: Sweep | None, other_name: str) -> tuple[Diagr
                     bars, crosses = _breaks(name, colour, xs, ys, notes, bar_y)
                     curves += bars
                     spots += crosses
-        text = title(sweep)
         charts.append(
             Diagram(
-                text, tuple(curves), *across, *up, of_measure(label),
+                title(sweep), tuple(curves), *across, *up, of_measure(label),
                 of_measure(_UP["depth"] if gaps else MEASURE["error-px"]),
                 x_log=True, y_log=True, spots=tuple(spots),
             )

@@ -426,8 +426,7 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
             numbers += [choice.values.get(name) for name in columns]
             cells = [plain(number, 3) for number in numbers]
             unmeasured = choice.cost is None and not part.complete
-            note = _note(choice) or (CANCELLED if unmeasured else "")
-            rows.append([choice.name, *cells, note])
+            rows.append([choice.name, *cells, _note(choice) or (CANCELLED if unmeasured else "")])
         return rows
     name = ", ".join(filter(None, (part.parameter, part.unit)))
     judged = MEASURE["gap"] if part.parameter in GAPS else JUDGED
@@ -435,9 +434,8 @@ def table(part: Trade | Sweep, *, all_digits: bool = False) -> list[list[str]]:
     notes = filter(None, (judged, SWEEP_NOTES.get(part.parameter)))
     rows = [[name, *part.curves, ", ".join(notes)]]
     for i, value in enumerate(part.values):
-        errors = [curve.errors[i] for curve in part.curves.values()]
         said = [f"{name} {c.notes[i]}" for name, c in part.curves.items() if c.notes[i]]
-        cells = [plain(error, 2) for error in errors]
+        cells = [plain(curve.errors[i], 2) for curve in part.curves.values()]
         rows.append([repr(value) if all_digits else _swept(value), *cells, "; ".join(said)])
     return rows
 

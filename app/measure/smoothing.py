@@ -65,8 +65,7 @@ def measure(
     """
     size = picture_size(projection)
     with ExitStack() as stack:
-        finest = Smoothing("", scale=REFERENCE)
-        with pane(scene, projection, size, finest) as (draw, read):
+        with pane(scene, projection, size, Smoothing("", scale=REFERENCE)) as (draw, read):
             reference = _seen(draw, read, REFERENCE, size)[..., :3].astype(np.float64)
         runs: dict[str, Callable[[], Any]] = {}
         choices = []

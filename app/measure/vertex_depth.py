@@ -72,8 +72,7 @@ def measure(projection: Projection, seconds: float = 10.0, watch: Watch = unwatc
         note, ends = "" if pieces else MEASURE["no-early-test"], max(1, pieces) + 1.0
         use |= {"settings.pieces": str(pieces)} if pieces else {}
         off, bound = too_far(near, far, s, run()), predicted(near, far, pieces)
-        size = AFFINE_BYTES * ends
-        choices.append(ChartPoint(name, None, None, off, bound, {}, note, use, size))
+        choices.append(ChartPoint(name, None, None, off, bound, {}, note, use, AFFINE_BYTES * ends))
     trade = Trade("vertex-depth", "ns", "w", tuple(choices), 0)
     # However many pieces there are, a pixel's work is the same: it is timed once.
     same = dict.fromkeys(names[1:], names[1])

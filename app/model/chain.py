@@ -24,7 +24,7 @@ import numpy as np
 
 from app.arithmetic import double_double as dd
 from app.arithmetic.double_double import DoubleDouble
-from app.arithmetic.rationals import Rationals, dot, eliminate, nearest, product
+from app.arithmetic.rationals import Rationals, diagonal, dot, eliminate, nearest, product
 from app.model.formula import Letter
 from app.model.limits import (
     LARGEST,
@@ -426,7 +426,7 @@ class Chain:
     @cached_property
     def is_identity(self) -> bool:
         """Whether object coordinates are world coordinates."""
-        return not self.on or self.exact == _identity()
+        return not self.on or self.exact == diagonal(1, 1, 1, 1)
 
     @cached_property
     def rank(self) -> int:
@@ -507,10 +507,6 @@ class Chain:
         ]
 
 
-def _identity() -> Rationals:
-    return [[Fraction(i == j) for j in range(4)] for i in range(4)]
-
-
 NOT_MOVED = Chain()
 
 
@@ -560,7 +556,6 @@ class FiveTiles:
 
     @property
     def chain(self) -> Chain:
-        numbers = {"translate": self.translate, "scale": self.scale}
         turns = {f"rotate {x}": (part,) for x, part in zip("xyz", self.rotate_deg, strict=True)}
-        parts = numbers | turns
+        parts = {"translate": self.translate, "scale": self.scale} | turns
         return Chain(tuple(Tile(kind, parts[kind]) for kind in FIVE[self.order]))

@@ -91,11 +91,8 @@ class EyeFirst:
         Their errors are below ``3 double_double.RELATIVE_ERROR`` of the distance from the eye.
         """
         offsets = [DoubleDouble(*parts) for parts in zip(*offset, strict=True)]
-        rows = []
-        for axis in self._of.camera.frame_double_double:
-            x, y, z = (dd.multiply(part, o) for part, o in zip(axis, offsets, strict=True))
-            rows.append(dd.add(dd.add(x, y), z))
-        return tuple(rows)
+        products = (map(dd.multiply, axis, offsets) for axis in self._of.camera.frame_double_double)
+        return tuple(dd.add(dd.add(x, y), z) for x, y, z in products)
 
     def trace(self, world: Array, rest: Array | None = None) -> Trace:
         """See `Projection.trace`; `rest` is the points' error of rounding to float64."""
@@ -108,8 +105,7 @@ class EyeFirst:
                 Trace._make(part[block] for part in traced),
                 None if left_over is None else left_over[block],
             )
-        shape = world.shape[:-1]
-        return Trace._make(part.reshape(shape + part.shape[1:]) for part in traced)
+        return Trace._make(part.reshape(world.shape[:-1] + part.shape[1:]) for part in traced)
 
     def _trace_block(self, traced: Trace, cut_off: Array | None) -> None:
         """Compute everything that follows from `world`, row by row, which is fast in numpy."""

@@ -162,11 +162,10 @@ def finite_matrix(field: str, value: Any, smallest: float = 0.0) -> Cells:
             raise TypeError
     except TypeError:
         raise Refusal(field, value, REFUSALS["four-by-four"]) from None
-    checked = tuple(
+    return tuple(  # type: ignore[return-value]
         tuple(_cell(f"{field}[{i}, {j}]", part, smallest) for j, part in enumerate(row))
         for i, row in enumerate(rows)
     )
-    return checked  # type: ignore[return-value]
 
 
 def _cell(field: str, value: Any, smallest: float) -> float:

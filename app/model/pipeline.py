@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from app.arithmetic.rationals import Rationals, product, rationals
+from app.arithmetic.rationals import Rationals, diagonal, product, rationals, shift
 from app.model.camera import Camera
 from app.model.chain import NOT_MOVED, SPACES, Chain, Space, WorldPoints
 from app.model.formula import FLOAT64
@@ -104,19 +104,8 @@ class Link(NamedTuple):
 
 
 def _product(name: str, factors: Sequence[tuple[str, Rationals]], note: str = "") -> Stage:
-    whole = reduce(product, [factor for _, factor in factors] or [_diagonal(1, 1, 1, 1)])
+    whole = reduce(product, [factor for _, factor in factors] or [diagonal(1, 1, 1, 1)])
     return Stage(name, whole, tuple((label, rounded(f)) for label, f in factors), note)
-
-
-def _diagonal(*parts: Fraction | int) -> Rationals:
-    return [[Fraction(part if i == j else 0) for j in range(4)] for i, part in enumerate(parts)]
-
-
-def _shift(*offset: Fraction | int) -> Rationals:
-    matrix = _diagonal(1, 1, 1, 1)
-    for row, part in zip(matrix, offset, strict=False):
-        row[3] = Fraction(part)
-    return matrix
 
 
 @dataclass(frozen=True)
@@ -273,7 +262,7 @@ class Pipeline:
         if self.lens.own_view is None:
             view = self._exact_rotation
         else:
-            view = product(rationals(self.lens.own_view), _shift(*map(Fraction, self.camera.eye)))
+            view = product(rationals(self.lens.own_view), shift(*map(Fraction, self.camera.eye)))
         return view, product(self.exact_clip_from_view, view)
 
     @cached_property
@@ -283,7 +272,7 @@ class Pipeline:
 
     @property
     def _exact_rotation(self) -> Rationals:
-        rotation = _diagonal(1, 1, 1, 1)
+        rotation = diagonal(1, 1, 1, 1)
         for row, axis in zip(rotation, self.camera.exact_frame, strict=False):
             row[:3] = axis
         return rotation
@@ -342,7 +331,7 @@ class Pipeline:
             return Stage("view_from_world", rationals(self.lens.own_view), (), "")
         factors = [
             ("rotation", self._exact_rotation),
-            ("translation", _shift(*(Fraction(-part) for part in self.camera.eye))),
+            ("translation", shift(*(Fraction(-part) for part in self.camera.eye))),
         ]
         view = _product("view_from_world", factors)
         # The product's zeros cancel only to the last bit of the frame.
@@ -356,17 +345,16 @@ class Pipeline:
 
         A tile is named by its text. The product is written in the reverse order.
         """
-        named: list[tuple[str, Rationals | None]] = []
-        for tile, factor in zip(self.placement.on, self.placement.factors, strict=True):
-            named.insert(0, (tile.text, factor))
+        tiles = [*zip(self.placement.on, self.placement.factors, strict=True)]
+        named: list[tuple[str, Rationals | None]] = [(tile.text, f) for tile, f in reversed(tiles)]
         if self.has_camera:
-            moved = _shift(*(Fraction(-part) for part in self.camera.eye))
+            moved = shift(*(Fraction(-part) for part in self.camera.eye))
             named.extend([("view translation", moved), ("view rotation", self._exact_rotation)])
         else:
             named.append(("view_from_world", self._view_stage.exact))
         named.extend((each.name, each.exact) for each in self.lens_stages or self.direct_stages[:1])
         named.extend([("divide by w", None), (VIEWPORT.name, self.staged(VIEWPORT).exact)])
-        links, so_far = [], _diagonal(1, 1, 1, 1)
+        links, so_far = [], diagonal(1, 1, 1, 1)
         for name, exact in named:
             so_far = product(exact, so_far) if exact else so_far
             links.append(Link(name, exact, so_far))

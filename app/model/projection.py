@@ -261,7 +261,6 @@ def _depth_rows(kind: Any, near: float, far: float) -> tuple[list[float], list[l
     table = kind.table_to(far)
     assert table.view_from_clip is not None
     z_near, z_far = DEPTH_RANGES["reversed"]
-    letters = {"n": near, "f": far, "z_n": z_near, "z_f": z_far}
     rows = table.clip_from_view[2], *table.view_from_clip[2:]
-    depth, *back = evaluated(rows, letters, FLOAT64)
+    depth, *back = evaluated(rows, {"n": near, "f": far, "z_n": z_near, "z_f": z_far}, FLOAT64)
     return depth, back

@@ -258,8 +258,7 @@ def slid_grip(
     start: Vector, along: Sequence[float], before: float, grabbed: Array, sight: Sight, pixel: Spot
 ) -> float | None:
     """The new number of a grip on a rail of `heading`; None if it is seen end-on at 0."""
-    rail = np.array(start), np.array(along)
-    value, per_px = _slid(*rail, before, grabbed, sight, pixel)
+    value, per_px = _slid(np.array(start), np.array(along), before, grabbed, sight, pixel)
     return _tidy(value, before, per_px) if math.isfinite(value) else None
 
 

@@ -60,8 +60,7 @@ def risks(
         present.append(Risk(HEALTH["no-picture"], (PLANES[beyond.argmax()],)))
     lens, distance = projection.lens, projection.camera.distance
     if lens.holds(distance):
-        buffer = DepthBuffer("fixed24", projection.depth, lens)
-        gap = float(buffer.gap(distance))
+        gap = float(DepthBuffer("fixed24", projection.depth, lens).gap(distance))
         if gap > _GAP * size:
             present.append(
                 Risk(HEALTH["wide-gap"], (f"{gap:.2g}",))
@@ -86,6 +85,4 @@ def risks(
 
 
 def _decimals(error: float) -> str:
-    if error == math.inf:
-        return "0"
-    return str(max(0, math.floor(-math.log10(2.0 * error))))
+    return "0" if error == math.inf else str(max(0, math.floor(-math.log10(2.0 * error))))

@@ -19,7 +19,7 @@ from typing import TypeAlias
 import numpy as np
 
 from app.arithmetic.formats import FORMATS
-from app.arithmetic.rationals import Rationals, dot, nearest, product, rationals
+from app.arithmetic.rationals import Rationals, dot, nearest, product, rationals, shift
 from app.model.limits import within
 from app.model.projection import Array, Projection, Vector
 from app.model.refusal import REFUSALS, Refusal
@@ -52,11 +52,11 @@ def steps(projection: Projection, way: str, origin: Vector) -> Steps:
     offset = [Fraction(e) - Fraction(o) for e, o in zip(projection.camera.eye, origin, strict=True)]
     view, clip = projection.exact_from_eye
     if way in THERE:
-        to_eye = _moved([-part for part in offset])
+        to_eye = shift(*(-part for part in offset))
         if way == "one":
             return [(product(clip, to_eye), True)]
         return [(product(view, to_eye), False), (projection.exact_clip_from_view, True)]
-    from_eye, from_clip = _moved(offset), _short(projection)
+    from_eye, from_clip = shift(*offset), _short(projection)
     if way == "inverse":
         return [(product(from_eye, from_clip), True)]
     if way == "ray":
@@ -76,13 +76,6 @@ def _short(projection: Projection) -> Rationals:
             high = [part + Fraction(float(cell - part)) for cell, part in rests]
         short.append(high)
     return short
-
-
-def _moved(offset: Sequence[Fraction]) -> Rationals:
-    moved = [[Fraction(i == j) for j in range(4)] for i in range(4)]
-    for row, part in zip(moved, offset, strict=False):
-        row[3] = part
-    return moved
 
 
 def ndc_from_pixels(projection: Projection) -> Rationals:

@@ -78,10 +78,9 @@ def _posts() -> Parts:
         ]
         outline = shapes.edges_of(plate)[0]  # grey: far away little but the outline is visible
         lines.append((outline, shapes.flat(shapes.OUTLINE_RGB, len(outline))))
-    ground = shapes.ground_grid((-6.0, -36.0), (6.0, 12.0), (2.0, 6.0), 0.0)
     return (
         shapes.joined(*quads),
-        shapes.joined(ground, *lines),
+        shapes.joined(shapes.ground_grid((-6.0, -36.0), (6.0, 12.0), (2.0, 6.0), 0.0), *lines),
         Projection(Camera((3.0, 2.6, 10.0), (0.2, 1.2, -10.0)), Perspective(26.0, 9.0, 41.0)),
     )
 

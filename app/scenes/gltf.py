@@ -160,8 +160,7 @@ class _Gltf:
         parent_from_node = self._matrices(turns, scales, moves)
         for index, node in enumerate(nodes):
             if "matrix" in node:  # written column by column
-                matrix = np.array(node["matrix"], dtype=np.float64)
-                parent_from_node[index] = matrix.reshape(4, 4).T
+                parent_from_node[index] = np.array(node["matrix"], dtype=np.float64).reshape(4, 4).T
         return parent_from_node
 
     def _matrices(self, turns: Floats, scales: Floats, moves: Floats) -> Floats:
@@ -276,8 +275,7 @@ class _Gltf:
     def _primitive(
         self, primitive: dict[str, Any], weights: Iterable[float], joints: Floats | None
     ) -> Mesh:
-        position = primitive["attributes"]["POSITION"]
-        count = self._data.count(position)
+        count = self._data.count(primitive["attributes"]["POSITION"])
         used: Any = slice(None)
         if "indices" in primitive:
             indices = self._data.values(primitive["indices"], "SCALAR")

@@ -361,8 +361,7 @@ def load(name_or_path: str, progress: Progress | None = None, mesh: str = "") ->
     if phenomenon is not None:
         return _scene_of_phenomenon(phenomenon, mesh, progress)
     if name_or_path in BUILDERS:
-        shown = SHOWN.get(name_or_path, {})
-        return _built_in(name_or_path, *BUILDERS[name_or_path](), **shown)
+        return _built_in(name_or_path, *BUILDERS[name_or_path](), **SHOWN.get(name_or_path, {}))
     path = Path(name_or_path)
     is_file_name = path.name != name_or_path or path.suffix != ""
     if name_or_path and (is_file_name or os.path.exists(path)):

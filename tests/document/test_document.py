@@ -31,6 +31,7 @@ from app import languages
 from app.bootstrap import ROOT
 from app.document import codec, files
 from app.document.codec import SHORTEST, parse, to_json, to_tree
+from app.document.compare import ComparedPicture
 from app.document.document import (
     MESH_ENDINGS,
     NUMBER,
@@ -49,7 +50,7 @@ from app.document.files import (
 )
 from app.document.settings import set_values
 from app.document.view import FIELDS as VIEW_FIELDS
-from app.document.view import FIXED, LAYERS, PANELS, PANES, STAGES, View
+from app.document.view import FIXED, LAYERS, PANELS, PANES, STAGES, View, without_scene
 from app.lecture.camera_frame import STEPS
 from app.lecture.letters import LETTERS
 from app.model.projection import (
@@ -1213,6 +1214,16 @@ def test_another_scene_names_its_own_things() -> None:
     named = set_values(Document(), ["view.names=near"])
     assert set_values(named, ["scene=cube"]).view.names is None
     assert set_values(named, ["scene=cube", "view.names=far"]).view.names == ("far",)
+
+
+def test_what_belongs_to_a_scene_stays_there() -> None:
+    kept = View(layout="columns", letters=LETTERS[1], layers=frozenset({"grid"}), fixed="top")
+    view = replace(
+        kept, large="ndc", panel="probe", probes=(Probe(1, pixel=(1.0, 2.0)),),
+        pinned=frozenset({1}), slide=("equation",), controls=("lens.near",), equation="V",
+        names=("near",), compare=(ComparedPicture(), ComparedPicture(live=True)), dividers=(0.5,),
+    )  # fmt: skip
+    assert without_scene(view) == kept
 
 
 def test_a_step_of_the_frame_opens_its_panel_unless_another_is_set() -> None:

@@ -114,6 +114,14 @@ def test_another_scene_while_the_animation_plays_is_a_step_of_its_own(store: Sto
     assert undone(store) == [60.0, "letter-f", 45.0]
 
 
+def test_what_plays_on_in_a_file_that_was_opened_meanwhile_is_a_step(store: Store) -> None:
+    store.begin_gesture()
+    store.open(Document("cube", seen(60.0)))
+    store.set_projection(seen(70.0))
+    store.end_gesture()
+    assert undone(store) == [60.0, "letter-f"]
+
+
 def test_a_click_while_the_animation_plays_loses_no_step(store: Store) -> None:
     store.begin_gesture()
     store.set_projection(seen(50.0))
@@ -240,6 +248,46 @@ def test_undo_brings_back_a_documents_view(store: Store) -> None:
     assert store.document.view == View(stage=0.5)
 
 
+def test_undo_of_a_gesture_keeps_a_view_that_was_changed_meanwhile(store: Store) -> None:
+    store.begin_gesture()
+    store.set_projection(seen(50.0))
+    store.set_view(large="ndc")
+    store.end_gesture()
+    store.undo()
+    assert store.document == Document("letter-f", seen(45.0))
+    assert store.document.view == View(large="ndc")
+
+
+def test_what_cannot_be_drawn_leaves_all_as_it_was(store: Store) -> None:
+    """So do a file that is opened in the middle of a drag, and a mesh that has become bad."""
+    store.set_projection(seen(50.0))
+    store.begin_gesture()
+    store.set_projection(seen(55.0))
+    refusing = store.changed.connect(lambda document: document.scene == "cube" and store.refuse())
+    origin = store.origin
+    assert not store.open(Document("cube", seen(60.0)), path=Path("cube.json"))
+    assert not store.set_document(Document("cube", seen(60.0)))
+    assert store.origin is origin and store.document == Document("letter-f", seen(55.0))
+    store.end_gesture()
+    store.changed.disconnect(refusing)
+    assert undone(store) == [50.0, 45.0]
+    assert store.show_again()
+    store.changed.connect(store.refuse)
+    assert not store.show_again() and store.document == Document("letter-f", seen(45.0))
+
+
+def test_another_window_goes_on_with_undo_and_redo(store: Store) -> None:
+    for angle in (50.0, 55.0):
+        store.set_projection(seen(angle))
+    store.undo()
+    other = Store(store.document)
+    other.take_steps(store)
+    assert other.modified and other.origin is store.origin
+    other.redo()
+    assert other.document.projection == seen(55.0)
+    assert undone(other) == [50.0, 45.0]
+
+
 def test_changes_of_the_command_line_can_be_undone() -> None:
     saved, shown = Document("cube", seen(45.0)), Document("cube", seen(60.0))
     store = Store(shown, saved=saved)
@@ -306,3 +354,17 @@ def test_undo_passes_through_a_lesson_that_another_one_followed(store: Store) ->
         assert not store.can_undo and not store.modified
     store.origin.is_work = True
     assert undone(store) == [20.0, 50.0, 45.0]
+
+
+def test_a_step_of_a_lesson_that_undo_does_not_leave_takes_no_work(store: Store) -> None:
+    store.set_projection(seen(50.0))
+    lesson = replace(store.document, projection=seen(20.0))
+    store.open(lesson, is_work=False)
+    store.set_document(replace(lesson, projection=seen(25.0)))
+    store.forget_steps()
+    assert not store.can_undo and not store.can_redo
+    store.open(Document("cube", seen(60.0)))
+    store.undo()
+    assert store.document.projection == seen(25.0) and not store.modified, "nobody's work"
+    store.undo()
+    assert store.document.projection == seen(50.0) and store.modified

@@ -467,6 +467,18 @@ def test_dimensions_follow_the_camera_and_reach_the_screen(off_screen: MakeScree
         assert not inked[int(right) + 1 : int(right) + 4].any()
 
 
+def test_no_line_of_the_view_before_remains(off_screen: MakeScreen) -> None:
+    """From the side there are more lines than along the axis."""
+    screen = off_screen(*SIZE_PX)
+    drawing = made(screen)
+    drawing.show_fixed("axis")
+    afresh = screen.pixels()
+    drawing.show_fixed("side")
+    assert (screen.pixels() != afresh).any()
+    drawing.show_fixed("axis")
+    assert (screen.pixels() == afresh).all()
+
+
 SENTENCES = {
     "parallel": "A parallel lens has no angle: it is equally wide at every distance.",
     "eye": "A parallel lens has no eye: this is the view along its axis.",

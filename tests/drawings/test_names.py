@@ -14,10 +14,11 @@ from app.drawings import WORDS, DrawingWords
 from app.drawings.actors import CUBE_CORNERS
 from app.drawings.image import ImageDrawing
 from app.drawings.near_picture import NearPicture
+from app.drawings.pointing import FACES
 from app.drawings.stage import StageDrawing
 from app.drawings.style import LIGHT, QUIET, QUIET_WIDTH, TITLE_EM, rgb
 from app.drawings.world import WorldDrawing
-from app.lecture.highlight import AXES, WINDOW
+from app.lecture.highlight import AXES, CORNERS, WINDOW
 from app.lecture.letters import Letters
 from app.model.projection import Camera, Perspective
 from app.picking.handles import Handle
@@ -103,6 +104,28 @@ def test_at_rest_the_controls_have_grips_and_else_the_handle_in_the_hand(
     assert (screen.pixels() != everything).any()
 
 
+def test_labels_at_rest_keep_off_the_grips_that_a_list_of_controls_asks_for(
+    off_screen: MakeScreen,
+) -> None:
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen, live=True)
+    drawing.show_names(None)
+    drawing.handles.rest(())
+    drawing.handles.call(frozenset(handle.name for handle, _ in drawing.handles.shown))
+    drawing.refit()
+    with_grips = screen.pixels()
+    drawing.reset_view()  # which places the labels afresh
+    assert (screen.pixels() == with_grips).all()
+    drawing.show_names(frozenset({"near", "far"}))
+    drawing.refit()
+    screen.pixels()
+    drawing.handles.call(frozenset())
+    drawing.refit()
+    without = screen.pixels()
+    drawing.show_layers(frozenset())
+    assert (screen.pixels() == without).all()
+
+
 def test_what_is_held_is_named(off_screen: MakeScreen) -> None:
     drawing = opened(off_screen(*PANE_PX), live=True)
     drawing.hold(Handle("target"))
@@ -118,6 +141,18 @@ def test_where_a_hand_takes_hold_of_the_target_the_target_is_pointed_at(
     drawing = opened(off_screen(*PANE_PX), live=True)
     x, y = dict(drawing.handles.shown)[Handle("target")]
     assert lit_at(drawing, x, y) == {"target"}
+
+
+def test_a_volume_that_is_not_drawn_has_no_sides_with_names(off_screen: MakeScreen) -> None:
+    """While the camera's frame is built, it would cover the arrows."""
+    screen = off_screen(*PANE_PX)
+    drawing = opened(screen)
+    drawing.show_names(None)
+    screen.pixels()
+    assert sum(text[:2] in ("l ", "r ", "b ", "t ") for text in texts_of(screen)) == 4
+    drawing.show_step(4)
+    screen.pixels()
+    assert not any("=" in text for text in texts_of(screen))
 
 
 def test_the_ground_is_pale_where_the_cameras_axes_are_named(off_screen: MakeScreen) -> None:
@@ -384,6 +419,21 @@ def test_a_highlight_makes_what_it_shows_once_and_in_its_place(off_screen: MakeS
     drawing.show_highlight(frozenset({"right", "near_left_bottom"}))
     assert list(props) == after
     assert sum(bool(prop.GetVisibility()) for prop in made) == 3
+
+
+@pytest.mark.parametrize("kind", [WorldDrawing, StageDrawing])
+def test_every_face_and_corner_that_is_pointed_at_is_seen(
+    off_screen: MakeScreen, kind: Any
+) -> None:
+    screen, scene = off_screen(*PANE_PX), load("letter-f")
+    drawing = kind(screen, scene, WORDS, LIGHT)
+    drawing.show_projection(scene.start)
+    unlit = screen.pixels()
+    for name in (*FACES, *CORNERS):
+        drawing.show_highlight(frozenset({name}))
+        assert (screen.pixels() != unlit).any(), name
+    drawing.show_highlight(frozenset())
+    assert (screen.pixels() == unlit).all()
 
 
 def test_several_changes_settle_once(

@@ -3,6 +3,7 @@
 import random
 import re
 import zlib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -25,7 +26,7 @@ from app.drawings.off_screen import off_screen
 from app.drawings.pdf import pdf
 from app.drawings.prop_group import PropGroup
 from app.drawings.side_by_side import panes_in
-from app.drawings.style import LIGHT
+from app.drawings.style import LIGHT, rgb
 from app.drawings.svg import svg
 from app.drawings.vectors import Area, LineShape, PixelShape, TextShape, shapes_of
 from app.lecture.typesetting import line_of, piece_of, pieces_of
@@ -268,6 +269,12 @@ def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
     assert 300 > width > right - left
     assert (left, width - right) == pytest.approx((2.0 / 25.4 * 300,) * 2)
     assert (top, height - bottom) == pytest.approx((2.0 / 25.4 * 300,) * 2, abs=10.0)
+    corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)]
+    page = Area([corners], rgb(LIGHT.background), 1.0)
+    clear = replace(figure, transparent=True)
+    size, shapes = clear.shapes()
+    assert size == (width, height) and found[0] == page and page not in shapes
+    assert clear.pixels().shape[:2] == pytest.approx(pixels.shape[:2], abs=2.0)
     figure = figure_of(load("similar-triangles"), panes=["world"], size=(300, 300), crop=True)
     pixels, ((width, height), _) = figure.pixels(), figure.shapes()
     assert pixels.shape[0] < 250, "without what drawings keep outside until they need it"

@@ -308,6 +308,11 @@ def test_a_plane_beyond_the_reach_is_broken_and_says_its_distance(
     corners = applied(to_array(view.drawing.frustum.space.matrix), CUBE)
     away = np.linalg.norm(corners - view.scene.centre, axis=1)
     assert away.max() < 10.0 * view.scene.size
+    drawn_to = view.drawing.state.volume.depths
+    assert drawn_to is not None
+    near = (drawn_to.near_break or (0.0, drawn_to.near))[1]
+    far = (drawn_to.far_break or (drawn_to.far,))[0]
+    assert drawn_to.body == (near, far), "the edges end where the break begins"
 
 
 @pytest.mark.parametrize("azimuth", [-100.0, -60.0, 0.0, 35.0, 80.0, 125.0])

@@ -40,6 +40,7 @@ hide: numbers
 vary wanted: 0.5..4 step 0.1
 Set near to {{=wanted}}.
 until: near = wanted
+wrong look-n: near > 10
 ```
 """
 TALK = """---
@@ -71,6 +72,9 @@ minutes: 1.5
 view.large=ndc
 ```
 """
+
+
+TURNED = {"world": Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))}
 
 
 def course_of(text: str) -> Course:
@@ -208,6 +212,19 @@ def test_the_wrong_idea_of_a_task_is_named_once() -> None:
     assert logged(player) == [("lens.near=11", "wrong", "look-n", 0)], "the view does not matter"
     near.reveal_answer()
     assert near.name_idea() is None and near.answer == REVEALED
+    near, _ = player_at(1, answers={"hand/near": REVEALED}).blocks
+    near.look(changed(near, "lens.near=11"))
+    assert near.name_idea() is None, "it is answered"
+
+
+def test_a_wrong_idea_is_named_again_with_other_numbers() -> None:
+    _, task = (player := player_at(0, EXERCISES)).blocks
+    for seed in (1, 2):
+        task.draw(seed)
+        for _ in range(2):
+            task.look(changed(task, "lens.near=11"))
+            task.name_idea()
+    assert logged(player) == 2 * [("lens.near=11", "wrong", "look-n", 0)]
 
 
 def test_a_state_that_the_lesson_shows_is_not_the_students_work() -> None:
@@ -323,6 +340,7 @@ def test_what_is_left_to_do_is_known_and_can_be_begun_again() -> None:
     assert (saved[-1].done, saved[-1].of) == (1, 4)
     player.turn_to(3)
     assert player.is_last and player.blocks == []
+    player.progress = replace(player.progress, step="last")
     player.finish()
     assert player.left == [1, 2] and saved[-1].step == "" and saved[-1].done == 2
     before = player.forget()
@@ -414,8 +432,12 @@ def test_a_step_knows_whether_the_window_still_shows_it() -> None:
     assert player.is_away(set_values(document, ["lens.near=1"]), look)
     assert player.is_away(document, replace(look, large="image"))
     assert not player.is_away(document, replace(look, layers=frozenset())), "no step sets it"
-    turned = {"world": Camera((1.0, 2.0, 3.0), (0.0, 0.0, 0.0), (0.0, 1.0, 0.0))}
-    assert player.is_away(document, replace(look, panes=turned))
+    leading = Player(course_of(TALK.replace("=ndc", "=world")), 2)
+    assert not leading.is_away(document, AS_EVER), "the scene's own large pane has no name"
+    turned = replace(look, panes=TURNED)
+    assert player.is_away(document, turned)
+    seen = player.view_of(player.shown_at(2), turned, other_scene=False)
+    assert seen.panes == {}, "a step is seen from its own side"
     posed = set_values(document, ["lens.near=1"])
     player.posed = posed
     assert player.shown_at(2).document == posed and player.shown_at(1).document != posed
@@ -437,3 +459,13 @@ def test_a_state_beside_the_step_gives_its_view_back() -> None:
     there = replace(player.view_beside(beside, look, other_scene=False), controls=("eye",))
     assert player.view_of(step, there, other_scene=False).controls == ("eye",), "chosen by hand"
     assert player.view_of(step, look, other_scene=True).controls == ()
+    turned = replace(look, panes=TURNED)
+    assert player.view_beside(beside, turned, other_scene=False).panes == TURNED
+    assert player.view_beside(beside, turned, other_scene=True).panes == {}
+    first = player.view_beside(beside, look, other_scene=False)
+    other = set_values(step.document, ["view.controls=lens.near"])
+    second = player.read_again(player.course, 2)
+    there = second.view_beside(other, first, other_scene=False)
+    assert there.controls == ("lens.near",)
+    back = second.view_of(step, there, other_scene=False)
+    assert back.controls == ("near",), "as before the first of two states, in the changed file, too"

@@ -436,3 +436,19 @@ def test_a_ready_comparison_ends_with_the_picture_from_before(window: MainWindow
         compared = window.store.document
         window.comparing.end()
         assert window.store.document == (before if goes_back else compared)
+
+
+@pytest.mark.undrawn
+def test_a_comparison_ends_as_it_began_whatever_was_compared_before(window: MainWindow) -> None:
+    show_scene(window, "two-eyes")
+    window.slots.arrange("pictures", "world")
+    window.comparing.begin("cameras")
+    compared = window.store.document
+    window.comparing.end()
+    assert window.store.document != compared and window.slots.large == "world"
+    window.store.undo()
+    assert window.store.document == compared
+    window.slots.arrange("pictures", "image")
+    window.comparing.toggle()
+    window.comparing.toggle()
+    assert window.store.document == compared and window.slots.large == "image"

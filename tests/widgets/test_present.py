@@ -435,12 +435,15 @@ def test_icons_have_the_size_and_the_colour_of_their_text(
         ]
         assert picture.width() == 40 and len(inked) > 20
         assert lightness[0] <= min(inked) and max(inked) <= lightness[1]
+    window.store.set_view(slide=("ndc",), controls=("stage",))
     begin(window)
     window.present.show_tools(True)
     settle()
     for button in window.menus.tools.findChildren(QToolButton):
         if button.isVisible() and not button.icon().isNull():
             assert button.iconSize().height() >= 0.022 * window.height(), button.text()
+    play = window.strip.button
+    assert play.isVisible() and play.iconSize().height() == play.fontMetrics().height()
     window.look.set_theme("light")
 
 

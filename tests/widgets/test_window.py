@@ -93,6 +93,7 @@ from widgets.parts import palette
 from widgets.parts.icons import Combo
 from widgets.parts.labels import WarningLabel
 from widgets.parts.messages import number_text, sentence
+from widgets.window import recovery
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.files import Files
 from widgets.window.main_window import MainWindow
@@ -972,6 +973,27 @@ def test_a_killed_process_leaves_its_work_to_the_next(make_window: MakeWindow) -
     assert window.store.document.scene == "posts"
     assert window.store.document.projection.lens == Perspective(61.0, 2.0, 20.0)
     assert window.recovery.autosave.orphans() == []
+
+
+def test_edits_do_not_put_off_the_copy_of_the_first(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A long animation is saved, too."""
+    begun: list[QTimer] = []
+
+    class Timer(QTimer):
+        def start(self) -> None:  # type: ignore[override]
+            begun.append(self)
+            super().start()
+
+    monkeypatch.setattr(recovery, "QTimer", Timer)
+    autosave = Autosave(tmp_path, Document)
+    for _ in range(3):
+        autosave.schedule()
+    assert len(begun) == 1
+    begun[0].timeout.emit()
+    assert autosave.path.exists()
+    autosave.close()
 
 
 @pytest.mark.undrawn

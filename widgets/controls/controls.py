@@ -324,8 +324,7 @@ class Controls(Dock, RowHolder):
                 continue
             places = here if self._in_use(binding) else elsewhere
             also = parameter_text(binding.parameter, binding.parameter.also)
-            texts = ControlTexts(f"{binding.row.name} {key} {also}", binding.row.tip)
-            places[binding.row] = texts
+            places[binding.row] = ControlTexts(f"{binding.row.name} {key} {also}", binding.row.tip)
         walk = self.animation
         names = [*(row.name for row in walk.rows), self.tr("animation play walk turn")]
         here[walk] = ControlTexts(" ".join(names), "")

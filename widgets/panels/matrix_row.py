@@ -99,8 +99,7 @@ class MatrixBox(QWidget):
         title = self._title
         if bool(title.property("reached")) != is_reached:
             title.setProperty("reached", is_reached)
-            said = self.tr("the stage strip is here") if is_reached else ""
-            title.setAccessibleDescription(said)
+            title.setAccessibleDescription(self.tr("the stage strip is here") if is_reached else "")
             title.style().polish(title)
 
 

@@ -67,8 +67,7 @@ class ProbeNumbers(QObject):
                 blocks.append(self._of_point(projection, point))
                 outside.append(frozenset(_outside_of(point)))
                 row += 1
-        directions = any(probe.direction for probe in probes)
-        lines = self._lines(projection, directions=directions)
+        lines = self._lines(projection, directions=any(probe.direction for probe in probes))
         return ProbeRows([probe.number for probe in probes], lines, blocks, outside)
 
     def _lines(self, projection: Projection, *, directions: bool) -> list[tuple[str, str]]:

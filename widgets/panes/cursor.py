@@ -153,8 +153,7 @@ class Cursor(QObject):
         if not self._is_there:
             self._is_there = True
             # Queued: the cursor cannot move while the picture is painted.
-            queued = Qt.ConnectionType.QueuedConnection
-            self._pane.canvas.drawn.connect(self._follow, queued)
+            self._pane.canvas.drawn.connect(self._follow, Qt.ConnectionType.QueuedConnection)
         if thing is None:
             self._notice = self.tr("No other vertex is visible")
             if to_hold:

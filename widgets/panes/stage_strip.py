@@ -185,9 +185,8 @@ class StageStrip(FittedWidget, QWidget, Playing):
             return WORDS["object"]
         if stop < WORLD:
             tile = self._tiles[stop - self.first - 1]
-            name = called(tile.kind).replace("_", "")
             title = with_comma(tile_title(tile.kind, tile.text[len(tile.kind) :]))
-            return [name, WORDS.say("after", title)]
+            return [called(tile.kind).replace("_", ""), WORDS.say("after", title)]
         if self._parallel and stop == CANONICAL_PERSPECTIVE:
             return [self._names[CANONICAL_PARALLEL][0], WORDS.say("no-pyramid")]
         if self._parallel and stop == CANONICAL_PARALLEL:

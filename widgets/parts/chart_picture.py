@@ -68,9 +68,8 @@ def picture(
     paper = paper or Paper()
     for part in parts:
         over = others.get(part.name if isinstance(part, Trade) else part.parameter)
-        name = chart.machine(other) if other else ""
         said = meaning(part) if isinstance(part, Trade) else "-"
-        diagrams = chart.diagrams(part, current, over, name)
+        diagrams = chart.diagrams(part, current, over, chart.machine(other) if other else "")
         if paper.is_sized:  # the file says the remarks, for which a line on paper has no room
             diagrams = tuple(replace(each, title=chart.title(part)) for each in diagrams)
         shown += diagrams or [f"{chart.title(part)}\n\n{said}"]

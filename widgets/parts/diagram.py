@@ -33,7 +33,6 @@ class DiagramView(QWidget):
         self._diagram: Diagram | None = None
         self.names: dict[str, Floats] = {}
         """Places of the curves' names (left, top, right, bottom), kept where possible."""
-        self.spot_names: dict[str, QRectF] = {}  # places of the spots' names
         self._style = LIGHT
         self._pressed = ""  # the key of the spot under the last press of the mouse
         self.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Expanding)
@@ -159,9 +158,8 @@ class DiagramView(QWidget):
     def paintEvent(self, event: QPaintEvent) -> None:
         if self._diagram is None:
             return
-        laid_out, painter = self._laid_out(self._diagram), QPainter(self)
-        laid_out.paint(painter)
-        self.spot_names = laid_out.spot_names
+        painter = QPainter(self)
+        self._laid_out(self._diagram).paint(painter)
         if self.hasFocus():
             painter.setPen(QPen(self.palette().highlight(), 2.0))
             painter.drawRect(self.rect().adjusted(1, 1, -1, -1))

@@ -34,9 +34,9 @@ class DiagramPainter:
     """Lays out a diagram in a size, and paints it there.
 
     `frame` is the place of the diagram's window. `names` are the places of the curves' names (left,
-    top, right, bottom), kept where possible; `spot_names` are those of the spots. On paper, in
-    `one_size`, all letters have that of the font; names without a good place are in a key below the
-    diagram, which is `keyed` pixels high: beside a piece of their curve, or the number of a spot.
+    top, right, bottom), kept where possible. On paper, in `one_size`, all letters have that of the
+    font; names without a good place are in a key below the diagram, which is `keyed` pixels high:
+    beside a piece of their curve, or the number of a spot.
     """
 
     def __init__(
@@ -54,7 +54,6 @@ class DiagramPainter:
         self._diagram, self._size, self._style = diagram, size, style
         self._ratio, self._has_grid = ratio, has_grid
         self.names: dict[str, Floats] = {} if names is None else names
-        self.spot_names: dict[str, QRectF] = {}
         self._one_size = one_size
         self._font, self._small = font, font if one_size else resized(font, SMALL)
         self._is_picture = diagram.equal and not (diagram.x_label or diagram.y_label)
@@ -131,7 +130,6 @@ class DiagramPainter:
 
     def paint(self, painter: QPainter) -> None:
         self._key.clear()
-        self.spot_names.clear()
         painter.setRenderHint(QPainter.RenderHint.Antialiasing)
         self._paint_labels(painter)
         if not self.frame.isValid():
@@ -383,13 +381,13 @@ class DiagramPainter:
             if box is None:
                 continue
             left, top, right, bottom = box.tolist()
-            self.spot_names[spot.name] = QRectF(left, top, right - left, bottom - top)
+            room = QRectF(left, top, right - left, bottom - top)
             nearest = np.clip(place, box[:2], box[2:])
             if math.hypot(*(nearest - place)) > 3.0 * (radius + GAP_PX):
                 painter.setPen(self._pen("muted", 0.4))
                 painter.drawLine(QLineF(*place.tolist(), *nearest.tolist()))
             painter.setPen(self._colour("muted" if spot.faded else "ink"))
-            painter.drawText(self.spot_names[spot.name], Qt.AlignmentFlag.AlignCenter, text)
+            painter.drawText(room, Qt.AlignmentFlag.AlignCenter, text)
         for spot, (x, y) in zip(reversed(spots), points[::-1].tolist(), strict=True):
             if not math.isfinite(x + y):
                 continue

@@ -218,7 +218,7 @@ class LessonText(ReadText):
 
     def __init__(self, text: str, *, title: bool = False) -> None:
         super().__init__()
-        self.written, self._is_title = "", title
+        self._is_title = title
         self._heights: dict[int, int] = {}  # cached by width: layouts request heights often
         self.document().setProperty(SPACIOUS, True)
         give_role(self, QtGui.QAccessible.Role.Document)
@@ -234,7 +234,6 @@ class LessonText(ReadText):
         self.show_text(text)
 
     def show_text(self, text: str) -> None:
-        self.written = text
         self._heights.clear()
         set_text(self.document(), text, title=self._is_title, palette=self.palette())
         self.setAccessibleName(spoken_text(text))

@@ -91,8 +91,7 @@ def apply(
     larger = max(1.0, SHARE_OF_SCREEN * screen_px / QFontInfo(font).pixelSize())
     font.setPointSizeF(base_size * larger)
     application.setFont(font)
-    em = QFontInfo(font).pixelSize()
-    sheet = _sheet(em, **colours)
+    sheet = _sheet(QFontInfo(font).pixelSize(), **colours)
     # Changing one style sheet into another styles hidden widgets too, which takes several times as
     # long as these two; hidden ones get their style when they are shown.
     skips = kept.skipped(application.styleSheet(), sheet) if kept is not None else nullcontext()

@@ -83,9 +83,8 @@ def contents(course: Course, place: int, answers: bool) -> Iterator[Content]:
     yield StepFigure(shown, texts, note, slide, has_question=bool(asked) and not answers)
     if not any("\n|" in part.text for part in step.parts if not part.reveals):
         yield EquationTables(list(_equation(shown)))
-    before = course.shown(place - 1).document if place else None
     if "equation" not in shown.view.slide:  # else it has its matrices
-        yield _panel(shown, before)
+        yield _panel(shown, course.shown(place - 1).document if place else None)
     number = 0
     for part in asked:
         if not answers:

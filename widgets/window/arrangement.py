@@ -191,8 +191,7 @@ class Arrangement(QObject):
         self._slots.arrange(view.layout, view.large, self._slots.whole)
         self._slots.show_slide(view.slide)
         self._controls.show_controls(view.controls)
-        fixed = self._scene_fixed if view.fixed is None else view.fixed
-        self._world.show(fixed, view.layers)
+        self._world.show(self._scene_fixed if view.fixed is None else view.fixed, view.layers)
         self._world.name(view.names)
         self._strip.go_to(view.stage)
         self._frame.go_to(STEPS.index(view.frame_step))

@@ -42,9 +42,8 @@ class CoverCard(QWidget):
         next(iter(self.tiles.values())).setFocus()
 
     def _head(self, text: str, tip: str, *before: QWidget) -> QHBoxLayout:
-        title = PlainLabel(text, objectName="cardTitle")
         leave = tool_button("", tip, self.close, icon="close", name=self.tr("Close"), flat=True)
-        return in_row(*before, (title, 1), leave)
+        return in_row(*before, (PlainLabel(text, objectName="cardTitle"), 1), leave)
 
     def _choose(self, tell: Callable[[str], object], what: str) -> None:
         self.close()

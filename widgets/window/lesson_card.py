@@ -450,8 +450,7 @@ class LessonCard(QFrame):
 def _after(path: Path) -> Head | None:
     """Return the next lesson; after the tour, the first."""
     lessons = heads(talks=False)
-    following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
-    return following.get(path)
+    return dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False)).get(path)
 
 
 def _push(text: str, tip: str, act: object) -> QPushButton:

@@ -27,8 +27,7 @@ def fill(
             text += "\t" + QCoreApplication.translate("LessonMenu", "done")
         elif kept.done:
             text += f"\t{kept.done}/{kept.of}"
-        action = menu.addAction(text)
-        action.triggered.connect(lambda _on=False, path=head.path: choose(str(path)))
+        menu.addAction(text).triggered.connect(lambda _on=False, path=head.path: choose(str(path)))
 
 
 class LessonMenu(QMenu):

@@ -172,8 +172,7 @@ class MainWindow(QMainWindow):
             theme=settings.theme, language=settings.language, all_digits=settings.all_digits,
         )  # fmt: skip
         self.present = Present(self, self.menus.tools, self.bottom, Screens(settings))
-        parts = self.side, self.bottom, self.panels, *self.panes.values()
-        self.look.kept = KeptStyle(parts)
+        self.look.kept = KeptStyle((self.side, self.bottom, self.panels, *self.panes.values()))
         self.laser = Laser(self)
         self._make_components()
         self.highlighter = Highlighter(self)

@@ -93,8 +93,7 @@ class SelfTestDialog(QtWidgets.QDialog):
 
     def _show_count(self) -> None:
         count = min(practice.MOST, sum(self._counts[name] for name in self.topics))
-        text = counted(count, "exercise") if count else self.tr("Choose topics.")
-        self._count.setText(text)
+        self._count.setText(counted(count, "exercise") if count else self.tr("Choose topics."))
         self.begin.setEnabled(count > 0 and self.number.hasAcceptableInput())
 
 

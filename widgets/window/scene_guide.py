@@ -72,8 +72,7 @@ class SceneGuide(QObject):
             return
         self._menus.show_scene(document.scene)
         title = self._menus.scene_title(document.scene)
-        mesh = Path(document.mesh).name
-        self._card.show_scene(title, shown.scene.tries, phenomenon, mesh)
+        self._card.show_scene(title, shown.scene.tries, phenomenon, Path(document.mesh).name)
         self._panel.show_scene(title, phenomenon)
         self._panels.offer(self._panel, phenomenon is not None)
         own = (phenomenon.controls, phenomenon.replaces) if phenomenon else ((),)

@@ -105,9 +105,8 @@ class StartCard(CoverCard):
 
     def _review(self, text: str, following: str) -> Iterator[QWidget]:
         if text:
-            tip = WORDS.say("review")
             act = partial(self._leave_for, self.review_wanted)
-            yield tool_button(text, tip, act, icon="reset", flat=True)
+            yield tool_button(text, WORDS.say("review"), act, icon="reset", flat=True)
         if following:
             said = PlainLabel(following, objectName="paneNote")
             said.setIndent(round(1.3 * said.fontMetrics().height()))  # below the text

@@ -85,8 +85,7 @@ class StatusLine(QStatusBar):
             WORDS.say("pane", title, f"{matrices:.1f}", f"{repaint:.1f}")
             for title, (matrices, repaint) in panes.items()
         ]
-        model = WORDS.say("model", f"{model_ms:.1f}")
-        text = WORDS.say("ms", "  ".join([model, *parts]))
+        text = WORDS.say("ms", "  ".join([WORDS.say("model", f"{model_ms:.1f}"), *parts]))
         self.cost.show_text(text, f"{WORDS.say('ms-tip')}\n{text}")
 
     def set_tolerance(self, tolerance_px: float) -> None:

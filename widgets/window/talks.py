@@ -127,12 +127,11 @@ class Talks(QObject):
             self._ahead.forget()
             self.close_speaker()
             return
-        step = player.step
         self._pen.show_step(player.picture)
         self._pose()
         if self.is_on:
             self._band.set_screen(self._screen_px)
-            self._band.show_step(step, f"{player.place + 1} / {len(player.lesson.steps)}")
+            self._band.show_step(player.step, f"{player.place + 1} / {len(player.lesson.steps)}")
         if self.speaker is not None:
             self.speaker.show_step(player, self._band.laid.left_out if self.is_on else "")
         self.see_later()

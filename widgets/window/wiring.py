@@ -150,9 +150,8 @@ def _wire_gestures(window: Any) -> None:
     """Connect every gesture, such as a drag, to the store, which makes it one undo step."""
     store, controls, panels = window.store, window.controls, window.panels.all
     sources: tuple[Gestures, ...] = (controls, controls.animation, window.manipulation, *panels)
-    listeners = (store, controls.card.readable, window.slide.equation, *panels)
     for each in sources:
-        for told in listeners:
+        for told in (store, controls.card.readable, window.slide.equation, *panels):
             each.gesture_started.connect(told.begin_gesture)
             each.gesture_finished.connect(told.end_gesture)
         each.gesture_abandoned.connect(store.abandon_gesture)

@@ -216,8 +216,7 @@ def _veil(projection: Projection, outside: Sequence[int], crossing: Sequence[int
 def _image(projection: Projection, clip: Array, step: int, new: Array) -> Marks:
     """The part of the polygon after a step in front of the eye and in the frame, in pixels."""
     planes = {*PLANES[:step], *SIDES}
-    drawn = clip_polygon(clip, projection.depth, planes).points_clip
-    left = _to_ndc(drawn)
+    left = _to_ndc(clip_polygon(clip, projection.depth, planes).points_clip)
     pixels = image_from_ndc(projection, left)
     if not len(pixels) or not np.isfinite(pixels).all():
         return Marks()

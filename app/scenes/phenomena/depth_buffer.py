@@ -34,7 +34,7 @@ WORDS = PhenomenonWords("depth-buffer")
 FINEST = 2.0**-17  # relative to the distance: anything finer drowns in the GPU's float32
 _FINEST_PARALLEL = 2.0**-21  # the same for a parallel lens, whose depth is linear, of far - near
 
-_FRONT_RGB, _FRONT, _BEHIND = (230, 159, 0), "#e69f00", "#0072b2"
+_FRONT_RGB, _BEHIND = (230, 159, 0), "#0072b2"
 # A ramp that leads away, so that one picture has many distances.
 _CORNERS = np.array([(-5.0, 0, 4), (5, 0, 4), (5, 6, -44), (-5, 6, -44)])
 _ASIDE = 3.0  # how far the hidden ramp reaches out at the side, so that two surfaces are seen

@@ -93,8 +93,7 @@ def dollied(projection: Projection, factor: float) -> Projection:
     Raises a `Refusal` if the lens or the camera cannot follow.
     """
     camera, lens = projection.camera, projection.lens
-    distance = factor * camera.distance
-    moved = replace(projection, camera=_at(camera, distance))
+    moved = replace(projection, camera=_at(camera, factor * camera.distance))
     return replace(moved, lens=lens.dollied(projection.window, factor))
 
 

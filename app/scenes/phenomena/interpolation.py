@@ -173,14 +173,13 @@ def _along_edge(projection: Projection, ends: Array, w: Array) -> tuple[Diagram,
     def diagram(
         title: str, y_label: str, y: Array, bounds: tuple[float, float], *more: Curve
     ) -> Diagram:
-        half = Spot(0.5, float(y[len(_STEPS) // 2]), "t = ½", colour="accent")
         return Diagram(
             WORDS[title],
             (Curve(np.column_stack([_STEPS, y]), "accent", "", 2.0), *more),
             *(0.0, 1.0, *bounds),
             x_label=WORDS["t"],
             y_label=y_label,
-            spots=(half,),
+            spots=(Spot(0.5, float(y[len(_STEPS) // 2]), "t = ½", colour="accent"),),
         )
 
     linear = Curve(np.column_stack([_STEPS, affine]), "u", WORDS["linear"])

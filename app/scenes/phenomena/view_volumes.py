@@ -81,9 +81,7 @@ def volume(projection: Projection, cone: bool) -> float | None:
     first, last = Fraction(lens.w(lens.near)), Fraction(lens.w(lens.far))  # the edges grow like w
     exact = section * (far - near) * (first * first + first * last + last * last) / 3
     # Rational until here, because the cube of a far plane may be beyond 1e308.
-    if not Fraction(1e-300) < exact < Fraction(1e300):
-        return None
-    return float(exact)
+    return float(exact) if Fraction(1e-300) < exact < Fraction(1e300) else None
 
 
 def held(projection: Projection, cone: bool) -> NDArray[np.bool_]:

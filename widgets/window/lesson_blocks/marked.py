@@ -256,8 +256,7 @@ class ClickView(MarkedAnswerView):
         """Say whether the crosshair is at the right place."""
         if self.played.is_open and self._away_px is not None:
             # Kept as the right place: the crosshair's own depends on the window's size.
-            right = self.question.answer(self.played.here)
-            self._submit(_written(right), _written(self._place))
+            self._submit(_written(self.question.answer(self.played.here)), _written(self._place))
 
     def show_other_state(self) -> None:
         """Say that the picture shows another state, in which the answer would be another one."""

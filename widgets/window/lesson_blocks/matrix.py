@@ -83,8 +83,7 @@ class MatrixAnswerView(MarkedAnswerView):
             cell.returnPressed.connect(self.check)
             cell.installEventFilter(self)
             grid.addWidget(cell, 2 * cell.row, cell.column)
-            middle = Qt.AlignmentFlag.AlignHCenter
-            grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, middle)
+            grid.addWidget(cell.sign, 2 * cell.row + 1, cell.column, Qt.AlignmentFlag.AlignHCenter)
         self._check = self._answer_button(self.check)
         unit = [PlainLabel(question.unit)] if question.unit else []
         self._insert(on_holder(holder, *unit, FREE, gap=5))
@@ -166,12 +165,10 @@ class MatrixAnswerView(MarkedAnswerView):
             cell.setText(text)
 
     def _show_verdict(self, verdict: Verdict) -> None:
-        wrong = []
         for cell, is_right in zip(self.cells, verdict.cells, strict=True):
             if is_right or not verdict.too_short:
                 cell.mark(is_right)
-            if not is_right:
-                wrong.append(cell)
+        wrong = [cell for cell, fits in zip(self.cells, verdict.cells, strict=True) if not fits]
         if wrong:
             self._enter(wrong[0])
 
