@@ -118,8 +118,12 @@ def homes(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
     kept = tmp_path_factory.getbasetemp()
     kept = kept.parent if _worker else kept  # the processes share it
     os.environ["MESA_SHADER_CACHE_DIR"] = os.environ["MPLCONFIGDIR"] = str(kept)
-    import matplotlib.font_manager  # noqa: F401  (a slow machine says that it reads all fonts)
+    from matplotlib import font_manager as fonts
 
+    # A slow machine says that it reads all fonts; pyvista has read them before, for another folder.
+    read = kept / f"fontlist-v{fonts.FontManager.__version__}.json"
+    if not read.exists():
+        fonts.json_dump(fonts.fontManager, read)
     return (folder / str(number) for number in itertools.count())
 
 

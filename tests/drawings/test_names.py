@@ -436,6 +436,17 @@ def test_every_face_and_corner_that_is_pointed_at_is_seen(
     assert (screen.pixels() == unlit).all()
 
 
+def test_labels_are_placed_after_several_changes(off_screen: MakeScreen) -> None:
+    drawing = opened(screen := off_screen(*PANE_PX))
+    start = drawing.state.projection
+    with drawing.layers.placing_once():
+        drawing.show_projection(replace(start, lens=Perspective(20.0, 2.0, 8.0)))
+        drawing.reset_view()
+    once = screen.pixels()
+    drawing.show_layers(frozenset())  # which places the labels afresh
+    assert (screen.pixels() == once).all()
+
+
 def test_several_changes_settle_once(
     off_screen: MakeScreen, monkeypatch: pytest.MonkeyPatch
 ) -> None:

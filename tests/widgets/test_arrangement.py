@@ -12,6 +12,7 @@ from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
     QApplication,
     QDialogButtonBox,
+    QFileDialog,
     QLineEdit,
     QMessageBox,
     QStatusBar,
@@ -32,6 +33,7 @@ from tests.support.window import MakeWindow, click, counted_repaints, edit, pixe
 from widgets.parts.icons import Combo
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
+from widgets.window.pictures import Pictures
 from widgets.window.settings import data_folder
 
 PREPARED = View(
@@ -363,6 +365,28 @@ def test_the_export_dialog_takes_the_size_of_letters_in_points(make_window: Make
         QTest.keyClick(letters, Qt.Key.Key_Delete)
         QTest.keyClicks(letters, wrong)
         assert not save.isEnabled(), wrong
+
+
+@pytest.mark.undrawn
+def test_the_export_dialog_begins_with_the_choice_of_the_last_export(
+    make_window: MakeWindow, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    window, path = make_window(shown=False), tmp_path / "a.svg"
+    begun, answers, exported = list[str](), [0, 1, 1], list[Path]()
+
+    def choose_svg(dialog: ExportDialog) -> int:
+        (format_,) = (each for each in dialog.findChildren(Combo) if each.itemText(1) == "SVG")
+        begun.append(format_.currentText())
+        format_.setCurrentIndex(1)
+        return answers.pop(0)
+
+    monkeypatch.setattr(ExportDialog, "exec", choose_svg)
+    monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(path), ""))
+    monkeypatch.setattr(Pictures, "export", lambda _, to, figure: exported.append(to))
+    for _ in range(3):
+        window.pictures.export_dialog()
+    assert begun == ["PNG", "PNG", "SVG"], "a choice that is cancelled is not kept"
+    assert exported == [path, path]
 
 
 def test_everything_is_named_and_again_only_what_the_scene_is_about(

@@ -176,6 +176,20 @@ def test_the_divider_is_dragged_and_goes_by_keys_as_far_as_the_picture(window: M
     assert not handle.isVisible() and not compare.bar.isVisible()
 
 
+@pytest.mark.undrawn
+def test_a_divider_goes_no_farther_than_the_next_one(window: MainWindow) -> None:
+    near, far = (ComparedPicture(changes=(f"lens.near={near}",)) for near in (2, 3))
+    compare = window.comparing.pictures
+    compare.show((near, ComparedPicture(live=True), far), (0.25, 0.5))
+    first, second = compare.handles
+    QTest.keyClick(first, Qt.Key.Key_End)
+    assert compare.dividers == (0.5, 0.5)
+    QTest.keyClick(second, Qt.Key.Key_End)
+    QTest.keyClick(first, Qt.Key.Key_Right)
+    QTest.keyClick(second, Qt.Key.Key_Home)
+    assert compare.dividers == pytest.approx((0.52, 0.52))
+
+
 def test_keys_hold_toggle_and_end_a_comparison_without_undo_steps(window: MainWindow) -> None:
     activate(window)
     large = window.slots.large

@@ -19,6 +19,7 @@ from app.drawings import WORDS
 from app.drawings.stage import StageDrawing
 from app.drawings.style import DARK, LIGHT, Style, rgb
 from app.lecture.stages import IMAGE, NDC, STOPS, VIEW, WORLD, Morph, morph_of
+from app.lecture.typed_matrix import with_cell
 from app.model.projection import DEPTH_RANGES, Lens, Perspective
 from app.scenes.scene import load
 from tests.support.drawings import OffScreen, labels_of, rendered
@@ -392,6 +393,23 @@ def test_the_stops_of_a_parallel_lens_are_named_what_they_are(window: MainWindow
         assert (pane.title.text(), pane.note.text()) == (title, words), position
     window.store.set_projection(start)
     assert [button.text() for button in strip.stops][1:4] == ["View", "Pyramid", "Box"]
+
+
+@pytest.mark.undrawn
+def test_a_typed_matrix_goes_from_the_view_to_the_cube_without_volumes(window: MainWindow) -> None:
+    strip, pane, start = window.strip, window.panes["ndc"], window.store.document.projection
+    for typed, title, words in (
+        (True, "View → NDC", "no canonical volumes"),
+        (False, "Pyramid → Box", "x, y ±1, z 0 … −1"),
+    ):
+        free = with_cell(start, "clip_from_view", 3, 0, 0.1)
+        window.store.set_projection(free if typed else start)
+        strip.go_to(2.5)
+        assert (pane.title.text(), pane.note.text()) == (title, words)
+    strip.go_to(1.0)
+    assert pane.note.text() == "u, v, n in world units"
+    window.store.set_projection(free)
+    assert pane.note.text() == "x, y, z of view space"
 
 
 @pytest.mark.undrawn

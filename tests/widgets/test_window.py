@@ -1097,6 +1097,19 @@ def test_the_autosave_folder_may_be_unusable(display: Any, tmp_path: Path) -> No
     autosave.close()
 
 
+def test_a_folder_that_fails_again_after_a_success_is_said_again(tmp_path: Path) -> None:
+    autosave, told = Autosave(tmp_path, Document), list[str]()
+    autosave.failed.connect(told.append)
+    for _ in range(2):
+        autosave.path.mkdir()
+        assert not autosave.save_now() and not autosave.save_now()
+        autosave.path.rmdir()
+        assert autosave.save_now()
+        autosave.path.unlink()
+    assert told == [str(tmp_path)] * 2
+    autosave.close()
+
+
 @pytest.mark.undrawn
 def test_a_copy_that_cannot_be_removed_keeps_no_window_open(
     make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
@@ -1395,6 +1408,11 @@ def test_undo_while_the_camera_walks_takes_back_what_was_done_last(window: MainW
     window.menus.redo.trigger()
     window.menus.redo.trigger()
     assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
+    window.menus.undo.trigger()
+    walk.play()
+    window.menus.redo.trigger()
+    assert window.store.document.projection.lens == replace(start.lens, fov_y_deg=70.0)
+    assert not walk.playing, "it would play on from another place"
 
 
 @pytest.mark.undrawn
