@@ -71,8 +71,7 @@ def _topics(text: str) -> dict[str, os.PathLike[str]]:
         path = Path(file_of(word))
         if not os.path.isfile(path):
             stems = (re.match(r"l(\d+)-", each.stem) for each in contained())
-            last = max(int(stem[1]) for stem in stems if stem)
-            raise CliError("topics", word, last)
+            raise CliError("topics", word, max(int(stem[1]) for stem in stems if stem))
         name = word.upper() if re.fullmatch(r"[Ll]\d+", word) else path.stem
         if name in paths:
             raise CliError("--topics = {0!r}: names {1} twice.", text, name)

@@ -205,7 +205,7 @@ def _inside(drawing: Drawing) -> Array:
     """Where the pane shows what has to be inside it, (n, 2) from its top left."""
     if isinstance(drawing, StageDrawing) and (around := drawing.around) is not None:
         state = drawing.state
-        spots: Array = np.array(state.seen(around + state.morph.origin_at(state.position)))[:, :2]
+        spots: Array = state.spots(around + state.morph.origin_at(state.position))
     elif isinstance(drawing, WorldDrawing):
         spots = drawing.own.pane.spots(np.concatenate(list(drawing.layers.inside().values())))
     else:

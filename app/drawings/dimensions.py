@@ -113,7 +113,7 @@ class Dimensions(Layer):
             if state.projection.lens.planes is None:
                 corners = None
             drawn = points if corners is None else np.vstack([points, corners])
-            all_spots = np.array(state.seen(drawn))[:, :2]
+            all_spots = state.spots(drawn)
             spots = all_spots[len(state.objects) :]
             lowest = float(spots[0, 1])
             for length in lengths(state, state.own.fixed):

@@ -229,8 +229,12 @@ class PaneState:
         return bool(changed) and self.names.wanted is not None
 
     @abstractmethod
-    def seen(self, points: Array) -> Sequence[Spot]:
-        """Where points of the pane's actors, (n, 3), are in its renderer."""
+    def spots(self, points: Array) -> Array:
+        """Where points of the pane's actors, (n, 3), are in it: pixels, (n, 2), NaN behind."""
+
+    def seen(self, points: Array) -> list[Spot]:
+        """The spots with their depths, which are 1 in a flat picture."""
+        return [(x, y, 1.0) for x, y in self.spots(points).tolist()]
 
     def framed(self, points: Array) -> Array:
         """The points, (n, 3), that are not too far away to be framed."""

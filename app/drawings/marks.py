@@ -18,7 +18,6 @@ float64, and cut to a box that float32 can hold; a copy's matrix is moved there 
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
@@ -61,8 +60,6 @@ _LINE_STEPS, _FACE_STEPS = 3, 0.7  # of `lift_lines`
 _FLAT_LINES = -5e-5  # of the depth range, before faces, where all marks are in one plane
 _WIDER = 2.4  # a line that is highlighted
 _NEAR_WIDER = 1.6  # on paper
-
-_NOWHERE = (math.nan, math.nan, 0.0)
 
 
 class MarksDrawing(Layer):
@@ -277,17 +274,14 @@ class MarksDrawing(Layer):
 
     def ink(self, ground: Ground) -> None:
         if len(self._segments):
-            seen = self._state.seen(self._segments)
-            spots = np.array([spot if spot[2] > 0.0 else _NOWHERE for spot in seen])
-            ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
+            ground.ink_lines(self._state.spots(self._segments).reshape(-1, 2, 2))
         if self._shown:
             state, triangles = self._state, self._state.silhouette.triangles
             shown = np.eye(4) if state.pane == "world" else state.copies_from_local(0.0)
             x, y, z, w = shown @ self._copied(triangles.reshape(-1, 3)).T
             w = np.where(w > 0.0, w, np.nan)
-            spots = np.array(state.seen(np.column_stack([x / w, y / w, z / w])))
-            spots[~(spots[:, 2] > 0.0)] = np.nan
-            state.silhouette.ink(ground, spots[:, :2].reshape(-1, *triangles.shape[1:2], 2))
+            spots = state.spots(np.column_stack([x / w, y / w, z / w]))
+            state.silhouette.ink(ground, spots.reshape(-1, *triangles.shape[1:2], 2))
 
     def reach(self) -> Array:
         """The marked points and the copies of the objects, of those that are not too far away."""

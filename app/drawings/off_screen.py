@@ -127,13 +127,13 @@ class OffScreen:
 
     def give_back(self) -> None:
         """Keep the window for the next screen, or close it if enough are kept."""
-        if len(_kept) == _MOST_KEPT:
+        if len(kept) == _MOST_KEPT:
             self.close()
             return
         self.clear(*_SMALL_PX)
         self.render_window.Render()  # which gives the large picture's memory back
         self.render_window.ReleaseCurrent()
-        _kept.append(self)
+        kept.append(self)
 
 
 def new_renderer(window: Any) -> Any:
@@ -145,7 +145,7 @@ def new_renderer(window: Any) -> Any:
 
 
 _MOST_KEPT = 3  # as many as a window has panes
-_kept: list[OffScreen] = []
+kept: list[OffScreen] = []
 
 
 def take_screen(width: int, height: int) -> OffScreen:
@@ -153,9 +153,9 @@ def take_screen(width: int, height: int) -> OffScreen:
 
     To create a window and its shaders takes longer than to draw a picture.
     """
-    if not _kept:
+    if not kept:
         return OffScreen(width, height)
-    screen = _kept.pop()
+    screen = kept.pop()
     screen.clear(width, height)
     return screen
 
@@ -175,8 +175,8 @@ def off_screen(width: int, height: int) -> Iterator[OffScreen]:
 @atexit.register
 def close_kept() -> None:
     """Close the windows that are kept for the next screens."""
-    while _kept:
-        _kept.pop().close()
+    while kept:
+        kept.pop().close()
 
 
 @functools.cache

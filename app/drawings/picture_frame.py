@@ -10,7 +10,6 @@ from app.drawings.actors import Space, face_actor, lifted, line_actor
 from app.drawings.drawing import Rectangle
 from app.drawings.label_placement import room
 from app.drawings.layer import Layer, PaneState, Placing
-from app.drawings.pane_view import Spot
 from app.drawings.side_by_side import BARE_EM
 from app.drawings.style import TITLE_EM
 from app.lecture.highlight import SIDES, corner_at
@@ -103,8 +102,8 @@ class ImageState(PaneState):
         """From the image's pixels to the pane's, from the picture's top left, (2, 2)."""
         return np.diag(np.array(self.size_px) / self.projection.image_size)
 
-    def seen(self, points: Array) -> list[Spot]:
-        return [(x, y, 1.0) for x, y in ((points[:, :2] + 1.0) * self.half).tolist()]
+    def spots(self, points: Array) -> Array:
+        return (points[:, :2] + 1.0) * self.half
 
     def placing(self) -> Placing:
         width, height = self.projection.image_size

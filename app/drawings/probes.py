@@ -94,9 +94,8 @@ class Probes(Layer):
 
     def ink(self, ground: Ground) -> None:
         if self._lines:
-            spots = np.array(self._state.seen(np.concatenate(self._lines)))
-            spots[~(spots[:, 2] > 0.0)] = np.nan
-            ground.ink_lines(spots[:, :2].reshape(-1, 2, 2))
+            spots = self._state.spots(np.concatenate(self._lines))
+            ground.ink_lines(spots.reshape(-1, 2, 2))
 
     def _traced(self, projection: Projection) -> list[tuple[Probe, Trace | None]]:
         """Each probe with its point through all stages; None for a ray."""

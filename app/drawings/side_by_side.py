@@ -50,8 +50,7 @@ def cells(
         # A picture that is alone in its row gets all of it, if no row is fuller.
         room = width_px / (sum(row) if len(rows) == len(aspects) else fullest)
         widths = [int(room * each) for each in row]
-        first = int((width_px - room * sum(row)) / 2.0)
-        lefts = accumulate(widths, initial=first)
+        lefts = accumulate(widths, initial=int((width_px - room * sum(row)) / 2.0))
         rectangles += [
             (left, top * height, width, height) for left, width in zip(lefts, widths, strict=False)
         ]

@@ -106,8 +106,7 @@ class StageDrawing(Drawing):
         *,
         live: bool = False,
     ) -> None:
-        canvas = PropGroup(screen, style, self._layout)
-        self.state = state = StageState(canvas, scene, words)
+        self.state = state = StageState(PropGroup(screen, style, self._layout), scene, words)
         self.names, self.board, self.own = state.names, state.board, state.own
         self._scene = SceneAtStage(state, tolerance_px)
         self.box = StageBox(state)

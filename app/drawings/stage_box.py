@@ -30,7 +30,6 @@ from app.drawings.label import SceneLabel
 from app.drawings.label_placement import Ground
 from app.drawings.labels import NUMBER, PLANE, vector, want_plane
 from app.drawings.layer import NO_POINTS, Layer, PaneState, Placing
-from app.drawings.pane_view import Spot
 from app.drawings.pointing import FACES, FAR_FACE, NEAR_FACE, outline
 from app.drawings.prop_group import PropGroup
 from app.drawings.stage_view import AXES_LENGTH, CANONICAL_AXES, OVERSHOOT, StageView
@@ -117,8 +116,7 @@ class StageState(PaneState):
         """The corners of the volume in the pane, (8, 2); NaN for what is at infinity."""
         with np.errstate(divide="ignore", invalid="ignore"):  # where far is at infinity
             corners = self.in_box(CUBE)
-        seen = self.seen(np.where(np.isfinite(corners), corners, np.nan))
-        return np.asarray(np.array(seen)[:, :2])
+        return self.spots(np.where(np.isfinite(corners), corners, np.nan))
 
     @property
     def marked(self) -> Illustration | None:
@@ -141,10 +139,10 @@ class StageState(PaneState):
         placed = seen.placement.local_from(origin, origin)
         return self.morph.display_from_local(self.position) @ placed
 
-    def seen(self, points: Array) -> list[Spot]:
-        rows, height_px = self.own.pane_from_display, self.size_px[1]
+    def spots(self, points: Array) -> Array:
+        rows = self.own.pane_from_display
         x, y = rows[:2, :3] @ points.T + rows[:2, 3:]
-        return [(a, height_px - b, 1.0) for a, b in zip(x.tolist(), y.tolist(), strict=True)]
+        return np.stack([x, self.size_px[1] - y], axis=-1)
 
     def placing(self) -> Placing:
         shown = self.morph.display_from_stage(NDC)
@@ -430,8 +428,8 @@ class StageBox(Layer):
     def ink(self, ground: Ground) -> None:
         edges = [pair for line in CUBE_EDGES for pair in itertools.pairwise(line)]
         ground.ink_lines(self._state.volume_seen()[edges])
-        axes = self._state.seen(self.axes[:, ::2].reshape(-1, 3))
-        ground.ink_arrows(np.array(axes)[:, :2].reshape(-1, 2, 2))
+        axes = self._state.spots(self.axes[:, ::2].reshape(-1, 3))
+        ground.ink_arrows(axes.reshape(-1, 2, 2))
 
 
 def _signed(z: float) -> str:

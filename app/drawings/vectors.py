@@ -234,10 +234,9 @@ def shapes_of(
     `Refusal` if there are too many of them.
     """
     height = window.GetSize()[1]
-    layers = sorted(window.GetRenderers(), key=lambda each: each.GetLayer())
     panes = [
         _VectorPane(each, height, finer, hidden, grey, watch)
-        for each in layers
+        for each in sorted(window.GetRenderers(), key=lambda each: each.GetLayer())
         if each.GetDraw() and all(each.GetSize())
     ]
     # Backgrounds first: what a layer draws lies beside the layers above it, as a frame does.

@@ -4,7 +4,7 @@ Everything is scene-local, ``world - scene.origin`` subtracted in float64.
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -174,8 +174,11 @@ class WorldState(PaneState):
 
     # -- what is seen and named
 
-    def seen(self, points: Array) -> Sequence[Spot]:
+    def seen(self, points: Array) -> list[Spot]:
         return self.own.pane.seen(points)
+
+    def spots(self, points: Array) -> Array:
+        return self.own.pane.spots(points)
 
     def placing(self) -> Placing:
         limit = min(_FARTHEST_MARK * self.standing.extent, WIDEST)

@@ -118,6 +118,16 @@ def test_both_draw_finer_and_coarser_pictures_of_the_same_things(
     assert (np.abs(first - second).max(axis=2) > 16).mean() < 0.01
 
 
+def test_pictures_are_the_same_where_opengl_cannot_turn_their_rows_over(
+    make_window: MakeWindow, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first = pixels(make_window(canvas="raster"), "image")
+    monkeypatch.setattr("widgets.panes.canvas.turns_rows_over", lambda _window: False)
+    second = pixels(make_window(canvas="raster"), "image")
+    assert np.array_equal(first, second)
+    assert not np.array_equal(first, first[::-1])
+
+
 def test_all_pictures_of_a_step_are_begun_before_one_is_read(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:

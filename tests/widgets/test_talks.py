@@ -20,6 +20,7 @@ from app.document.codec import to_json
 from app.document.document import Document
 from app.document.store import Store
 from app.document.view import AS_EVER
+from app.drawings.off_screen import OffScreen, close_kept, kept
 from app.drawings.world import WorldDrawing
 from app.lecture.typesetting import SET, line_of, outline, piece_of
 from app.lessons.contents import CONTENT
@@ -1300,6 +1301,22 @@ def test_a_pane_that_the_same_scene_has_not_shown_is_drawn_ahead(
     (ahead,) = (each.drawing for each in pane.resting.all if each.drawing not in before)
     assert window.lessons.go(1)
     assert pane.drawing is ahead
+
+
+def test_the_windows_of_a_comparison_are_made_ahead(
+    window: MainWindow, tmp_path: Path, qtbot: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    close_kept()
+    path = tmp_path / "compared.md"
+    beside = "view.compare=wide: lens.fov_y_deg=90|high: image.height=900"
+    path.write_text(lesson_of("scene=letter-f", f"scene=letter-f\n{beside}"), encoding="utf-8")
+    assert window.lessons.open(path), window.messages.text
+    qtbot.waitUntil(lambda: len(kept) == 2)
+    monkeypatch.setattr(OffScreen, "__init__", None)  # makes a window
+    assert window.lessons.go(1)
+    settle()
+    assert all(other.pane.drawing for other in window.comparing.pictures.others)
+    assert not kept
 
 
 def test_the_band_of_the_next_step_is_laid_out_ahead(

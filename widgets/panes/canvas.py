@@ -201,6 +201,12 @@ class GlCanvas(_Canvas):
 
 
 _OPEN: WeakSet[RasterCanvas] = WeakSet()
+_GL_PACK_INVERT_MESA = 0x8758
+
+
+def turns_rows_over(window: Any) -> bool:
+    """Whether OpenGL can read the highest row first; Qt takes longer to turn them over."""
+    return "Mesa" in window.GetState().GetVersion()
 
 
 class RasterCanvas(_Canvas):
@@ -265,8 +271,11 @@ class RasterCanvas(_Canvas):
         painter = QtGui.QPainter(self)
         if self._finer != 1.0:
             painter.setRenderHint(QtGui.QPainter.RenderHint.SmoothPixmapTransform)
-        painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
-        painter.drawImage(QRectF(0, -self.height(), self.width(), self.height()), self._image)
+        place = QRectF(self.rect())
+        if not turns_rows_over(self.render_window):
+            painter.scale(1.0, -1.0)  # OpenGL's first row is the lowest
+            place.moveTop(-self.height())
+        painter.drawImage(place, self._image)
         painter.end()
         self.emit_drawn()
 
@@ -288,7 +297,13 @@ class RasterCanvas(_Canvas):
         window = self.render_window
         width, height = window.GetSize()
         self._is_unread = False
+        state, is_mesa = window.GetState(), turns_rows_over(window)
+        if is_mesa:
+            window.MakeCurrent()
+            state.vtkglPixelStorei(_GL_PACK_INVERT_MESA, 1)
         window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, self._pixels)
+        if is_mesa:
+            state.vtkglPixelStorei(_GL_PACK_INVERT_MESA, 0)
         data = vtk_to_numpy(self._pixels).data  # type: ignore[no-untyped-call]
         self._image = QtGui.QImage(data, width, height, QtGui.QImage.Format.Format_RGBX8888)
 

@@ -4,7 +4,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 from app.drawings.drawing import Drawing
-from widgets.panes.canvas import AnyCanvas, RasterCanvas, smooth_window
+from widgets.panes.canvas import AnyCanvas, RasterCanvas, release_context, smooth_window
 from widgets.parts.panel import ShownData
 
 MOST = 6  # drawings of a pane, about 3 MB each
@@ -51,6 +51,23 @@ class RestingDrawings:
             canvas.renderer = page
             if now is not None:
                 now.state.canvas.set_drawn(True)
+
+    def draw_beside(self, pictures: int, shown: ShownData, *args: object) -> None:
+        """Have windows ready for pictures that will be compared with the canvas' own."""
+        from app.drawings.off_screen import kept
+
+        beside = [RasterCanvas(None) for _ in range(pictures if pictures > len(kept) else 0)]
+        for canvas in beside:
+            release_context()
+            canvas.resize(self._canvas.size())
+            canvas.open()
+            canvas.smooth(self._canvas.smoothing)
+            ahead = RestingDrawings(canvas, self._make_drawing, self._as_built)
+            ahead.draw(shown, None, *args)
+            ahead.clear()
+        for canvas in beside:
+            canvas.close()
+            canvas.deleteLater()
 
     def put(self, resting: Resting) -> None:
         """Let a drawing rest; if there are too many, or it is too large, it is released later."""

@@ -175,6 +175,10 @@ class Look(QObject):
             if not is_there and self._is_seen_at(step, name):
                 pane.resting.draw(step, pane.drawing, *asked)
                 yield
+            view = step.document.view
+            if view.compare and name == view.compares_in:
+                pane.resting.draw_beside(len(view.compare) - 1, step, *asked)
+                yield
 
     def _is_seen_at(self, step: ShownData, name: str) -> bool:
         """Whether a pane will be visible at a step."""

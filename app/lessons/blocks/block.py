@@ -84,8 +84,7 @@ def _mesh_beside(text: str, line: int) -> str:
 
 def _beside(path: str, line: int) -> str:
     """Return the path of a file that is in the lesson's folder or below it."""
-    parts = re.split(r"[/\\]", path)
-    if not path or path[0] in "/\\~" or ".." in parts or ":" in path:
+    if not path or path[0] in "/\\~" or ".." in re.split(r"[/\\]", path) or ":" in path:
         raise refused(line, REFUSALS["beside"], value=path[:60])
     return path
 

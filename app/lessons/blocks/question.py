@@ -125,6 +125,7 @@ class Reply:
 @dataclass(frozen=True, kw_only=True)
 class Question(Asked):
     reveals: ClassVar[bool] = True
+    is_on_paper: ClassVar[bool] = True
     replies: Sequence[Reply]  # choices, or the wrong values that have an idea
     checks: tuple[tuple[int, Condition], ...] = ()  # they hold if the right reply is correct
     symbol: str = ""  # TeX of what the value is called in its worked solution
@@ -137,10 +138,6 @@ class Question(Asked):
         hide = items.single("hide")
         hides = frozenset[str]() if hide is None else frozenset(hidden_in(hide.text, hide.line))
         return Asked.fields(body, text, items) | {"checks": checks, "why": why, "hides": hides}
-
-    @property
-    def is_on_paper(self) -> bool:
-        return True
 
     @property
     @abstractmethod

@@ -108,9 +108,8 @@ def planar_texture(subject: Subject) -> Array:
     """The (2, 4) matrix for s and t along the two largest extents of the subject's bounds."""
     low = np.array(subject.lower)
     extent = np.array(subject.upper) - low
-    axes = sorted(np.argsort(-extent, kind="stable")[:2].tolist())
     matrix = np.zeros((2, 4))
-    for row, axis in enumerate(axes):
+    for row, axis in enumerate(sorted(np.argsort(-extent, kind="stable")[:2].tolist())):
         scale = 1.0 / (extent[axis] or float(extent.max()))
         matrix[row, axis], matrix[row, 3] = scale, -low[axis] * scale
     return matrix

@@ -176,8 +176,7 @@ class TaskView(BlockView):
         self._add_text("help", "", why)
         if self.task.right is not None:
             tip = self.tr("Show a state that makes it visible (Alt+W)")
-            state = self.played.here.shown_by(self.task.right)
-            self._offer_state(state, self.tr("Sho&w it"), tip)
+            self._offer_state(self.played.here.shown_by(self.task.right), self.tr("Sho&w it"), tip)
         return [why]
 
     def look(self, now: Document) -> None:
