@@ -275,6 +275,8 @@ def test_a_png_brings_its_pixels_and_its_document_back(tmp_path: Path) -> None:
     figure.save(path)
     with Image.open(path) as image:
         assert (np.array(image) == pixels).all()
+        assert image.info["Title"] == figure.description.title
+        assert image.info["Description"] == figure.description.text, "for those who do not see it"
     assert read(path) == document
     assert json.loads(to_json(read(path)))["depth"] == "reversed"
     assert parse(to_json(document)) == document

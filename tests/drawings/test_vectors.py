@@ -275,6 +275,8 @@ def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
     size, shapes = clear.shapes()
     assert size == (width, height) and found[0] == page and page not in shapes
     assert clear.pixels().shape[:2] == pytest.approx(pixels.shape[:2], abs=2.0)
+    finer = replace(figure, scale=2.0).pixels().shape[:2]
+    assert finer == pytest.approx((2 * height, 2 * width), abs=3.0), "so is the margin"
     figure = figure_of(load("similar-triangles"), panes=["world"], size=(300, 300), crop=True)
     pixels, ((width, height), _) = figure.pixels(), figure.shapes()
     assert pixels.shape[0] < 250, "without what drawings keep outside until they need it"
