@@ -281,6 +281,17 @@ def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
     assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
 
 
+def test_a_note_is_the_lowest_line_of_a_figure() -> None:
+    figure = figure_of(load("cube"), panes=["ndc"], size=(300, 200), column=True)
+    noted = replace(figure, note="near = 2")
+    (above, below) = (
+        [each for each in shown.shapes()[1] if isinstance(each, TextShape)]
+        for shown in (figure, noted)
+    )
+    assert len(below) == len(above) + 1
+    assert max(text.place[1] for text in below[:-1]) < below[-1].place[1] < 200.0
+
+
 def test_no_half_of_an_images_pane_is_empty() -> None:
     assert panes_in((840, 320), [None, 16 / 9]) == [(0, 0, 420, 320), (420, 0, 420, 320)]
     assert panes_in((1920, 640), [None, None, 16 / 9])[2] == (1124, 0, 796, 640)
