@@ -100,6 +100,7 @@ def test_what_differs_is_said_in_words(window: MainWindow) -> None:
     assert "lens perspective → orthographic" in words(window)
 
 
+@pytest.mark.smooth
 def test_a_held_picture_is_pixels_and_what_follows_is_drawn_once_a_step(window: MainWindow) -> None:
     compare = hold(window)
     change(window, near=5.0)

@@ -20,7 +20,7 @@ import numpy as np
 import psutil
 import pytest
 from PIL import Image
-from PySide6.QtCore import QEvent, QMimeData, QObject, QPoint, QPointF, Qt, QTimer, QUrl
+from PySide6.QtCore import QEvent, QMimeData, QObject, QPoint, QPointF, QSize, Qt, QTimer, QUrl
 from PySide6.QtGui import QAction, QDropEvent, QFont
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import (
@@ -661,6 +661,14 @@ def test_a_preview_can_be_cancelled(
     assert shown == ["Drawing the preview"] and drawn.pixmap().isNull()
     dialog.show_preview()
     assert not drawn.pixmap().isNull()
+
+
+def test_a_preview_is_on_paper_though_the_figure_is_transparent(make_window: MakeWindow) -> None:
+    window = make_window(shown=False)
+    figure = window.pictures.figure(panes=("world",), size=(200, 150))
+    room, telling = QSize(200, 150), lambda _part: True
+    drawn = [preview(replace(figure, transparent=on), room, telling) for on in (True, False)]
+    assert not drawn[0].hasAlphaChannel() and drawn[0].toImage() == drawn[1].toImage()
 
 
 def test_a_message_goes_when_the_next_try_succeeds_and_an_offer_stays(
