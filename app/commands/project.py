@@ -163,7 +163,8 @@ def _project_json(answer: _ProjectedPoints) -> Iterator[str]:
             line = form % tuple(texts[first : first + size])
             inside = "true" if in_front and not outside_of else "false"
             outside = json.dumps(outside_of)
-            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{next(others)}}}')
+            more = next(others)
+            lines.append(f'{line}, "inside": {inside}, "outside_of": {outside}{more}}}')
         yield separator + ",\n".join(lines)
         separator = ",\n"
     wanted: tuple[str, ...] = ("view_from_world", "clip_from_view", "clip_from_world")

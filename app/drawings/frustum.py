@@ -87,8 +87,9 @@ class FrustumDrawing(Layer):
         edges = [(i, i + 4) for i in range(4)]
         self._body = actors.line_actor(CUBE, edges, style.frustum, width)
         self._body_space.add(self._body)
+        apex = [(0.0, 0.0, 0.0), *CUBE[:4]]
         self.apex = actors.line_actor(
-            [(0.0, 0.0, 0.0), *CUBE[:4]], [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
+            apex, [(0, i) for i in range(1, 5)], style.frustum, width / 2.0
         )
         self.apex_space.add(self.apex)
         self.breaks: dict[str, list[tuple[Space, vtkActor]]] = {end: [] for end in ENDS}
@@ -178,8 +179,9 @@ class FrustumDrawing(Layer):
         """Show these actors, and no others."""
         if parts != self._shown:
             self._shown = parts
+            others = [part for part in self._parts if part not in parts]
             self._canvas.set_visible(True, *parts)
-            self._canvas.set_visible(False, *(part for part in self._parts if part not in parts))
+            self._canvas.set_visible(False, *others)
 
     def _depths_of(self, lens: Lens, standing: CameraPose) -> DrawnDepths | None:
         if lens.planes is None:

@@ -167,7 +167,8 @@ class PaneState:
         self.names = Names(named_in(self.pane, scene))
         self.board = Board(canvas, renderer)
         self.emphasis = Emphasis(canvas)
-        self.silhouette = _silhouettes[scene] = _silhouettes.get(scene) or Silhouette(scene)
+        kept = _silhouettes.get(scene)
+        self.silhouette = _silhouettes[scene] = kept or Silhouette(scene)
         self.projection = scene.start
         self.illustration: Illustration | None = None
         self.probes: Sequence[Probe] = ()

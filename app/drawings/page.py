@@ -164,9 +164,10 @@ def _font(name: str, signs: str) -> str:
     font.close()
     family = "STIXGeneral" if "STIX" in name else "DejaVu Sans"
     style = "italic" if "Italic" in name else "normal"
+    data = base64.b64encode(buffer.getvalue()).decode()
     return (
         f"@font-face{{font-family:{family};font-style:{style};"
-        f"src:url(data:font/woff;base64,{base64.b64encode(buffer.getvalue()).decode()})}}\n"
+        f"src:url(data:font/woff;base64,{data})}}\n"
     )
 
 

@@ -147,9 +147,10 @@ def _image(picture: PixelShape) -> str:
     buffer = io.BytesIO()
     Image.fromarray(picture.pixels).save(buffer, "PNG")
     left, top, width, height = map(_n, picture.place)
+    data = base64.b64encode(buffer.getvalue()).decode()
     return (
         f'<image x="{left}" y="{top}" width="{width}" height="{height}"'
-        f' xlink:href="data:image/png;base64,{base64.b64encode(buffer.getvalue()).decode()}"/>'
+        f' xlink:href="data:image/png;base64,{data}"/>'
     )
 
 

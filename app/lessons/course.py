@@ -101,9 +101,10 @@ class Course:
         for step in self.lesson.steps:
             if step.state is not None:
                 needed.append(step.state.document)
+                parts = (text.partition("=") for _, text in step.state.values)
                 needed += (
                     value.strip()
-                    for path, _, value in (text.partition("=") for _, text in step.state.values)
+                    for path, _, value in parts
                     if path.strip() in ("scene", "mesh") and is_mesh(value.strip())
                 )
         return list(filter(None, needed))

@@ -325,7 +325,8 @@ def _with_roots(plain: str) -> str:
             at = len(before[:at].rstrip("acinopqrst"))
         else:
             break
-        plain = f"{before[:at]}pow({before[at:]},{match[1] or match[2]}){plain[match.end() :]}"
+        power = match[1] or match[2]
+        plain = f"{before[:at]}pow({before[at:]},{power}){plain[match.end() :]}"
     return plain
 
 

@@ -11,6 +11,7 @@ import pytest
 
 from app.drawings.actors import FlatActor
 from app.drawings.labels import Board
+from app.drawings.off_screen import close_kept, kept
 from app.lecture.highlight import NOTHING
 from app.picking.picking import Probe
 from tests.support.window import edit, pixels, settle, show_scene, turn
@@ -116,3 +117,18 @@ def test_few_and_small_drawings_rest(
     monkeypatch.setattr(resting, "MOST_CELLS", 0)
     show_scene(window, "cube")
     assert left[3]() not in [each.drawing for each in pane.resting.all]
+
+
+def test_a_picture_beside_that_cannot_be_drawn_ahead_gives_its_window_back(
+    window: MainWindow,
+) -> None:
+    """The step itself will say what is wrong."""
+    close_kept()
+    pane = window.panes["image"]
+
+    def fails(*_args: object) -> Any:
+        raise ValueError("no drawing")
+
+    with pytest.raises(ValueError, match="no drawing"):
+        resting.RestingDrawings(pane.canvas, fails, AS_BUILT).draw_beside(1, window.shown, "cube")
+    assert len(kept) == 1

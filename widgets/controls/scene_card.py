@@ -153,7 +153,8 @@ class SceneCard(QWidget, RowHolder):
         """Show only the found rows; None shows the whole card."""
         self._matches = matches
         for name, row in self.rows.items():
-            row.setVisible(name not in self._without_effect if matches is None else row in matches)
+            there = name not in self._without_effect if matches is None else row in matches
+            row.setVisible(there)
         for part in (self.title, self.readout, *self.comparisons):
             part.setVisible(matches is None)
         self.tries.setVisible(matches is None and not self._is_guided)

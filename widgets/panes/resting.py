@@ -57,17 +57,19 @@ class RestingDrawings:
         from app.drawings.off_screen import kept
 
         beside = [RasterCanvas(None) for _ in range(pictures if pictures > len(kept) else 0)]
-        for canvas in beside:
-            release_context()
-            canvas.resize(self._canvas.size())
-            canvas.open()
-            canvas.smooth(self._canvas.smoothing)
-            ahead = RestingDrawings(canvas, self._make_drawing, self._as_built)
-            ahead.draw(shown, None, *args)
-            ahead.clear()
-        for canvas in beside:
-            canvas.close()
-            canvas.deleteLater()
+        try:
+            for canvas in beside:
+                release_context()
+                canvas.resize(self._canvas.size())
+                canvas.open()
+                canvas.smooth(self._canvas.smoothing)
+                ahead = RestingDrawings(canvas, self._make_drawing, self._as_built)
+                ahead.draw(shown, None, *args)
+                ahead.clear()
+        finally:
+            for canvas in beside:
+                canvas.close()
+                canvas.deleteLater()
 
     def put(self, resting: Resting) -> None:
         """Let a drawing rest; if there are too many, or it is too large, it is released later."""

@@ -450,7 +450,8 @@ class LessonCard(QFrame):
 def _after(path: Path) -> Head | None:
     """Return the next lesson; after the tour, the first."""
     lessons = heads(talks=False)
-    return dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False)).get(path)
+    following = dict(zip((TOUR, *(head.path for head in lessons)), lessons, strict=False))
+    return following.get(path)
 
 
 def _push(text: str, tip: str, act: object) -> QPushButton:

@@ -27,7 +27,8 @@ def fill(
             text += "\t" + QCoreApplication.translate("LessonMenu", "done")
         elif kept.done:
             text += f"\t{kept.done}/{kept.of}"
-        menu.addAction(text).triggered.connect(lambda _on=False, path=head.path: choose(str(path)))
+        action = menu.addAction(text)
+        action.triggered.connect(lambda _on=False, path=head.path: choose(str(path)))
 
 
 class LessonMenu(QMenu):

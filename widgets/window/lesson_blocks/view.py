@@ -234,7 +234,8 @@ class BlockView(QFrame):
 
     def _offer_state(self, document: Document | None, name: str, tip: str) -> None:
         if document is not None:
-            self._add(self._indented(button(name, tip, partial(self.show_wanted.emit, document))))
+            show = partial(self.show_wanted.emit, document)
+            self._add(self._indented(button(name, tip, show)))
 
     def _praise(self, verdict: Verdict) -> None:
         self._add_text("check", self.tr("Right"), verdict.says or self.tr("Right."))
