@@ -13,6 +13,7 @@ if __name__ == "__main__":  # before anything is imported that it installs
 
     bootstrap.start("tests", extras=("test",))
 
+import argparse
 import json
 import re
 import subprocess
@@ -43,6 +44,7 @@ from app.model.formula import ARROW
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_S
+from tests.__main__ import at_home
 from tests.support.commands import run
 from tests.support.notebook import with_outputs
 from tests.support.tools import ToolParser, one_of
@@ -275,6 +277,7 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
     parser.add_argument("--tiles", action="store_true", help="draw the start card's pictures anew")
     parser.add_argument("--notebook", action="store_true", help="run the notebook anew")
+    parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
     found = parser.parse_args(words)
     if found.notebook:
         sys.path.insert(0, str(ROOT / "app" / "wheel"))  # `frustum_lab`
@@ -298,6 +301,10 @@ def main(words: Sequence[str]) -> int:
             in_english = in_english or {*typesetting.SET, *label.TILES}
         return 0
     names = found.names or list(PICTURES)
+    if not found.inside:  # some pictures show the window
+        with at_home() as environment:
+            command = [sys.executable, "-m", "tests.pictures", "--inside", *words]
+            return subprocess.run(command, env=environment, cwd=ROOT, check=False).returncode
     if found.measure:
         done = run("measure", "--json=-")
         assert done.returncode == 0, done.stderr
