@@ -14,6 +14,7 @@ if __name__ == "__main__":  # before anything is imported that it installs
     bootstrap.start("tests", extras=("test",))
 
 import argparse
+import itertools
 import json
 import re
 import subprocess
@@ -229,7 +230,8 @@ def forget_labels() -> None:
 def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
     """Set the labels of the letter F, with any numbers, as screens of scales show them.
 
-    A piece may begin at any part of a pixel: where it does depends on the numbers.
+    A piece may begin at any part of a pixel: where it does depends on the numbers. Of the letters
+    of other scenes, only the outlines are set: matplotlib takes 2 to 5 ms to read each.
     """
     words = DrawingWords()
     texts = (words["eye"], words["target"], *"xyz", *(axis + ARROW for axis in "uvn"))
@@ -241,6 +243,10 @@ def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
         for name, is_tex, size in sorted(pieces):
             for part in range(label.PARTS):
                 label.tile(name, is_tex, size * em, label.HALO_EM * em, part)
+    names = {*"uv", *(name for scene in BUILT_IN for name in load(scene).names)}
+    for piece, is_tex in itertools.chain.from_iterable(map(typesetting.pieces_of, sorted(names))):
+        if is_tex and "mathrm" not in piece:  # a name with a subscript of a word is no letter
+            typesetting.outline(piece)
 
 
 def draw_tile(name: str, path: Path, *, dark: bool) -> None:
