@@ -91,7 +91,6 @@ def application() -> Any:
     from PySide6.QtWidgets import QApplication
 
     from app.drawings import kept_labels
-
     from widgets.program.opengl import prepare
 
     if QApplication.instance() is None:

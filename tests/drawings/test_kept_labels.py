@@ -70,7 +70,9 @@ print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
     assert (done.stdout, done.stderr) == ("0\n", "")
 
 
-@pytest.mark.parametrize("name", ["similar-triangles", "off-axis-window", "oblique-drawing", "drift"])
+@pytest.mark.parametrize(
+    "name", ["similar-triangles", "off-axis-window", "oblique-drawing", "drift"]
+)
 def test_the_letters_of_built_in_scenes_are_not_read_again(name: str) -> None:
     kept_labels.load_shipped()
     scene = load(name)
