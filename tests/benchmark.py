@@ -85,10 +85,12 @@ def main(words: Sequence[str]) -> int:
 def application() -> Any:
     """The one QApplication of this process, with what it shows imported as the program does.
 
-    As there, Python collects garbage only in pauses, by `rest`.
+    As there, the labels that come with the program are set, and Python collects garbage only in
+    pauses, by `rest`.
     """
     from PySide6.QtWidgets import QApplication
 
+    from app.drawings import kept_labels
     from widgets.program.opengl import prepare
 
     if QApplication.instance() is None:
@@ -96,6 +98,7 @@ def application() -> Any:
         made = QApplication([])
         with python_packages.for_good():
             import widgets.window.main_window  # noqa: F401
+        kept_labels.load_shipped()
         gc.disable()
         return made
     return QApplication.instance()

@@ -13,6 +13,8 @@ if __name__ == "__main__":  # before anything is imported that it installs
 
     bootstrap.start("tests", extras=("test",))
 
+import argparse
+import itertools
 import json
 import re
 import subprocess
@@ -43,6 +45,7 @@ from app.model.formula import ARROW
 from app.scenes.phenomena import PHENOMENA
 from app.scenes.scene import BUILT_IN, load
 from tests import PATIENCE_S
+from tests.__main__ import at_home
 from tests.support.commands import run
 from tests.support.notebook import with_outputs
 from tests.support.tools import ToolParser, one_of
@@ -227,7 +230,8 @@ def forget_labels() -> None:
 def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
     """Set the labels of the letter F, with any numbers, as screens of scales show them.
 
-    A piece may begin at any part of a pixel: where it does depends on the numbers.
+    A piece may begin at any part of a pixel: where it does depends on the numbers. Of the letters
+    of other scenes, only the outlines are set: matplotlib takes 2 to 5 ms to read each.
     """
     words = DrawingWords()
     texts = (words["eye"], words["target"], *"xyz", *(axis + ARROW for axis in "uvn"))
@@ -239,6 +243,10 @@ def set_labels(scales: Iterable[float] = (1.0, 2.0)) -> None:
         for name, is_tex, size in sorted(pieces):
             for part in range(label.PARTS):
                 label.tile(name, is_tex, size * em, label.HALO_EM * em, part)
+    names = {*"uv", *(name for scene in BUILT_IN for name in load(scene).names)}
+    for piece, is_tex in itertools.chain.from_iterable(map(typesetting.pieces_of, sorted(names))):
+        if is_tex and "mathrm" not in piece:  # a name with a subscript of a word is no letter
+            typesetting.outline(piece)
 
 
 def draw_tile(name: str, path: Path, *, dark: bool) -> None:
@@ -275,6 +283,7 @@ def main(words: Sequence[str]) -> int:
     parser.add_argument("--labels", action="store_true", help="set the shipped labels anew")
     parser.add_argument("--tiles", action="store_true", help="draw the start card's pictures anew")
     parser.add_argument("--notebook", action="store_true", help="run the notebook anew")
+    parser.add_argument("--inside", action="store_true", help=argparse.SUPPRESS)
     found = parser.parse_args(words)
     if found.notebook:
         sys.path.insert(0, str(ROOT / "app" / "wheel"))  # `frustum_lab`
@@ -298,6 +307,10 @@ def main(words: Sequence[str]) -> int:
             in_english = in_english or {*typesetting.SET, *label.TILES}
         return 0
     names = found.names or list(PICTURES)
+    if not found.inside:  # some pictures show the window
+        with at_home() as environment:
+            command = [sys.executable, "-m", "tests.pictures", "--inside", *words]
+            return subprocess.run(command, env=environment, cwd=ROOT, check=False).returncode
     if found.measure:
         done = run("measure", "--json=-")
         assert done.returncode == 0, done.stderr

@@ -326,9 +326,16 @@ class _VectorPane:
         part = self._blocks(window)
         for prop in others:
             prop.SetVisibility(True)
-        pixels = np.rint(part.mean(axis=(1, 3))).astype(np.uint8)[..., :3]
-        empty = np.rint(255.0 * np.array(self._renderer.GetBackground()))
-        yield from self._seen_part(pixels, (pixels != empty).any(axis=2), is_cloud=False)
+        drawn = part.mean(axis=(1, 3))
+        if self._renderer.GetBackgroundAlpha() == 0.0:  # colours are multiplied by their alpha
+            drawn[..., :3] *= 255.0 / np.maximum(drawn[..., 3:], 1.0)
+            is_seen = drawn[..., 3] > 0.0
+        else:
+            drawn = drawn[..., :3]
+            empty = np.rint(255.0 * np.array(self._renderer.GetBackground()))
+            is_seen = (np.rint(drawn) != empty).any(axis=2)
+        pixels = np.minimum(np.rint(drawn), 255.0).astype(np.uint8)
+        yield from self._seen_part(pixels, is_seen, is_cloud=False)
 
     def _blocks(self, window: Any) -> Array:
         """Draw the window; return its pixels as (rows, finer, columns, finer, 4)."""

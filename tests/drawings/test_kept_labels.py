@@ -13,8 +13,11 @@ import pytest
 
 from app import languages
 from app.bootstrap import ROOT
+from app.document.document import Document
 from app.drawings import kept_labels, label
+from app.drawings.figure import Figure
 from app.lecture import typesetting
+from app.scenes.scene import load
 from tests import PATIENCE_S
 from tests.pictures import forget_labels, set_labels
 
@@ -65,6 +68,17 @@ print(status, *{"matplotlib", "pyvista"} & set(sys.modules))"""
         env={**os.environ, "HOME": str(tmp_path)}, timeout=PATIENCE_S, check=False,
     )  # fmt: skip
     assert (done.stdout, done.stderr) == ("0\n", "")
+
+
+@pytest.mark.parametrize(
+    "name", ["similar-triangles", "off-axis-window", "oblique-drawing", "drift"]
+)
+def test_the_letters_of_built_in_scenes_are_not_read_again(name: str) -> None:
+    kept_labels.load_shipped()
+    scene = load(name)
+    Figure(Document(name, scene.start), scene, ("world", "ndc", "image"), (900, 400)).shapes()
+    read = {key for key in typesetting.SET if not key.startswith("\n")} - kept_labels.KEYS_SHIPPED
+    assert not read
 
 
 @pytest.mark.parametrize("language", languages.LANGUAGES)

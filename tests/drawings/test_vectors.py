@@ -283,6 +283,24 @@ def test_a_cropped_figure_is_what_is_seen_and_2_mm() -> None:
     assert pixels.shape[:2] == pytest.approx((height, width), abs=2.0)
 
 
+@pytest.mark.parametrize(
+    "scene", ["depth-buffer", "interpolation", "far-plane-popping", "two-eyes"]
+)
+def test_pixels_of_a_transparent_figure_have_no_ground(scene: str) -> None:
+    solid = figure_of(load(scene), panes=["image"], size=(240, 160))
+    pages = []
+    for figure in (solid, replace(solid, transparent=True)):
+        page: Pixels = np.full((160, 240, 3), 255.0 * np.array(rgb(LIGHT.background)))
+        shapes = [shape for shape in figure.shapes()[1] if isinstance(shape, PixelShape)]
+        for pixels, (left, top, wide, high), _ in shapes:
+            assert (pixels.shape[2] == 4) is figure.transparent
+            share = pixels[..., 3:] / 255.0 if figure.transparent else 1.0
+            part = page[int(top) : int(top + high), int(left) : int(left + wide)]
+            part[:] = share * pixels[..., :3] + (1.0 - share) * part
+        pages.append(page)
+    assert np.abs(pages[0] - pages[1]).max() <= 3.0
+
+
 def test_a_note_is_the_lowest_line_of_a_figure() -> None:
     figure = figure_of(load("cube"), panes=["ndc"], size=(300, 200), column=True)
     noted = replace(figure, note="near = 2")

@@ -13,7 +13,17 @@ from app.drawings.pane_view import Pose
 from app.lessons.contents import CONTENT
 from app.model.projection import Perspective
 from tests.support.lessons import lesson_of
-from tests.support.window import MakeWindow, activate, arrive, pixels, present, seen, settle, tick
+from tests.support.window import (
+    MakeWindow,
+    activate,
+    arrive,
+    go_to,
+    pixels,
+    present,
+    seen,
+    settle,
+    tick,
+)
 from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
@@ -26,6 +36,7 @@ TALK = lesson_of(
     "scene=letter-f\nview.slide=image",
     "view.slide=ndc\nlens.near=2",
     "view.compare=near: lens.near=2|nearer: lens.near=1\nview.stage=box",
+    "view.slide=kinds\nview.compare=",
 )
 
 
@@ -142,6 +153,14 @@ def test_another_scene_fades(window: MainWindow) -> None:
     settle()
     assert not old.isVisible()
     assert not np.array_equal(pixels(window), before)
+
+
+def test_a_picture_that_fades_to_the_kinds_lies_over_no_later_slide(window: MainWindow) -> None:
+    go_to(window.lessons, 7)
+    assert window.kinds_panel.isVisible() and not window.slide.isVisible()
+    go_to(window.lessons, 3)
+    settle()
+    assert window.panes["world"].isVisible() and not old_of(window).isVisible()
 
 
 def test_the_model_does_not_move_under_a_picture_that_fades(window: MainWindow) -> None:

@@ -112,6 +112,6 @@ class Transition(QObject):
         paint_now(self._slide.window())
 
     def go(self, part: float) -> None:
-        if self._old.isVisible():
+        if not self._old.isHidden():  # the slide itself may be hidden
             self._old.fade(1.0 - part)
         self._look.glide(part)
