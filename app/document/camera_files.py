@@ -27,7 +27,7 @@ from app.model.camera import (
     taken_apart,
     world_from_opencv,
 )
-from app.model.limits import Array, positive
+from app.model.limits import Array, between, positive
 from app.model.numerals import number
 from app.model.parameter import read_sections
 from app.model.projection import Camera, Perspective, Projection
@@ -107,16 +107,18 @@ def _named(views: Iterable[tuple[str, View]], *, is_sure: bool = True) -> Views:
 # --------------------------------------------------------------------------- a camera of ours
 
 
-def seen_through(p: Any, projection: Projection, *, is_sized: bool = False) -> Projection:
+def seen_through(
+    p: Any, projection: Projection, *, sizes: Group | None = None, is_sized: bool = False
+) -> Projection:
     """Return the projection of a camera matrix P, (3, 4), for an image of its size if `is_sized`.
 
-    A skew that the rounding of P explains is left out.
+    `sizes` are those of its file. A skew that the rounding of P explains is left out.
     """
     parts = taken_apart(p)
     k = parts.k.copy()
     k[0, 1] = 0.0 if abs(k[0, 1]) <= MOST_SKEW_PX else k[0, 1]
     pose = world_from_opencv(parts.rotation, parts.translation)
-    return _seen({"k": ("P", k.tolist())}, pose, 0.0, projection, is_sized)
+    return _seen({**(sizes or {}), "k": ("P", k.tolist())}, pose, 0.0, projection, is_sized)
 
 
 def _seen(
@@ -174,10 +176,13 @@ def _focal(group: Group, axis: str, side: int) -> list[float]:
     """Return the focal length along an axis in pixels, if there is one, as instant-ngp does."""
     for name, radians in ((f"{axis}fov", math.pi / 180.0), (f"cameraangle{axis}", 1.0)):
         if f"fl{axis}" not in group and (angle := _numbers(group, [name], 1)):
-            return [side / 2.0 / math.tan(positive(group[name][0], angle[0] * radians) / 2.0)]
+            key = group[name][0]
+            between(key, angle[0], 0, math.pi / radians)
+            return [side / 2.0 / positive(key, math.tan(angle[0] * radians / 2.0))]
     return _numbers(group, [f"fl{axis}", f"f{axis}"], 1)
 
 
+@np.errstate(over="ignore", invalid="ignore")  # what is too large is no rotation
 def _placed(pose: Array, before: Camera) -> Camera:
     """Return the camera of a pose; its target is as far away as that of the camera before."""
     axes, eye = pose[:, :3], pose[:, 3]
@@ -225,7 +230,8 @@ def _numbers(group: Group, names: Sequence[str], *counts: int) -> list[float]:
     given = [value for value in values if value is not None]
     if len(given) < len(values) or (counts and len(values) not in counts):
         shown, least = " ".join(map(str, tokens)), counts[0] if counts else len(values)
-        raise Refusal.in_document(REFUSALS["numbers"], least, field=key, value=shown)
+        bound = REFUSALS["finite-number"] if least == 1 else REFUSALS["numbers"]
+        raise Refusal.in_document(bound, least, field=key, value=shown)
     return given
 
 
@@ -242,7 +248,8 @@ def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
 def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
     """Yield the views of OpenCV's calibrations; a stereo pair has the names M1, D1 and M2, D2."""
     whole = _group(tree)
-    sizes = {key: whole[key] for name in _SIDES for key in _CALLED[name] if key in whole}
+    names = [key for name in ("size", *_SIDES) for key in _CALLED[name]]
+    sizes = {key: whole[key] for key in names if key in whole}
     for suffix in ("", "1", "2"):
         # k1 and p1 are no matrices, but distortion.
         ours = whole if not suffix else [k for k in whole if k[-1:] == suffix and k[0] not in "kp"]
@@ -253,7 +260,7 @@ def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
                 words = (name, suffix, f"{count}" if len(poses) > 1 else "")
                 yield " ".join(filter(None, words)), partial(_seen, group, pose, 0.0)
         elif not suffix and (cells := _numbers(group, _CALLED["P"], 12)):
-            yield name, partial(seen_through, np.reshape(cells, (3, 4)))
+            yield name, partial(seen_through, np.reshape(cells, (3, 4)), sizes=sizes)
     for key, part in tree.items():
         if isinstance(part, dict) and levels:
             yield from _cameras(part, key, levels - 1)

@@ -294,6 +294,7 @@ def rotation_from_quaternion(wxyz: Sequence[float]) -> Array:
     )
 
 
+@np.errstate(over="ignore", invalid="ignore")
 def world_from_opencv(rotation: Array, translation: Array) -> Array:
     """Return the columns right, up, backward and eye of a pose ``x_camera = R x + t``, (3, 4).
 

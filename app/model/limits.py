@@ -118,7 +118,7 @@ def check_name(field: str, value: Any, known: Collection[str], *, or_none: bool 
         raise Refusal(field, value, bound, ", ".join(known))
 
 
-def between(field: str, value: Any, low: int, high: int) -> float:
+def between(field: str, value: Any, low: int, high: float) -> float:
     """A number inside an open interval as a float, or a `Refusal` that names its ends."""
     try:
         number = finite(field, value)

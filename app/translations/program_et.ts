@@ -1032,8 +1032,8 @@
         <translation>--sweep {0} = {1!r}: peab olema LOW:HIGH, näiteks 0.001:10.</translation>
     </message>
     <message>
-        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
-        <translation>--sweep {0} = {1!r}: LOW peab olema väiksem kui HIGH ja mõlemad {2:g} kuni {3:g}.</translation>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:.15g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW peab olema väiksem kui HIGH ja mõlemad {2:g} kuni {3:.15g}.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>

@@ -851,7 +851,7 @@
     </message>
     <message>
         <source>Show what happens</source>
-        <translation>Prikazuje što se događa</translation>
+        <translation>Pokaži što se događa</translation>
     </message>
     <message>
         <source>Show the model&apos;s answer once more</source>
@@ -1032,8 +1032,8 @@
         <translation>--sweep {0} = {1!r}: mora biti LOW:HIGH, npr. 0.001:10.</translation>
     </message>
     <message>
-        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
-        <translation>--sweep {0} = {1!r}: LOW mora biti manje od HIGH, oboje od {2:g} do {3:g}.</translation>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:.15g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW mora biti manje od HIGH, oboje od {2:g} do {3:.15g}.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>

@@ -1032,8 +1032,8 @@
         <translation>--sweep {0} = {1!r}: мора да буде LOW:HIGH, као 0.001:10.</translation>
     </message>
     <message>
-        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:g}.</source>
-        <translation>--sweep {0} = {1!r}: LOW мора да буде мање од HIGH, а оба од {2:g} до {3:g}.</translation>
+        <source>--sweep {0} = {1!r}: must have LOW below HIGH, both from {2:g} to {3:.15g}.</source>
+        <translation>--sweep {0} = {1!r}: LOW мора да буде мање од HIGH, а оба од {2:g} до {3:.15g}.</translation>
     </message>
     <message>
         <source>--topics = {0!r}: has no exercise that can be solved on paper.</source>

@@ -102,7 +102,7 @@ def test_without_opengl_the_other_trades_still_run() -> None:
         (["--sweep=near=5"], "must be LOW:HIGH"),
         (["--sweep=near=5:1"], "must have LOW below HIGH, both from 1e-200 to 1e+99"),
         (["--sweep=near=nan:1"], "must have LOW below HIGH"),
-        (["--sweep=fov=1:200"], "must have LOW below HIGH, both from 1e-80 to 180"),
+        (["--sweep=fov=1:180"], "must have LOW below HIGH, both from 1e-80 to 179.999999999999."),
         (["--sweep=near=a:b"], "must be LOW:HIGH"),
         (["--scene=cubee"], "cube"),
         (["--json=/nowhere/a.json"], "there is no folder /nowhere"),

@@ -195,7 +195,11 @@ TURNED = "must be a rotation: equally long axes at right angles, not mirrored."
         (nerf({"transform_matrix": [[2, 0, 0, 3], *EYE_BACK[1:]]}), TURNED),
         (nerf({"transform_matrix": [[-1, 0, 0, 3], *EYE_BACK[1:]]}), TURNED),
         (nerf(w=0.5, h=480), "must be a whole number of pixels from 1 to 16384."),
-        (nerf(camera_angle_x=0), "camera_angle_x = 0: must be greater than 0."),
+        (nerf(camera_angle_x=0), "camera_angle_x = 0: must lie between 0 and 3.14159"),
+        (nerf(camera_angle_x=3.2), "camera_angle_x = 3.2: must lie between 0 and 3.14159"),
+        (nerf(camera_angle_x=5e-324), "camera_angle_x = 0: must be greater than 0."),
+        (nerf(x_fov=180), "x_fov = 180: must lie between 0 and 180, both excluded."),
+        (nerf(fl_x="wide"), "fl_x = 'wide': must be a finite number."),
         ({"frames": []}, "transforms.json has no camera: no camera_matrix, K or fx, and no frame."),
         ({"frames": [3], "fl_x": 900},
          "transform_matrix is missing."),
@@ -366,6 +370,18 @@ def test_a_file_may_have_p_alone() -> None:
     found = api.load("p.yml", "image.width=640", "image.height=480").projection
     assert found.intrinsics == pytest.approx((500, 500, 320, 240), rel=1e-13)
     assert found.camera.eye == pytest.approx((0, 0, -5), abs=1e-13)
+    for size in ("image_width: 640\nimage_height: 480\n", "image_size: [640, 480]\n"):
+        Path("p.yml").write_text(size + text, encoding="utf-8")
+        assert api.load("p.yml").projection == found
+
+
+@pytest.mark.filterwarnings("error")
+def test_a_pose_that_is_too_large_is_no_rotation_and_no_warning() -> None:
+    text = "K: [500, 0, 320, 0, 500, 240, 0, 0, 1]\nt: [0, 0, 5]\n"
+    huge = f"{text}R: [1e308, 0, 0, 0, 1e308, 0, 0, 0, 1e308]\n"
+    assert "must be a rotation" in refusal("huge.yml", huge)
+    rows = [[1e200, 0, 0, 0], [0, 1e200, 0, 0], [0, 0, 1e200, 3]]
+    assert "must be a rotation" in refusal("transforms.json", nerf({"transform_matrix": rows}))
 
 
 @pytest.mark.parametrize(
