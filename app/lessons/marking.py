@@ -146,9 +146,7 @@ def read(text: str, unit: str = "", near: float = 0.0) -> TypedNumber:
     plain, end = plain.rstrip("."), len(plain)
     is_endless = end - len(plain) > 1
     if not plain:
-        raise Refusal.in_document(
-            REFUSALS["marking-empty"], field="answer", value=text.strip() or ...
-        )
+        raise Refusal("answer", text.strip() or ..., REFUSALS["marking-empty"])
     match = _LITERAL.fullmatch(re.sub(" *([-+*x×^]) *", r"\1", plain))
     if match is None:
         value, is_rounded, gives_angle = _value(text, plain)

@@ -389,12 +389,16 @@ class Player:
         beside = self._beside.items()
         if any(before != then == getattr(look, name) for name, (before, then) in beside):
             return True
-        leading = {"large": scene_of(shown.document).leading}  # an empty name stands for this pane
-        return any(
-            (getattr(look, name) or leading.get(name, getattr(look, name)))
-            != (value or leading.get(name, value))
-            for name, value in shown.view.items()
-        )
+        scene = scene_of(shown.document)
+        is_closed = self.is_test or any("numbers" in block.hides for block in self.blocks)
+
+        def chosen(view: View) -> View:
+            """Fill in what the scene chooses, and close the panel that must be closed."""
+            fixed = scene.fixed if view.fixed is None else view.fixed
+            panel = "" if is_closed else view.panel
+            return replace(view, large=view.large or scene.leading, fixed=fixed, panel=panel)
+
+        return chosen(look) != chosen(replace(look, **shown.view))
 
     def view_of(self, shown: ShownStep, look: View, *, other_scene: bool) -> View:
         """Return the view of a step: fields set by the lesson, the others from the window."""

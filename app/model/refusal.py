@@ -101,6 +101,8 @@ class Refusal(ValueError):
             if not self.field and self.value is ...:  # a whole sentence
                 return bound.format(*(printable(str(part)) for part in self.limits))
             shown = bound.format(*shown_limits(self.limits, self.value))
+            if self.value is ...:
+                return f"{field_name(self.field)} {shown}."
             return f"{field_name(self.field)} = {(written or format_value)(self.value)}: {shown}."
         bound = bound.format(*shown_limits(self.limits, self.value))
         file = shown_name(self.file)

@@ -4242,8 +4242,8 @@
         <translation>Valemi järgi</translation>
     </message>
     <message>
-        <source>The image is 1280 × 720 again.</source>
-        <translation>Pilt on jälle 1280 × 720.</translation>
+        <source>The image has 1280 × 720 pixels.</source>
+        <translation>Pildil on 1280 × 720 pikslit.</translation>
     </message>
     <message>
         <source>What is in row 2, column 2 of image ← NDC?</source>

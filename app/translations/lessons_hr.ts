@@ -4242,8 +4242,8 @@
         <translation>Po formuli</translation>
     </message>
     <message>
-        <source>The image is 1280 × 720 again.</source>
-        <translation>Slika je opet 1280 × 720.</translation>
+        <source>The image has 1280 × 720 pixels.</source>
+        <translation>Slika ima 1280 × 720 piksela.</translation>
     </message>
     <message>
         <source>What is in row 2, column 2 of image ← NDC?</source>

@@ -4242,8 +4242,8 @@
         <translation>По формули</translation>
     </message>
     <message>
-        <source>The image is 1280 × 720 again.</source>
-        <translation>Слика је поново 1280 × 720.</translation>
+        <source>The image has 1280 × 720 pixels.</source>
+        <translation>Слика има 1280 × 720 пиксела.</translation>
     </message>
     <message>
         <source>What is in row 2, column 2 of image ← NDC?</source>

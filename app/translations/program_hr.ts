@@ -851,7 +851,7 @@
     </message>
     <message>
         <source>Show what happens</source>
-        <translation>Prikazuje što se događa</translation>
+        <translation>Pokaži što se događa</translation>
     </message>
     <message>
         <source>Show the model&apos;s answer once more</source>

@@ -175,6 +175,13 @@ def test_every_task_has_a_sample_that_does_it_and_one_that_does_not() -> None:
             assert wanted <= tried, (path.name, step.name)
 
 
+def test_no_unit_is_an_english_word() -> None:
+    """A unit is shown as it stands in the file, in every language."""
+    for path in contained():
+        units = set(re.findall("(?m)^unit: (.+)", path.read_text("utf-8")))
+        assert units <= {"°", "%", "×", "px", "mm", "cm", "m", "km"}, path.name
+
+
 def test_every_right_answer_is_right_as_a_student_types_it() -> None:
     """With four digits and a comma; a window is needed for one lesson of each kind only."""
     marked = 0

@@ -434,6 +434,18 @@ def test_a_step_knows_whether_the_window_still_shows_it() -> None:
     assert not player.is_away(document, replace(look, layers=frozenset())), "no step sets it"
     leading = Player(course_of(TALK.replace("=ndc", "=world")), 2)
     assert not leading.is_away(document, AS_EVER), "the scene's own large pane has no name"
+    for scene, fixed, other in (("letter-f", "", "side"), ("similar-triangles", "side", "")):
+        text = TALK.replace("view.large=ndc", f"scene={scene}\nview.fixed={fixed}")
+        seen_so = Player(course_of(text), 2)
+        own = seen_so.shown_at(2).document
+        assert not seen_so.is_away(own, AS_EVER), "the scene's own side has no name"
+        assert seen_so.is_away(own, replace(AS_EVER, fixed=other))
+    hiding = "```answer one\nOne?\nvalue: 1\nhide: numbers\n```"
+    asks = player_at(2, TALK.replace("view.large=ndc\n```", f"view.panel=frame\n```\n{hiding}"))
+    closed, opened = (replace(AS_EVER, panel=panel) for panel in ("", "frame"))
+    assert not asks.is_away(document, closed), "the question keeps the panel closed"
+    asks.blocks[0].submit("1")
+    assert asks.is_away(document, closed) and not asks.is_away(document, opened)
     turned = replace(look, panes=TURNED)
     assert player.is_away(document, turned)
     seen = player.view_of(player.shown_at(2), turned, other_scene=False)

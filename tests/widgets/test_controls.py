@@ -1478,6 +1478,18 @@ def test_a_found_row_can_be_edited_and_stays_unfolded(controls: Column, record: 
     assert controls.animation.isVisible()
 
 
+def test_the_chain_is_found_by_its_heading_and_shown(controls: Column) -> None:
+    controls.resize(300, 200)
+    for text in ("chain", "tile", "rotation"):
+        look_for(controls, text)
+        assert controls.chain.isVisible(), text
+        QTest.keyClick(controls.search, KEY.Key_Return)
+        QApplication.processEvents()
+        add = controls.chain.add
+        assert add.hasFocus() and not add.visibleRegion().isEmpty(), f"{text}: it is in view"
+        controls.sections["object"].set_open(False)
+
+
 def test_a_control_of_another_lens_names_that_lens(controls: Column) -> None:
     said = [label for label in controls.widget().findChildren(QLabel) if not label.isVisible()]
     assert look_for(controls, "alpha") == []

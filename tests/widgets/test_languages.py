@@ -11,6 +11,7 @@ from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
 from app.lecture.titles import stage_title
+from app.lessons import marking
 from app.lessons.contents import contained
 from app.model.projection import Perspective
 from app.model.refusal import REFUSALS, Refusal
@@ -186,6 +187,9 @@ def test_sentences_titles_and_a_scenes_card_are_in_the_language(
     assert sentence(caught.value) == (
         "Bliska ravnina = 3: mora biti manje od udaljenosti daleke ravnine, koja je 2,5."
     )
+    with pytest.raises(Refusal) as caught:
+        marking.read(" ")
+    assert sentence(caught.value).startswith("Odgovor mora biti broj; ")
     empty = Refusal.saying(REFUSALS["mesh-empty"], "{1}.obj")
     assert sentence(empty).startswith("{1}.obj: datoteka je prazna")
     assert sentence(OSError("no space")) == "no space"

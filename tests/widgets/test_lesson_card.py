@@ -731,7 +731,7 @@ def test_a_matrix_is_filled_in_by_keyboard_alone(window: MainWindow, tmp_path: P
     press(KEY.Key_Backtab, Qt.KeyboardModifier.ShiftModifier)
     assert keyboard() is third
     press(KEY.Key_Return)
-    assert keyboard() is second and "Row 1, column 2 = 'zero'" in texts(view)
+    assert keyboard() is second and "Row 1, column 2 = “zero”" in texts(view)
     QTest.keyClicks(second, "0")
     press(KEY.Key_Return)
     assert keyboard() is third and "Row 2, column 1 must be a number" in texts(view)

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QApplication, QPushButton
 
-from tests.support.window import settle
+from tests.support.window import activate, settle
 from widgets.parts.lesson_text import LessonText
 from widgets.parts.movable import MoveButton
 from widgets.window.lesson_blocks.order import OrderView
@@ -93,6 +93,38 @@ def test_tiles_are_arranged_switched_off_and_typed_into(window: MainWindow) -> N
     settle()
     again = [row.text for row in view_of(window).rows]
     assert again == ["translate 3,0,0", "rotate z 90", "off mirror x"], "it is kept"
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("part", ["grip", "switch", "field"])
+def test_enter_checks_anywhere_in_a_tile_and_the_focus_goes_on(
+    window: MainWindow, part: str
+) -> None:
+    activate(window)
+    view = view_of(window)
+    arrange(view, "translate", "rotate", "mirror")
+    row = view.rows[1]
+    row.field.setText("90")
+    focus = {"grip": row.findChild(MoveButton), "switch": row.switch, "field": row.field}[part]
+    focus.setFocus()
+    QTest.keyClick(focus, Qt.Key.Key_Return)
+    settle()
+    assert view.response, "it is checked, and wrong"
+    view.rows[2].switch.setChecked(False)
+    QTest.keyClick(focus, Qt.Key.Key_Return)
+    settle()
+    assert "The move acts last." in said(view)
+    assert QApplication.focusWidget() is window.lesson_card.next
+
+
+@pytest.mark.undrawn
+def test_the_focus_goes_on_where_the_answer_is_shown(window: MainWindow) -> None:
+    activate(window)
+    view = view_of(window)
+    view.rows[0].field.setFocus()
+    view.reveal_answer()
+    settle()
+    assert QApplication.focusWidget() is window.lesson_card.next
 
 
 @pytest.mark.undrawn

@@ -146,6 +146,15 @@ def answer(window: MainWindow) -> tuple[str, str]:
     return view.played.block.name, typed
 
 
+def test_the_keyboard_begins_at_the_first_topic(window: MainWindow) -> None:
+    dialog = SelfTestDialog({"L1": ("One", 3), "L2": ("Two", 1)}, 1, window)
+    dialog.show()
+    activate(dialog)
+    focus = QApplication.focusWidget()
+    assert isinstance(focus, QCheckBox) and focus.text() == "L1 One"
+    dialog.close()
+
+
 def test_a_test_is_chosen_by_keyboard_alone(window: MainWindow) -> None:
     def choose() -> None:
         dialog = next(w for w in QApplication.topLevelWidgets() if isinstance(w, SelfTestDialog))

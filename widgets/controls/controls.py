@@ -330,7 +330,8 @@ class Controls(Dock, RowHolder):
         here[walk] = ControlTexts(" ".join(names), "")
         if not self._has_fixed_objects:
             tiles = (parameter_text(each, f"{each.title} {each.also}") for each in TILES.values())
-            here[self.chain] = ControlTexts(" ".join(tiles), "")
+            names = [self.sections["object"].heading.text(), self.chain.add.text(), *tiles]
+            here[self.chain] = ControlTexts(" ".join(names), "")
         matches, others = find(text, here), find(text, elsewhere)
         self._not_here.setText(self._why_not_here(matches, others))
         self._show_matches(matches)
@@ -368,21 +369,20 @@ class Controls(Dock, RowHolder):
         """Go to the first result and end the search."""
         rows = [*self.card.rows.values(), *self.rows.values()]
         places = {row: row.mapTo(self._column, QPoint()).y() for row in rows if row.isVisible()}
-        first = min(places, key=lambda row: places[row], default=None)
+        first: QWidget | None = min(places, key=lambda row: places[row], default=None)
         if first is None:
-            if self._matches and self.chain in self._matches:
-                self.sections["object"].set_open(True)
-                self.search.clear()
-                self.chain.add.setFocus(Qt.FocusReason.ShortcutFocusReason)
-                return
-            if not self._matches or self.animation not in self._matches:
-                return
-            first = self.animation.speed
+            others = {self.chain: self.chain.add, self.animation: self.animation.speed}
+            first = next((others[part] for part in others if part in (self._matches or ())), None)
+        if first is None:
+            return
         for section in self.sections.values():
             if section.isAncestorOf(first):
                 section.set_open(True)
         self.search.clear()
-        first.take_focus()
+        if isinstance(first, Row):
+            first.take_focus()
+        else:
+            first.setFocus(Qt.FocusReason.ShortcutFocusReason)
         QTimer.singleShot(0, self, partial(self.bring_into_view, first))
 
     # -- the sections

@@ -81,6 +81,7 @@ class SelfTestDialog(QtWidgets.QDialog):
         wide, high = area.minimumWidth() + 30, holder.sizeHint().height() + 12 * em
         room = self.screen().availableSize() * 0.9
         self.resize(min(wide, room.width()), min(high, room.height()))
+        next(iter(self._boxes.values())).setFocus()  # Qt would give it to the scroll area
         self._show_count()
 
     @property

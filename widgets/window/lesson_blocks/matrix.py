@@ -154,9 +154,7 @@ class MatrixAnswerView(MarkedAnswerView):
 
     def _refuse_cell(self, cell: _MatrixCellEdit, error: Refusal) -> None:
         self._enter(cell)
-        said = Refusal.in_document(
-            error.bound, *error.limits, field=cell.place, value=error.value or ...
-        )
+        said = Refusal(cell.place, error.value or ..., error.bound, *error.limits)
         self._refuse(said)
         self._speak(sentence(said))
 

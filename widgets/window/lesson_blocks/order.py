@@ -1,6 +1,8 @@
 """The view of a question whose answer is a chain: tiles to arrange, switch off, and type into."""
 
-from PySide6.QtWidgets import QCheckBox, QLineEdit, QWidget
+from PySide6.QtCore import Qt
+from PySide6.QtGui import QKeyEvent
+from PySide6.QtWidgets import QApplication, QCheckBox, QLineEdit, QWidget
 
 from app.lessons.blocks.order import OrderQuestion, tile_parts
 from app.lessons.player import PlayedBlock
@@ -68,8 +70,15 @@ class OrderView(MarkedAnswerView):
         self.column.show_parts([_TileRow(text.removeprefix("off ")) for text in texts])
         for row, text in zip(self.rows, texts, strict=True):
             row.switch.setChecked(text[:4] != "off ")
-            row.field.returnPressed.connect(self.check)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:
+        if event.key() in (Qt.Key.Key_Return, Qt.Key.Key_Enter) and self.played.is_open:
+            self.check()
+        else:
+            super().keyPressEvent(event)
 
     def _close(self) -> None:
+        if QApplication.focusWidget() in self.column.findChildren(QWidget):
+            self._check.setFocus()  # or Qt would give the focus to nothing
         self.column.setEnabled(False)
         self._check.hide()
