@@ -28,7 +28,7 @@ from widgets.parts.diagram import DiagramView
 from widgets.window.export_dialog import ExportDialog
 from widgets.window.main_window import MainWindow
 from widgets.window.practice import SelfTestDialog
-from widgets.window.speaker import SpeakerWindow
+from widgets.window.speaker import SpeakerWindow, TalkClock
 from widgets.window.talk_writing import TitleDialog
 
 SAID = QAccessible.Text
@@ -121,7 +121,7 @@ def test_no_key_of_a_dialog_means_two_things(window: MainWindow) -> None:
         ExportDialog(panes, window.pictures.figure(), window),
         SelfTestDialog({"L1": ("One", 3)}, 1, window),
         TitleDialog("Add a step", "Depth", True, window),
-        SpeakerWindow(window.settings, window),
+        SpeakerWindow(window.settings, window, TalkClock()),
     ):
         dialog.show()
         settle()

@@ -30,6 +30,7 @@ from tests.support.window import (
     settle,
     show_scene,
 )
+from widgets.panes.pane import Pane
 from widgets.window.main_window import MainWindow
 
 
@@ -371,6 +372,18 @@ def test_presenting_keeps_it_and_so_does_esc(window: MainWindow) -> None:
     place = first.mapToGlobal(QPoint()).y(), first.height()
     assert place == (title.mapToGlobal(QPoint()).y(), title.height()), "on the title's line"
     assert gaps()[0] > 0
+
+
+def test_a_held_world_has_the_grips_of_the_slide_and_no_others(window: MainWindow) -> None:
+    window.store.set_view(slide=("world",), controls=("lens.near",), names=("eye", "near"))
+    window.present.begin()
+    settle()
+    hold(window)
+    settle()
+    pane = window.panes["world"]
+    (held,) = (each for each in pane.findChildren(Pane) if each is not pane)
+    grips = [{handle.name for handle in each.drawing.handles.drawn} for each in (held, pane)]
+    assert grips == [{"near"}, {"near"}]
 
 
 def test_a_class_compares_worlds_if_the_world_is_the_slide(window: MainWindow) -> None:

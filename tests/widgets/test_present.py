@@ -170,6 +170,36 @@ def test_the_keys_of_the_panes_choose_another_slide(window: MainWindow) -> None:
 
 
 @pytest.mark.undrawn
+@pytest.mark.parametrize("slide", [("kinds",), ("equation", "image")], ids=lambda slide: slide[0])
+def test_the_key_of_a_pane_leaves_a_slide_that_is_more_than_the_pane(
+    window: MainWindow, slide: tuple[str, ...]
+) -> None:
+    window.store.set_view(slide=slide, large="image", equation="frustum")
+    begin(window)
+    other = window.kinds_panel if slide == ("kinds",) else window.slide.equation
+    assert other.isVisible()
+    for asked, seen in (("image", 1), ("image", 3), ("world", 1)):
+        window.slots.make_large(asked)
+        settle()
+        assert sum(pane.isVisible() for pane in window.panes.values()) == seen
+        assert not other.isVisible()
+    window.slots.go_back()
+    settle()
+    assert other.isVisible()
+
+
+@pytest.mark.undrawn
+def test_no_key_opens_the_search_that_a_class_does_not_see(window: MainWindow) -> None:
+    begin(window)
+    press(window, Qt.Key.Key_Slash)
+    assert not window.controls.isVisible()
+    press(window, Qt.Key.Key_F5)
+    assert QApplication.focusWidget() is not window.controls.search
+    press(window, Qt.Key.Key_Slash)
+    assert QApplication.focusWidget() is window.controls.search
+
+
+@pytest.mark.undrawn
 def test_a_panel_takes_nothing_from_the_slide(window: MainWindow) -> None:
     begin(window)
     before = window.panes["world"].geometry()

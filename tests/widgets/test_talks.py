@@ -712,6 +712,12 @@ def test_the_clock_counts_while_a_talk_is_presented(window: MainWindow) -> None:
     assert speaker.clock.is_running
     window.talks.jump(3)  # for which no time is planned
     assert "planned 3.5 min" in read_on(speaker)
+    speaker.clock.toggle()
+    told = speaker.clock.seconds
+    assert told > 0.0
+    speaker.close()
+    speaker = speaker_of(window)  # closed by mistake, and opened again
+    assert speaker.clock.seconds == told and not speaker.clock.is_running
     speaker.close()
     press(window, Qt.Key.Key_F5)
     assert not speaker_of(window).clock.is_running
@@ -816,6 +822,11 @@ def test_a_faulty_file_is_reported_once_presenting_has_ended(window: MainWindow)
     assert not window.messages.text
     press(window, Qt.Key.Key_Escape)
     assert not window.present.is_on and "talk.md: line 10" in window.messages.text
+    press(window, Qt.Key.Key_F5)
+    assert window.present.is_on and not window.messages.text
+    assert window.band.message == "The file was changed, and cannot be read."
+    press(window, Qt.Key.Key_F5)
+    assert "talk.md: line 10" in window.messages.text
     change(window, TALK)
     assert not window.messages.text
     change(window, "---\n")

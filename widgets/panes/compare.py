@@ -142,7 +142,7 @@ class _Other(QWidget):
         elif shown is not pane.shown:
             pane.take(shown, PROJECTION)
         wanted = {what: of.requested[what] for what in ("layers", "names", "fixed", "step")}
-        wanted |= {what: of.requested[what] for what in ("bare", "smoothing", "detail")}
+        wanted |= {what: of.requested[what] for what in ("bare", "grips", "smoothing", "detail")}
         wanted |= {"view": of.view, "probes": tuple(each for each in of.probes if each.number)}
         if self.picture.held is not None:
             wanted |= {"smoothing": smoothing, "detail": None}

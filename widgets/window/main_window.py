@@ -490,6 +490,7 @@ class MainWindow(QMainWindow):
         self.look.set_waiting(True)  # only the panes of the slide take another size and style
         if on:
             self.slots.set_presenting(True)
+        self.menus.find.setEnabled(not on)  # a class sees no search
         for action in (self.menus.blank, self.menus.pointer, self.menus.strip, self.menus.pen):
             action.setEnabled(on)
         self.menus.pointer.setChecked(False)
@@ -533,7 +534,7 @@ class MainWindow(QMainWindow):
         course = self.lessons.course if self.talks.is_on else None
         # While presenting, only the panel of the talk's step is open.
         asked = course is not None and course.shown(self.lessons.place).view.get("panel")
-        is_slide = presents and "kinds" in self.slots.given
+        is_slide = self.slots.shows("kinds")
         folds = alone or (presents and not asked and not is_slide)
         if folds and self.panels.open_panel is not None:
             self._folded = self.panels.open_panel

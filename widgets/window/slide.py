@@ -48,7 +48,7 @@ class Slide(QWidget):
     def arrange(self) -> None:
         """Give the equation its place beside the picture, or above it, or all of the slide."""
         slots, equation = self._slots, self.equation
-        has_equation = slots.has_equation
+        has_equation = slots.shows("equation")
         equation.set_is_slide(has_equation)
         equation.setVisible(has_equation)
         is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
@@ -82,7 +82,7 @@ class Slide(QWidget):
         super().resizeEvent(event)
         QTimer.singleShot(0, self.question, self.question.settle)  # the panes have their sizes
         self.pen.resize(event.size())
-        if self._slots.has_equation:
+        if self._slots.shows("equation"):
             self.arrange()
 
     def event(self, event: QEvent) -> bool:

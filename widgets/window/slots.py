@@ -90,10 +90,9 @@ class Slots(QSplitter):
         wanted = asked if self._chosen is None else self._chosen
         return tuple(name for name in wanted if name not in self.floating)
 
-    @property
-    def has_equation(self) -> bool:
-        """Whether a class sees an equation, alone or beside a pane."""
-        return self.is_for_class and self._chosen is None and "equation" in self.given
+    def shows(self, what: str) -> bool:
+        """Whether a class sees the equation, alone or beside a pane, or the kinds."""
+        return self.is_for_class and self._chosen is None and what in self.given
 
     def show_slide(self, asked: tuple[str, ...]) -> None:
         """Make these of `app.document.view.SLIDES` the slide; empty for the large pane."""
@@ -116,7 +115,8 @@ class Slots(QSplitter):
         if name in self.floating:
             return
         if self.is_for_class:
-            self._chosen = () if self.slide == (name,) else (name,)
+            is_slide = self.slide == (name,) and not (self.shows("equation") or self.shows("kinds"))
+            self._chosen = () if is_slide else (name,)
             self._show_other_slide()
             return
         if self.whole:

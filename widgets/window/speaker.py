@@ -97,12 +97,12 @@ class SpeakerWindow(QWidget):
     left = Signal()
     jump_wanted = Signal(int)  # the number of a step, from 1
 
-    def __init__(self, settings: Settings, parent: QWidget) -> None:
+    def __init__(self, settings: Settings, parent: QWidget, clock: TalkClock) -> None:
         super().__init__(parent, Qt.WindowType.Window)
         self.setWindowTitle(self.tr("Speaker's window – Frustum Lab"))
         self.setObjectName("speaker")
         self._settings = settings
-        self.clock = TalkClock()
+        self.clock = clock
         self._player: Player | None = None
         self._left_out = ""
         self._pictures: OrderedDict[tuple[Course, int], QImage] = OrderedDict()

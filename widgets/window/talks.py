@@ -28,7 +28,7 @@ from widgets.window.pen import Pen
 from widgets.window.present import Present
 from widgets.window.question import QuestionOverlay
 from widgets.window.settings import Settings
-from widgets.window.speaker import SpeakerWindow
+from widgets.window.speaker import SpeakerWindow, TalkClock
 from widgets.window.talk_ahead import StepPreparation
 from widgets.window.talk_band import TalkBand
 from widgets.window.talk_keys import TalkKeys
@@ -62,6 +62,7 @@ class Talks(QObject):
         self._ahead = StepPreparation(lessons, look, band, self)
         self._keys = TalkKeys(window, lessons, present, self)
         self.speaker: SpeakerWindow | None = None
+        self._clock = TalkClock()  # goes on if the window is closed and opened while presenting
         self._looks = False  # whether the slide is being painted for the speaker's window
         self._seen = QTimer(self, singleShot=True, interval=SEEN_MS)
         self._seen.timeout.connect(self._show_now)
@@ -307,7 +308,7 @@ class Talks(QObject):
             self._messages.show_message(why)
             return
         if self.speaker is None:
-            self.speaker = speaker = SpeakerWindow(self._settings, self._window)
+            self.speaker = speaker = SpeakerWindow(self._settings, self._window, self._clock)
             for signal, act in (
                 (speaker.left, self._forget_speaker),
                 (speaker.next.clicked, self.next),
@@ -366,8 +367,8 @@ class Talks(QObject):
         self._show()
 
     def _open_with_talk(self, on: bool) -> None:
-        if not on and self._mistake:
-            self._messages.show_message(self._mistake)
+        if self.speaker is None:
+            self._clock = TalkClock()
         if on and self.is_on:
             if self._settings.speaker_window and self.speaker is None:
                 self.open_speaker()
@@ -377,9 +378,12 @@ class Talks(QObject):
                 self.speaker.clock.begin()
                 if self._present.screens.both is not None:
                     self._place_speaker()
+        if self._mistake:
+            self._show_mistake(self._mistake)
 
     def _forget_speaker(self) -> None:
         if self.speaker is not None:
+            self._clock = self.speaker.clock if self.is_on else TalkClock()
             self.speaker.deleteLater()
             self.speaker = None
             for drawn in self._look.drawn:
