@@ -105,6 +105,7 @@ def read(source: str) -> Read:
 
 
 _DECLARED = re.compile(r"sep=(.)\s*")  # Excel's own first line
+_DECIMAL_COMMAS = re.compile(r"([^\s,]+(,\d[^\s,]*)?\s+){2,}[^\s,]+(,\d[^\s,]*)?")  # and blanks
 
 
 def _separator(text: str) -> str:
@@ -118,7 +119,7 @@ def _separator(text: str) -> str:
     cells = first.split("\t")
     if len(cells) > 2 and not cells[0].endswith(","):
         return "\t"
-    return "," if "," in first else " "
+    return "," if "," in first and not _DECIMAL_COMMAS.fullmatch(first) else " "
 
 
 _IN_BRACKETS = re.compile(r"[(\[].*[)\]][,;]?")  # a row as numpy and this program print it

@@ -326,15 +326,12 @@ class _VectorPane:
         part = self._blocks(window)
         for prop in others:
             prop.SetVisibility(True)
-        drawn = part.mean(axis=(1, 3))
-        if self._renderer.GetBackgroundAlpha() == 0.0:  # colours are multiplied by their alpha
+        drawn, alpha = part.mean(axis=(1, 3)), self._renderer.GetBackgroundAlpha()
+        ground = np.rint(255.0 * np.array([*self._renderer.GetBackground(), alpha]))
+        is_seen = (np.rint(drawn) != ground).any(axis=2)
+        if alpha == 0.0:  # colours are multiplied by theirs
             drawn[..., :3] *= 255.0 / np.maximum(drawn[..., 3:], 1.0)
-            is_seen = drawn[..., 3] > 0.0
-        else:
-            drawn = drawn[..., :3]
-            empty = np.rint(255.0 * np.array(self._renderer.GetBackground()))
-            is_seen = (np.rint(drawn) != empty).any(axis=2)
-        pixels = np.minimum(np.rint(drawn), 255.0).astype(np.uint8)
+        pixels = np.minimum(np.rint(drawn), 255.0).astype(np.uint8)[..., : 3 + (alpha == 0.0)]
         yield from self._seen_part(pixels, is_seen, is_cloud=False)
 
     def _blocks(self, window: Any) -> Array:

@@ -329,7 +329,7 @@ def test_csv_of_many_programs_is_read() -> None:
         b"# x y z\n# by hand\n1 2 3\n", b"  1\t 2  3 \n", b"1,\t2,\t3\n", b"z,x,y\n3,1,2\n",
         b"# points x, y and z\n1,2,3\n", b"sep=;\r\nx;y;z\r\n1,0;2,0;3\r\n", b"1,0\t2,0\t3\n",
         "1,2,3\n0,\u22121,-2\n".encode(), b"(1, 2, 3)\n", b"[[1. 2. 3.]\n [4. 5. 6.]]\n",
-        b"2/2,4/2,3\n",
+        b"2/2,4/2,3\n", b"1,0 2,0 3,0\n", b"(1,0  2 3)\n", b"P 1 2,0 3\n",
     ):  # fmt: skip
         done = run_here("project", "-", "--format", "json", text=text)
         assert json.loads(done.stdout)["points"][0]["world"] == [1, 2, 3], text
