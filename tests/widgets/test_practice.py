@@ -347,10 +347,11 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_
             Attempt(1_700_000_000, lesson, f"practise/{exercise}", 1, "1", verdict, idea)
         )
     own = tmp_path / "own.md"
-    own.write_text(
-        practice.topics()["L3"].lesson.path.read_text(encoding="utf-8"), encoding="utf-8"
-    )
-    window.record.add(Attempt(1_700_000_000, str(own), "practise/wide", 1, "1", "wrong", "my-idea"))
+    with_idea = "wrong seven: 7\n  title: All are seven.\n  says: They are not.\nhint: Take"
+    text = practice.topics()["L3"].lesson.path.read_text(encoding="utf-8")
+    own.write_text(text.replace("hint: Take", with_idea), encoding="utf-8")
+    for idea in ("my-idea", "seven"):
+        window.record.add(Attempt(1_700_000_000, str(own), "practise/wide", 1, "1", "wrong", idea))
     with (data_folder() / RECORD).open("a") as file:
         file.write("\n{")
     window.menus.lesson_menu.overview.trigger()
@@ -359,6 +360,7 @@ def test_the_overview_shows_every_topic_and_leads_there(window: MainWindow, tmp_
     said = texts(overview)
     assert "unreadable lines (1)" in said and "once; then: solved with help" in said
     assert "“my idea” once; then: not yet" in said, "of a lesson of one's own"
+    assert "“All are seven” once" in said, "as the lesson calls the idea"
     names = [each.accessibleName() for each in overview.findChildren(QToolButton)]
     assert [name.partition(". ")[0] for name in names if name] == [
         "L3, exercise 1: solved with help", "L3, exercise 2: answer shown",

@@ -122,14 +122,16 @@ class Overview(QtWidgets.QDialog):
 
     def _met(self, course: Course) -> str:
         """Say which wrong ideas were met in a lesson, and how it went on."""
+        replies = (r for step in course.lesson.steps for asked in step.asked for r in asked.replies)
+        titles = {reply.idea: reply.title for reply in replies if reply.title}
         said = []
         for (lesson, name), met in self._ideas.items():
             idea = idea_named(name)
             if lesson == course.name:
-                title = idea.title.rstrip(".") if idea is not None else name.replace("-", " ")
+                title = titles.get(name) or (idea.title if idea else name.replace("-", " "))
                 times = self.tr("once") if met.times == 1 else self.tr("%n times", "", met.times)
                 text = self.tr("“{0}” {1}; then: {2}")
-                said.append(text.format(title, times, self._words[met.outcome]))
+                said.append(text.format(title.rstrip("."), times, self._words[met.outcome]))
         return "\n".join(said)
 
     def _go(self, signal: SignalInstance, *what: object) -> None:

@@ -83,7 +83,8 @@ class Exercise(Asked):
             line=body.line, name=body.name, text="", varied=tuple(varied), where=tuple(where),
             states=states, hides=frozenset(hides), recipe=recipe,
         )  # fmt: skip
-        return replace(made, text=made.first.text, hints=made.first.hints)
+        first = made.first
+        return replace(made, text=first.text, hints=first.hints, replies=first.replies)
 
     def texts(self) -> Iterator[tuple[int, str]]:
         yield from self.first.texts()
