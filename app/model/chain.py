@@ -204,7 +204,8 @@ class Tile:
         if not kind:
             near = nearest_word(" ".join(words[:2]), KINDS)
             raise Refusal("chain", text, REFUSALS["no-kind"], ", ".join(KINDS), near)
-        values, count = numbers_in(" ".join(words[len(kind.split()) :])), len(KINDS[kind].neutral)
+        rest, count = " ".join(words[len(kind.split()) :]), len(KINDS[kind].neutral)
+        values = numbers_in(rest.replace(",", ".") if count == 1 else rest)  # a decimal comma
         if values is None or len(values) != count:
             bound = (REFUSALS["so-many"], count, kind) if count else (REFUSALS["no-numbers"], kind)
             raise Refusal("chain", text, *bound)

@@ -361,6 +361,7 @@ def test_a_chain_is_read_back_from_its_text() -> None:
     text = "translate 3,0,0; rotate 1,1,0 30; off scale 2,1,1; shear xy 0.5; mirror x"
     assert Chain.read(text).text == text
     assert Chain.read("rotate z 90\N{DEGREE SIGN}") == Chain.read(" rotate  z   90 ")
+    assert Chain.read("rotate z −90,5") == Chain.read("rotate z -90.5")  # of one number
     assert Chain.read("") == Chain()
 
 
