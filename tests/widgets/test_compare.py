@@ -290,6 +290,18 @@ def test_an_impossible_picture_is_replaced_by_its_reason(window: MainWindow) -> 
     assert compare.others[0].shown is not None and not compare.others[0].why.isVisible()
 
 
+@pytest.mark.undrawn
+def test_the_differences_are_elided_where_two_lines_are_too_narrow(window: MainWindow) -> None:
+    compare = hold(window)
+    change(window, far=15.0)
+    label, said = compare.words, words(window)
+    label.resize(70, label.height())
+    room = QRect(0, 0, 70, 1 << 20)
+    used = label.fontMetrics().boundingRect(room, Qt.TextFlag.TextWordWrap, label.text())
+    assert used.height() <= label.height() and label.text().endswith("…")
+    assert words(window) == said, "the tooltip has all of it"
+
+
 def test_pictures_of_two_sizes_are_fitted_and_a_pane_without_room_is_no_harm(
     window: MainWindow,
 ) -> None:

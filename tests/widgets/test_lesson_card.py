@@ -960,6 +960,35 @@ def test_a_place_is_pointed_at_by_mouse_or_by_keyboard_alone(
     assert np.allclose(typed, (960, 360), atol=12.5 * 1280 / width), "where it was clicked"
 
 
+@pytest.mark.parametrize("pane", ["image", "ndc", "world"])
+def test_a_place_stays_marked_when_the_window_changes_its_size(
+    window: MainWindow, tmp_path: Path, pane: str
+) -> None:
+    path = tmp_path / "click.md"
+    path.write_text(CLICK, encoding="utf-8")
+    activate(window)
+    window.lesson_card.open(path)
+    come_to_rest(window)
+    view = next(each for each in window.lesson_card.page.blocks if each.question.pane == pane)
+    canvas, answer = window.panes[pane].canvas, view.question.answer(view.played.here)
+
+    def spot() -> QPoint:
+        """Where the right place is."""
+        ((x, y),) = window.panes[pane].drawing.spots_of(np.array([answer]))
+        return QPoint(round(x), round(y))
+
+    QTest.mouseClick(canvas, Qt.MouseButton.LeftButton, pos=spot())
+    before = spot()
+    window.resize(window.width() - 200, window.height() - 120)
+    come_to_rest(window)
+    moved = spot() - before
+    assert moved.manhattanLength() > 20
+    (mark,) = (each for each in canvas.findChildren(Cross) if each.isVisible())
+    assert (mark.geometry().center() - spot()).manhattanLength() <= 3
+    view.check()
+    assert not view.played.is_open, texts(view)
+
+
 @pytest.mark.undrawn
 def test_a_hidden_card_shows_only_the_lesson_that_opens(
     window: MainWindow, lesson: Path, monkeypatch: pytest.MonkeyPatch

@@ -517,6 +517,32 @@ def test_a_prediction_is_answered_by_the_state_that_it_shows(window: MainWindow)
 
 
 @pytest.mark.undrawn
+def test_a_question_and_the_pen_lie_over_the_kinds_and_hide_few(window: MainWindow) -> None:
+    kinds = "# A vote {#two}\n```state\nview.slide=kinds\n```"
+    text = TALK.replace("# A vote {#two}", kinds).replace("large=ndc", "slide=ndc")
+    change(window, text)
+    go_to(window.lessons, 1)
+    press(window, PAGE_DOWN)
+    assert window.kinds_panel.isVisible() and "106.7" in asked(window)
+    go_to(window.lessons, 2)
+    assert not window.kinds_panel.isVisible() and window.panes["ndc"].isVisible()
+    press(window, PAGE_UP, PAGE_DOWN, Qt.Key.Key_D)
+    arrive(window.lessons)
+    assert window.kinds_panel.isVisible() and "91.5" in asked(window)
+    slide, pen = window.slide, window.slide.pen
+    assert pen.isVisible() and pen.size() == slide.size()
+    press(window, Qt.Key.Key_D)
+    assert slide.childAt(slide.question.geometry().center()) is slide.question
+    place = QRect(slide.question.mapToGlobal(QPoint()), slide.question.size())
+    nodes = window.kinds_panel.nodes.values()
+    boxes = [QRect(node.mapToGlobal(QPoint()), node.size()) for node in nodes]
+    assert sum(place.intersects(box) for box in boxes) < len(boxes) / 2
+    press(window, Qt.Key.Key_F5)
+    assert window.panels.isVisible() and window.panels.parent() is window.drawer
+    assert slide.height() > window.panels.height() > 0
+
+
+@pytest.mark.undrawn
 def test_the_second_way_of_a_key_is_one_of_the_talk_too(
     window: MainWindow, monkeypatch: pytest.MonkeyPatch
 ) -> None:

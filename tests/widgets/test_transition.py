@@ -157,7 +157,7 @@ def test_another_scene_fades(window: MainWindow) -> None:
 
 def test_a_picture_that_fades_to_the_kinds_lies_over_no_later_slide(window: MainWindow) -> None:
     go_to(window.lessons, 7)
-    assert window.kinds_panel.isVisible() and not window.slide.isVisible()
+    assert window.kinds_panel.isVisible() and not window.panes["world"].isVisible()
     go_to(window.lessons, 3)
     settle()
     assert window.panes["world"].isVisible() and not old_of(window).isVisible()

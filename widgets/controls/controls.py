@@ -379,10 +379,8 @@ class Controls(Dock, RowHolder):
             if section.isAncestorOf(first):
                 section.set_open(True)
         self.search.clear()
-        if isinstance(first, Row):
-            first.take_focus()
-        else:
-            first.setFocus(Qt.FocusReason.ShortcutFocusReason)
+        reason = Qt.FocusReason.ShortcutFocusReason
+        first.take_focus() if isinstance(first, Row) else first.setFocus(reason)
         QTimer.singleShot(0, self, partial(self.bring_into_view, first))
 
     # -- the sections

@@ -164,7 +164,7 @@ class _TwoLineLabel(FittedWidget, PlainLabel):
     def __init__(self) -> None:
         super().__init__(objectName="paneNote", wordWrap=True)
         self.setSizePolicy(QSizePolicy.Policy.Ignored, QSizePolicy.Policy.Fixed)
-        self._parts: Sequence[str] = ()
+        self._parts: Sequence[str] = ("",)
 
     def show_parts(self, parts: Sequence[str]) -> None:
         """Show all parts, or as many of the first as fit."""
@@ -190,12 +190,13 @@ class _TwoLineLabel(FittedWidget, PlainLabel):
     def _fit(self) -> None:
         room = QRect(0, 0, max(1, self.width()), 1 << 20)
         for count in range(len(self._parts), 0, -1):
-            more = "" if count == len(self._parts) else " …"
-            text = "".join(self._parts[:count]) + more
+            text = "".join(self._parts[:count]) + " …" * (count < len(self._parts))
             used = self.fontMetrics().boundingRect(room, Qt.TextFlag.TextWordWrap, text)
-            if used.height() <= self.height() or count == 1:
-                self.setText(text)
-                return
+            if used.height() <= self.height():
+                break
+        else:  # not even the first part has room
+            text = self.fontMetrics().elidedText(text, Qt.TextElideMode.ElideRight, self.width())
+        self.setText(text)
 
 
 class Compare(QObject):

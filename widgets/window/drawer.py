@@ -217,7 +217,14 @@ class Drawer(QSplitter):
         """Give the open panel no height in front of a class, or all of it if it is the slide."""
         self._is_for_class, self._is_alone = on, alone
         self.setHandleWidth(0 if on else self._handle_px)
-        self._above.setVisible(not alone)
+        is_open = not self._panels.isHidden()  # Qt hides what moves
+        place = self._above.layout() if alone else None  # a question may lie over it, and the pen
+        if place is not None and self._panels.parent() is self:
+            place.addWidget(self._panels)
+            self._panels.lower()
+        elif not alone and self._panels.parent() is not self:
+            self.addWidget(self._panels)
+        self._panels.setVisible(is_open)
         self.fit()
         self._panels.notify()
 
@@ -226,7 +233,7 @@ class Drawer(QSplitter):
         window_px, height = self.window().height(), sum(self.sizes())
         if self._is_for_class:
             self._panels.setMaximumHeight(_UNLIMITED_PX if self._is_alone else 0)
-            self.setSizes([0, height] if self._is_alone else [height, 0])
+            self.setSizes([height, 0])
             return
         self._panels.setMaximumHeight(int(LARGEST_SHARE * window_px))
         most = int(self._share * window_px)
@@ -237,7 +244,7 @@ class Drawer(QSplitter):
 
     def _fit_content(self) -> None:
         """Fit the panel again if its content has grown, or shrunk a lot."""
-        now, most = self.sizes()[1], int(self._share * self.window().height())
+        now, most = self.sizes()[-1], int(self._share * self.window().height())
         kept = STEADY_LINES * self.fontMetrics().height()
         if not self._is_for_class and not 0 <= now - self._panels.wanted_px(most) < kept:
             self.fit()

@@ -65,6 +65,7 @@ class Pointing(QObject):
         self._follows = False  # whether the crosshairs move with what the panes draw
         self._answered: ClickView | None = None
         self._at: QPointF | None = None  # the crosshair from the canvas' upper left, in Qt's pixels
+        self._there: Value = ()  # the crosshair's place, with which it moves
         self._marks = {
             (name, is_right): Cross(pane.canvas, is_right=is_right)
             for name, pane in panes.items()
@@ -130,7 +131,8 @@ class Pointing(QObject):
         x = min(max(place.x(), 0.0), float(room.width()))
         y = min(max(place.y(), 0.0), float(room.height()))
         self._at, self._answered = QPointF(x, y), None
-        view.take(partial(self._away_px, view, self._at), self._place(pane, view, self._at))
+        self._there = self._place(pane, view, self._at)
+        view.take(partial(self._away_px, view, self._at, self._there), self._there)
         self._follow()
 
     def _spot(self, view: ClickView, place: Value) -> QPointF | None:
@@ -157,9 +159,13 @@ class Pointing(QObject):
             place = place + np.linalg.pinv(slopes) @ ((at.x(), at.y()) - spots[0])
         return tuple(place.tolist())
 
-    def _away_px(self, view: ClickView, at: QPointF, place: Value) -> float:
+    def _now(self, view: ClickView, at: QPointF, there: Value) -> QPointF:
+        """Return where a click is by now: the picture may have another size."""
+        return (self._spot(view, there) if there else None) or at
+
+    def _away_px(self, view: ClickView, at: QPointF, there: Value, place: Value) -> float:
         """Return how far a click is from a place, in pixels of a screen with scale 1."""
-        spot = self._spot(view, place)
+        spot, at = self._spot(view, place), self._now(view, at, there)
         return math.inf if spot is None else math.hypot(spot.x() - at.x(), spot.y() - at.y())
 
     def _follow(self) -> None:
@@ -170,8 +176,8 @@ class Pointing(QObject):
             with suppress(Refusal):  # the lesson may have changed meanwhile
                 place = answered.question.answer(answered.played.here)
                 spots[answered.question.pane, True] = self._spot(answered, place)
-        if asked is not None and self._pane(asked) is not None:
-            spots[asked.question.pane, False] = self._at
+        if asked is not None and self._at is not None and self._pane(asked) is not None:
+            self._at = spots[asked.question.pane, False] = self._now(asked, self._at, self._there)
         for key, mark in self._marks.items():
             spot = spots.get(key)
             if spot is None:

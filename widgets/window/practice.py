@@ -7,7 +7,7 @@ from datetime import date, timedelta
 from functools import partial
 
 from PySide6 import QtWidgets
-from PySide6.QtCore import QCoreApplication, QDate, QLocale, QObject
+from PySide6.QtCore import QCoreApplication, QDate, QLocale, QObject, Qt
 from PySide6.QtGui import QIntValidator
 
 from app import __version__
@@ -53,6 +53,7 @@ class SelfTestDialog(QtWidgets.QDialog):
             box.toggled.connect(self._show_count)
             grid.addWidget(box, place % rows, place // rows)
         area = QtWidgets.QScrollArea(widgetResizable=True)
+        area.setFocusPolicy(Qt.FocusPolicy.NoFocus)
         area.setWidget(holder)
         area.setMinimumWidth(holder.sizeHint().width() + 2 * area.frameWidth() + 20)
         self.number = QtWidgets.QLineEdit(str(number))
@@ -81,7 +82,6 @@ class SelfTestDialog(QtWidgets.QDialog):
         wide, high = area.minimumWidth() + 30, holder.sizeHint().height() + 12 * em
         room = self.screen().availableSize() * 0.9
         self.resize(min(wide, room.width()), min(high, room.height()))
-        next(iter(self._boxes.values())).setFocus()  # Qt would give it to the scroll area
         self._show_count()
 
     @property

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QBoxLayout, QWidget
 
 from app.document.view import PANES
 from app.drawings.label_placement import Floats, Ground, overlap
+from widgets.panels.kinds_panel import KindsPanel
 from widgets.panes.pane import Pane, named_on
 from widgets.panes.stage_strip import StageStrip
 from widgets.parts.labels import Title
@@ -52,7 +53,8 @@ class Slide(QWidget):
         equation.set_is_slide(has_equation)
         equation.setVisible(has_equation)
         is_wide = has_equation and equation.needs_all(EQUATION_SHARE * self.width())
-        slots.setVisible(not is_wide or any(name in PANES for name in slots.given))
+        has_panes = not is_wide or any(name in PANES for name in slots.given)
+        slots.setVisible(has_panes and not slots.shows("kinds"))
         direction = QBoxLayout.Direction
         self._row.setDirection(direction.TopToBottom if is_wide else direction.LeftToRight)
         share = EQUATION_HEIGHT if is_wide else EQUATION_SHARE
@@ -68,7 +70,8 @@ class Slide(QWidget):
             to_pixels, _ = from_pixels.inverted()
             size = drawing.state.size_px if drawing.pane == "image" else (0, 0)
             yield boxes, partial(_hidden_ink, drawing.layers.ground(), to_pixels, size)
-        titles = [each for each in self.findChildren(Title) if each.text()]
+        titles: list[QWidget] = [each for each in self.findChildren(Title) if each.text()]
+        titles += [node for each in self.findChildren(KindsPanel) for node in each.nodes.values()]
         beside = [each for each in (*titles, *self.findChildren(StageStrip)) if each.isVisible()]
         others = [QRectF(each.rect()).translated(each.mapTo(self, QPointF())) for each in beside]
         at = self.equation.mapTo(self, QPointF())
