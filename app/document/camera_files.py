@@ -249,8 +249,7 @@ def _frame(tree: Tree, frame: Tree, projection: Projection) -> Projection:
 def _cameras(tree: Tree, name: str, levels: int) -> Iterator[tuple[str, View]]:
     """Yield the views of OpenCV's calibrations; a stereo pair has the names M1, D1 and M2, D2."""
     whole = _group(tree)
-    names = [key for name in ("size", *_SIDES) for key in _CALLED[name]]
-    sizes = {key: whole[key] for key in names if key in whole}
+    sizes = {key: whole[key] for of in ("size", *_SIDES) for key in _CALLED[of] if key in whole}
     for suffix in ("", "1", "2"):
         # k1 and p1 are no matrices, but distortion.
         ours = whole if not suffix else [k for k in whole if k[-1:] == suffix and k[0] not in "kp"]

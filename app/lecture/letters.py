@@ -104,6 +104,8 @@ def _sections(text: str) -> dict[str, dict[str, str]]:
             continue
         if name not in _KNOWN[section]:
             raise Refusal(place, name, REFUSALS["not-known"], nearest(name, _KNOWN[section]))
+        if name in given[section]:
+            raise Refusal(place, name, REFUSALS["twice"])
         letter, places[section, name] = match["letter"], f"{place}: {name}"
         if not section and letter not in LETTERS:
             raise Refusal(f"{place}: {name}", letter, REFUSALS["one-of"], ", ".join(LETTERS))

@@ -215,6 +215,7 @@ def test_lessons_are_checked_and_printed_with_the_file(qapp: Any, tmp_path: Path
         ('base = "005"\n', "line 1: base = '005': must be one of own, 000"),
         ('base = "004"\n[matrices]\nclip_from_view = "P"', "view_from_world/translation already"),
         ('near = "N"\n', "line 1 = 'near': is not known; the nearest name is base"),
+        ('[parameters]\nnear = "N"\nnear = "Q"', "line 3 = 'near': is given twice"),
         ("vectors = 3\n", r"line 1 = 'vectors = 3': must be \[SECTION\], or NAME = \"LETTER\""),
         ('[parameters]\nnear = 4', "line 2 = 'near = 4': must be"),
         ('\n[parameters\n', r"line 2 = '\[parameters': must be"),
