@@ -6868,7 +6868,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <name>Practice</name>
     <message>
         <source>&amp;Review</source>
-        <translation>Po&amp;navljanje</translation>
+        <translation>Ponavljan&amp;je</translation>
     </message>
     <message>
         <source>{0} of {1}</source>
@@ -6936,7 +6936,7 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     </message>
     <message>
         <source>&amp;Review: {0}, about {1}</source>
-        <translation>Po&amp;navljanje: {0}, otprilike {1}</translation>
+        <translation>Ponavljan&amp;je: {0}, otprilike {1}</translation>
     </message>
 </context>
 <context>
