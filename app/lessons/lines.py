@@ -155,7 +155,7 @@ class Body(NamedTuple):
                 items[-1] = _continued(items[-1], key, text.strip(), number, keys)
             elif key and not indented and key[1] in keys:
                 items.append(LineItem(key[1], (key[2] or "").strip(), key[3].strip(), number))
-            elif not items and not _mistyped(text, keys):
+            elif not items and not mistyped(text, keys):
                 question.append(text)
             elif choices and text.startswith(("-", "*")):
                 raise refused(number, REFUSALS["no-choice"], value=text.strip()[:60])
@@ -181,7 +181,7 @@ def _continued(
     has_own = last.key in _WITH_BELOW
     if has_own and key and key[1] in _BELOW:
         return last._replace(below=[*last.below, LineItem(key[1], "", key[3].strip(), number)])
-    if _mistyped(text, (*_BELOW, *keys)):
+    if mistyped(text, (*_BELOW, *keys)):
         bound = REFUSALS["unexpected"] if has_own else REFUSALS["indented"]
         raise refused(number, bound, ", ".join(_BELOW), value=text[:60])
     if last.below:
@@ -191,7 +191,7 @@ def _continued(
     return last._replace(text=continued(last.text, text, number))
 
 
-def _mistyped(text: str, keys: Sequence[str]) -> bool:
+def mistyped(text: str, keys: Sequence[str]) -> bool:
     """Whether a line of free text looks like a misspelt key."""
     match = re.match(r"([A-Za-z]+)(\s+[\w-]+)?\s*:", text)
     if match is None:

@@ -289,6 +289,11 @@ def test_a_number_has_any_letter_of_a_lecture() -> None:
         ("20..100 step 5", "20..30 step 10", "has too few variants, about 10; it needs at"),
         ("where: fov_x < 150", "where: fov_x", "must be a condition"),
         ("value: 2*atan(a*tan(fov/2))", "value: 2*atan(a*tan(fow/2))", "unknown name, fow"),
+        ("where: fov_x", "wher: fov_x", "must be one of vary, where, state, hide, a colon"),
+        ("state: lens", "stat: lens", "must be one of vary, where, state, hide, a colon"),
+        ("value: 2", "hid: numbers\nvalue: 2", "must be one of vary, where, state, hide, a colon"),
+        ("{=fov}° high", "{=fov° high", "= '{=fov° high and {=a} times"),
+        ("How wide is its angle?", "How wide, by {=a", "needs “{=FORMULA}”"),
     ],
 )
 def test_a_faulty_exercise_is_refused_with_its_line(old: str, new: str, said: str) -> None:

@@ -19,7 +19,7 @@ from app.lessons.blocks.answer import Answer
 from app.lessons.blocks.block import Asked, Here, State, Trial, Variant, read_state
 from app.lessons.blocks.question import Question, hidden_in
 from app.lessons.blocks.task import Task
-from app.lessons.lines import Body, Lines, continued, on_line, refused, whole
+from app.lessons.lines import Body, Lines, continued, mistyped, on_line, refused, whole
 from app.lessons.marking import are_alike
 from app.lessons.quantities import WITHOUT_VALUE, Condition, rational
 from app.model.formula import parse
@@ -33,7 +33,8 @@ SEEDS, _WHOLE = 200, 5  # how many seeds a check draws; for how many it checks t
 
 
 _VARY = re.compile(r"vary\s+([^\W\d_]\w*)\s*:(.*)")
-_OWN = re.compile(r"(where|state|hide)\s*:(.*)")
+_KEYS = "vary", "where", "state", "hide"
+_OWN = re.compile(rf"({'|'.join(_KEYS[1:])})\s*:(.*)")
 _DRAWN = re.compile(r"\{([=~])([^{}]*)\}")
 """A formula; ``{~...}`` stands for its sign, equal or nearly equal, and its value."""
 _IN_FULL = re.compile(r"\s*(?:right|state|tiles|order(?: \w+)?):")  # whose numbers have all digits
@@ -75,6 +76,10 @@ class Exercise(Asked):
                 hides |= hidden_in(own[2], line)
             elif own is not None:
                 states += [(line, part) for part in assignments_in(own[2])]
+            elif mistyped(text, _KEYS):
+                raise refused(line, REFUSALS["unexpected"], ", ".join(_KEYS), value=text[:60])
+            elif opened := re.search(r"\{[=~](?![^{}]*\})", text):
+                raise refused(line, REFUSALS["lacks"], "“{=FORMULA}”", value=text[opened.start() :])
             else:
                 recipe.append((line, text))
         if not varied:
