@@ -217,10 +217,10 @@ def _faint(what: str, opacity: float) -> str:
 
 
 def _filled(part: str) -> str:
-    """A formula with a halo in its spaces and above decimal points, or a space with one."""
+    """A formula with a halo in its spaces and above decimal signs, or a space with one."""
     if part == " ":
         return r"\gap{} "
-    return re.sub(r"(?<=\d)\.(?=\d)", r"\\gap.", part.replace(r"\ ", r"\gap\ "))
+    return re.sub(r"(?<=\d)(\.|\{,\})(?=\d)", r"\\gap\1", part.replace(r"\ ", r"\gap\ "))
 
 
 def _tex(pieces: Iterable[tuple[str, bool]]) -> str:
@@ -242,7 +242,7 @@ def _tex(pieces: Iterable[tuple[str, bool]]) -> str:
         signs = {chr(_HELD + number): tex for number, tex in enumerate(formulas)}
         signs |= {" ": r"\ ", **_IN_MATH}
         tex = "".join(signs[sign] for sign in _SPACED.sub("", bare))
-        text += f"{before}${tex.strip()}${after}"
+        text += re.sub(r"(?<=\d),(?=\d)", "{,}", f"{before}${tex.strip()}${after}")
     return text
 
 
