@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
+from app.languages import with_comma
 from app.lecture.equation import Equation, Term, latex_cell
 from app.lecture.typesetting import line_of
 
@@ -52,5 +53,5 @@ def width_em(text: str) -> float:
 
 
 def _number(value: float, digits: int) -> str:
-    mantissa, _, exponent = f"{value:.{digits}g}".replace("-", "−").partition("e")
+    mantissa, _, exponent = with_comma(f"{value:.{digits}g}".replace("-", "−")).partition("e")
     return f"{mantissa}·10^{exponent.lstrip('+')}" if exponent else mantissa

@@ -194,7 +194,7 @@ _SIGNS = {
 @cached
 def in_line(text: str) -> str:
     """Return a text without markup for a list or a button, with signs for what has one."""
-    text = _MINUS.sub("\N{MINUS SIGN}", plain_of(text))
+    text = _MINUS.sub("−", plain_of(text, lambda tex: with_comma(re.sub(r"\\[ ,;]", " ", tex))))
     text = re.sub(r"\\([a-z]+)", lambda match: _SIGNS.get(match[1], match[0]), text)
     return re.sub(r"_\{?(\w+)\}?", lambda match: match[1].translate(_LOWERED), text)
 

@@ -148,8 +148,8 @@ class FramePanel(LetteredWidget, Panel):
         self.angle.highlighted.connect(
             lambda is_at: self.highlighted.emit(_UP if is_at else NOTHING)
         )
-        tip = WORDS.say("error")
-        self.nudge = push_button(WORDS.say("nudge", NUDGE_DEG), tip, self._nudge, name=tip)
+        text, tip = WORDS.say("nudge", read_text(NUDGE_DEG)), WORDS.say("error")
+        self.nudge = push_button(text, tip, self._nudge, name=tip)
         self.warning = WarningLabel()
 
     def _fit(self) -> None:

@@ -11,6 +11,7 @@ from PySide6.QtWidgets import QGridLayout, QListWidget, QSizePolicy, QWidget
 
 from app.document.document import Document
 from app.drawings.figure import Figure
+from app.languages import with_comma
 from app.lessons.blocks.block import ReadBlock
 from app.lessons.course import Course, scene_of
 from app.lessons.lesson import Step
@@ -262,7 +263,7 @@ class SpeakerWindow(QWidget):
                 text = self.tr("planned {0} min").format(f"{before:g}")
             if late:
                 text += "  –  " + self.tr("{0} min late").format(late)
-        self._plan.setText(text)
+        self._plan.setText(with_comma(text))
 
     # -- events
 

@@ -14,6 +14,7 @@ from PySide6.QtWidgets import QMenu, QSizePolicy, QStatusBar, QToolButton
 
 from app.drawings.frame_budget import LARGEST_FRAME_MS
 from app.drawings.scene_place import place_of, predictions
+from app.languages import with_comma
 from app.model.projection import Projection
 from app.precision import levels
 from app.precision.quality import AUTOMATIC, Quality
@@ -86,7 +87,7 @@ class StatusLine(QStatusBar):
             for title, (matrices, repaint) in panes.items()
         ]
         text = WORDS.say("ms", "  ".join([WORDS.say("model", f"{model_ms:.1f}"), *parts]))
-        self.cost.show_text(text, f"{WORDS.say('ms-tip')}\n{text}")
+        self.cost.show_text(with_comma(text), with_comma(f"{WORDS.say('ms-tip')}\n{text}"))
 
     def set_tolerance(self, tolerance_px: float) -> None:
         self.tolerance_px = tolerance_px
@@ -96,9 +97,8 @@ class StatusLine(QStatusBar):
         """Show the chosen part of the quality, and notes: sentences without their full stops."""
         if (quality, notes) == (self._quality, self._notes):
             return
-        chosen = [
-            f"{100.0 * v:g} %" if isinstance(v, float) else v for v in quality.chosen.values()
-        ]
+        values = quality.chosen.values()
+        chosen = [with_comma(f"{100.0 * v:g} %") if isinstance(v, float) else v for v in values]
         self.quality.setText(WORDS.say("quality", ", ".join(chosen)))
         self.quality.setVisible(bool(chosen))
         if quality.rung != self._quality.rung:
@@ -163,24 +163,25 @@ class StatusLine(QStatusBar):
             predicted_px = predictions[drawn].px if drawn != "float32" else 0.0
             drawn_text = _error_text(max(float32_px, predicted_px, at_least_px))
             text = WORDS.say("errors", drawn, drawn_text, read, _error_text(predictions[read].px))
-        self.precision.setText(text)
+        self.precision.setText(with_comma(text))
 
     def _fill_menu(self) -> None:
         menu = self.precision.menu()
         menu.clear()
         read = levels.precision_for_reading(self._predictions)
         for precision, (px, depth) in (self._predictions or {}).items():
-            line = WORDS.say("bound", precision, f"{px:.2g}", f"{depth:.2g}")
+            line = with_comma(WORDS.say("bound", precision, f"{px:.2g}", f"{depth:.2g}"))
             if not math.isfinite(px + depth):
                 line = WORDS.say("no-bound", precision)
             each_use = (WORDS.say("drawn"), self._drawn), (WORDS.say("read"), read)
             uses = [use for use, chosen in each_use if chosen == precision]
             menu.addAction(f"{line}  ({', '.join(uses)})" if uses else line).setEnabled(False)
         menu.addSeparator()
-        text = WORDS.say("limit", f"{self.frame_ms:g}") if self.frame_ms else WORDS.say("no-limit")
+        limit = with_comma(f"{self.frame_ms:g}")
+        text = WORDS.say("limit", limit) if self.frame_ms else WORDS.say("no-limit")
         frame = "frame", self.frame_ms, 0.0, LARGEST_FRAME_MS, "ms"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.frame_edited, frame))
-        text = WORDS.say("px", f"{self.tolerance_px:g}")
+        text = with_comma(WORDS.say("px", f"{self.tolerance_px:g}"))
         span = levels.LEAST_TOLERANCE_PX, levels.LARGEST_TOLERANCE_PX
         tolerance = "tolerance", self.tolerance_px, *span, "px"
         menu.addAction(text).triggered.connect(lambda: self._ask(self.tolerance_edited, tolerance))
