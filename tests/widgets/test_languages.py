@@ -1,15 +1,18 @@
 """The window in each language: what it says, what fits, and how it changes the language."""
 
+import re
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from PySide6.QtWidgets import QApplication
+from PySide6.QtWidgets import QApplication, QMenu, QMenuBar
 
 from app import languages
 from app.document.document import Document
 from app.document.settings import set_values
+from app.lecture.equation import equation_of
+from app.lecture.equation_form import laid_out
 from app.lecture.titles import stage_title
 from app.lessons import marking
 from app.lessons.contents import contained
@@ -80,6 +83,55 @@ def test_nothing_is_cut(number: int, language: str, speak: Any, make_window: Mak
             window.lesson_card.go_to(place)
             found[f"{path.stem} {place}"] = wrong(window)
     assert not any(found.values()), {name: each for name, each in found.items() if each}
+
+
+def letters(menu: QMenu | QMenuBar) -> Iterator[list[str]]:
+    """Yield the letters for Alt of an open menu, then those of each menu below it."""
+    if isinstance(menu, QMenu):
+        menu.aboutToShow.emit()
+    texts = [action.text().lower() for action in menu.actions()]
+    yield [letter for text in texts for letter in re.findall("&([^&])", text)]
+    for action in menu.actions():
+        below = action.menu()
+        if isinstance(below, QMenu):
+            yield from letters(below)
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("language", OTHERS)
+def test_no_two_items_of_a_menu_share_a_letter(
+    language: str, speak: Any, make_window: MakeWindow
+) -> None:
+    speak(language)
+    of_menus = list(letters(make_window().menuBar()))
+    assert len(of_menus) > 5 and all(len(each) == len(set(each)) for each in of_menus), of_menus
+
+
+@pytest.mark.undrawn
+def test_numbers_beside_words_have_a_comma(speak: Any, make_window: MakeWindow) -> None:
+    speak("hr")
+    window = make_window()
+    window.panels.open(window.frame_panel)
+    assert "0,1°" in window.frame_panel.nudge.text()
+    window.panels.open(window.measure_panel)
+    settle()
+    status = window.status
+    assert re.search(r"±0,\d+ px", status.precision.text())
+    status.precision.menu().aboutToShow.emit()
+    lines = [action.text() for action in status.precision.menu().actions()]
+    assert any(re.search(r"\d,\d", line) for line in lines)
+    assert not any(re.search(r"\d\.\d", line) for line in lines)
+    status.show_cost(1.25, {"Svijet": (0.5, 2.5)})
+    assert re.search(r"\d,\d", status.cost.toolTip())
+    assert "." not in re.sub(r"\.(?!\d)", "", status.cost.toolTip())
+
+
+def test_an_equation_has_a_comma(speak: Any) -> None:
+    speak("hr")
+    document = set_values(Document(), ["object.rotate_deg=0,0,30"])
+    equation = equation_of(document.projection, "own", "object numbers")
+    cells = {cell for matrix in laid_out(equation) for row in matrix.cells for cell in row}
+    assert {"0,866", "−0,5", "0,5"} <= cells
 
 
 @pytest.mark.undrawn

@@ -21,6 +21,7 @@ from PySide6.QtGui import (
 from PySide6.QtTest import QTest
 from PySide6.QtWidgets import QApplication, QWidget
 
+from app import languages
 from app.lecture.typesetting import outline
 from app.lessons.text import DISPLAYED, FORMULA, escaped, html_of, in_line, plain_of, readable
 from tests.support.window import LEFT, NO_KEY, rgb_of
@@ -293,6 +294,11 @@ def test_a_minus_after_a_comma_is_a_sign() -> None:
 
 def test_a_button_has_signs_for_the_letters_of_formulas() -> None:
     assert in_line(r"Where $\beta = 40°$ is $y_p \cdot 2$") == "Where β = 40° is yₚ · 2"
+    languages.choose("hr")
+    try:
+        assert in_line(r"0.5 i $(-6,\ 3.5)$, $z = -1.5$") == "0,5 i (−6; 3,5), z = −1,5"
+    finally:
+        languages.choose(languages.ENGLISH)
 
 
 def test_what_follows_a_formula_is_no_larger_on_paper(qapp: object) -> None:
