@@ -104,7 +104,8 @@ def test_a_halo_has_no_gap_between_words() -> None:
     assert r"{\halo{the\gap{} eye\gap{} \$$1$}}" in body(label("the eye $1"))[0]
     assert r"{\halo{far\gap{} $-1\gap\ 2$}}" in body(label("far \u22121 2"))[0]
     assert r"{\halo{$0\gap.9$}}" in body(label("0.9"))[0]
-    assert r"{\halo{$0\gap{,}9$}}" in body(label("0,9"))[0]
+    halo, letters = body(label("0,9"))  # TeX parts what a comma ends
+    assert r"{\halo{$0\gap{,}9$}}" in halo and "{$0{,}9$}" in letters
 
 
 def test_neighbours_of_one_colour_are_one_path_unless_it_would_be_long() -> None:
@@ -136,7 +137,6 @@ def test_a_line_through_several_cells_has_no_ends_inside() -> None:
         ("far −10", "far $-10$"),
         ("fov_x = 30°", r"${\mathrm{fov}_{x}}=30^\circ$"),
         ("A + B / z", "$A+B/z$"),
-        ("daleka f = 12,5", "daleka $f=12{,}5$"),  # TeX parts what a comma ends
         ("4 m", r"$4\ m$"),
         ("u\u20d7", r"${\vec{u}}$"),
         ("P\u2032", "${P'}$"),
