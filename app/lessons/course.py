@@ -5,7 +5,7 @@ whatever the user did in the window meanwhile.
 """
 
 import os
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 from pathlib import Path
@@ -248,11 +248,11 @@ class AtStep:
         return Quantities(own, lambda: scene_of(own), given=self.given)
 
 
-def _line_of(field: str, values: Iterable[tuple[int, str]]) -> int:
-    """Return the line that set the field named by a refusal, or 0."""
+def _line_of(field: str, values: Sequence[tuple[int, str]]) -> int:
+    """Return the line that set the field named by a refusal, or that names it, or 0."""
     names = field.partition("[")[0], field
     lines = [line for line, text in values if path_of(text) in names or text.strip() == field]
-    return lines[-1] if lines else 0
+    return (lines or [line for line, text in values if field in text] or [0])[-1]
 
 
 # --------------------------------------------------------------------------- wrong ideas

@@ -290,6 +290,14 @@ def test_a_mistyped_view_is_said_at_its_own_step_and_spoils_no_other() -> None:
         of.shown(1)
 
 
+def test_a_wrong_value_of_a_comparison_is_said_at_its_line() -> None:
+    of = course(
+        "# A\n```state\nscene=letter-f\nview.compare=near 0: lens.near=0|lens.near=3\n```\n"
+    )
+    with pytest.raises(Refusal, match=r"line 8, lens\.near = 0: must be greater than 0"):
+        of.shown(0)
+
+
 def test_a_lesson_or_talk_of_the_program_is_found_by_its_name(tmp_path: Path) -> None:
     for name, file in (
         ("001", "talk-001.md"), ("talk-001", "talk-001.md"), ("talk-001.md", "talk-001.md"),
