@@ -108,6 +108,27 @@ def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(window: MainW
 
 
 @pytest.mark.undrawn
+@pytest.mark.undrawn
+@pytest.mark.parametrize("name", PANES)
+def test_the_focus_stays_in_a_pane_that_moves(window: MainWindow, name: str) -> None:
+    """A hidden pane gives it to the one that fills the window, not to a control."""
+    canvases = {each: pane.canvas for each, pane in window.panes.items()}
+    canvases[name].setFocus()
+    for large in (*PANES, *PANES):
+        window.slots.arrange("pictures", large)
+        assert canvases[name].hasFocus(), large
+    for layout in LAYOUTS[::-1]:
+        window.slots.arrange(layout, "image")
+        assert canvases[name].hasFocus(), layout
+    for _ in range(2):
+        window.comparing.toggle()
+        assert canvases[name].hasFocus(), "F6"
+    window.slots.arrange("pictures", "ndc", "ndc")
+    assert canvases["ndc"].hasFocus()
+    window.slots.make_large("ndc")
+    assert canvases["ndc"].hasFocus()
+
+
 def test_ctrl_0_goes_back_to_how_the_scene_opens(window: MainWindow) -> None:
     start = places(window)
     for name in ("image", "image", "ndc"):

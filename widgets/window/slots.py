@@ -12,11 +12,12 @@
 A class sees a slide: one pane alone, or two side by side.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QSplitter
+from PySide6.QtWidgets import QApplication, QSplitter
 
 from app.document.view import LAYOUTS, PANES
 from widgets.panes.pane import Pane
@@ -139,14 +140,24 @@ class Slots(QSplitter):
         self.layout_name, self.large, self.whole = layout, large, whole
         self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
-            if moved:
-                self._place()
-            self._reveal()
+            with self._focus_kept():
+                if moved:
+                    self._place()
+                self._reveal()
             if moved and not (stays and self._resize(*kept)):
                 self.share()
         finally:
             self.window().setUpdatesEnabled(True)
         self.rearranged.emit()
+
+    @contextmanager
+    def _focus_kept(self) -> Iterator[None]:
+        """Leave the focus in a pane that moves; the large pane takes it from one that is hidden."""
+        held = QApplication.focusWidget()
+        is_in_pane = held and any(pane.isAncestorOf(held) for pane in self._panes.values())
+        yield
+        if held and is_in_pane:
+            (held if held.isVisible() else self._panes[self.large].canvas).setFocus()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Bring the pane that another scene is about into the large slot."""
@@ -180,16 +191,17 @@ class Slots(QSplitter):
     def toggle_float(self, name: str) -> None:
         """Give a pane its own window, for a second screen, or dock it again."""
         pane, plays = self._panes[name], self._strip.playing
-        if pane.isWindow():
-            pane.move_to(None, self._place)
-        else:
-            size = pane.size()
-            pane.setWindowTitle(f"{pane.accessibleName()} – Frustum Lab")
-            pane.move_to(self.window(), lambda: pane.resize(size))
-            if name == self.whole:
-                self.whole = ""
-            self._place()
-        self._reveal()
+        with self._focus_kept():
+            if pane.isWindow():
+                pane.move_to(None, self._place)
+            else:
+                size = pane.size()
+                pane.setWindowTitle(f"{pane.accessibleName()} – Frustum Lab")
+                pane.move_to(self.window(), lambda: pane.resize(size))
+                if name == self.whole:
+                    self.whole = ""
+                self._place()
+            self._reveal()
         self.share()
         if plays:  # the strip was hidden on the way, which stops it
             self._strip.play()
