@@ -129,6 +129,23 @@ def test_the_focus_stays_in_a_pane_that_moves(window: MainWindow, name: str) -> 
     assert canvases["ndc"].hasFocus()
 
 
+@pytest.mark.undrawn
+def test_a_pane_that_fills_the_window_takes_the_focus_of_a_hidden_control(
+    window: MainWindow,
+) -> None:
+    """Otherwise Qt gives it to the choice of scenes, where an arrow opens another scene."""
+    window.panels.open(window.matrices)
+    settle()
+    for control in (window.controls.search, window.matrices.views["view_from_world"]):
+        control.setFocus()
+        assert control.hasFocus()
+        window.slots.make_large("world")
+        settle()
+        assert is_whole(window) and window.panes["world"].canvas.hasFocus()
+        window.slots.make_large("world")
+        settle()
+
+
 def test_ctrl_0_goes_back_to_how_the_scene_opens(window: MainWindow) -> None:
     start = places(window)
     for name in ("image", "image", "ndc"):

@@ -12,8 +12,7 @@
 A class sees a slide: one pane alone, or two side by side.
 """
 
-from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
@@ -103,8 +102,7 @@ class Slots(QSplitter):
 
     def _show_other_slide(self) -> None:
         if self.is_for_class:
-            self._place()
-            self._reveal()
+            self._put()
             self.share()
             self.rearranged.emit()
 
@@ -140,24 +138,12 @@ class Slots(QSplitter):
         self.layout_name, self.large, self.whole = layout, large, whole
         self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
-            with self._focus_kept():
-                if moved:
-                    self._place()
-                self._reveal()
+            self._put(moved)
             if moved and not (stays and self._resize(*kept)):
                 self.share()
         finally:
             self.window().setUpdatesEnabled(True)
         self.rearranged.emit()
-
-    @contextmanager
-    def _focus_kept(self) -> Iterator[None]:
-        """Leave the focus in a pane that moves; the large pane takes it from one that is hidden."""
-        held = QApplication.focusWidget()
-        is_in_pane = held and any(pane.isAncestorOf(held) for pane in self._panes.values())
-        yield
-        if held and is_in_pane:
-            (held if held.isVisible() else self._panes[self.large].canvas).setFocus()
 
     def take(self, shown: ShownData, changed: Changed) -> None:
         """Bring the pane that another scene is about into the large slot."""
@@ -191,17 +177,15 @@ class Slots(QSplitter):
     def toggle_float(self, name: str) -> None:
         """Give a pane its own window, for a second screen, or dock it again."""
         pane, plays = self._panes[name], self._strip.playing
-        with self._focus_kept():
-            if pane.isWindow():
-                pane.move_to(None, self._place)
-            else:
-                size = pane.size()
-                pane.setWindowTitle(f"{pane.accessibleName()} – Frustum Lab")
-                pane.move_to(self.window(), lambda: pane.resize(size))
-                if name == self.whole:
-                    self.whole = ""
-                self._place()
-            self._reveal()
+        if pane.isWindow():
+            pane.move_to(None, self._place)
+        else:
+            size = pane.size()
+            pane.setWindowTitle(f"{pane.accessibleName()} – Frustum Lab")
+            pane.move_to(self.window(), lambda: pane.resize(size))
+            if name == self.whole:
+                self.whole = ""
+        self._put()
         self.share()
         if plays:  # the strip was hidden on the way, which stops it
             self._strip.play()
@@ -211,6 +195,17 @@ class Slots(QSplitter):
         """Reset every pane's own camera; the model does not change."""
         for pane in self._panes.values():
             pane.reset_view()
+
+    def _put(self, moved: bool = True) -> None:
+        """Give the panes their places; the focus stays in its pane, or goes to one that is seen."""
+        held = QApplication.focusWidget()
+        is_in_pane = held and any(pane.isAncestorOf(held) for pane in self._panes.values())
+        if moved:
+            self._place()
+        self._reveal()
+        if held and is_in_pane:
+            beside = self._panes[self.whole].canvas if self.whole else self.window()
+            (held if held.isVisible() else beside).setFocus()
 
     def _place(self) -> None:
         """Put each docked pane into its slot."""
@@ -244,8 +239,7 @@ class Slots(QSplitter):
             self._by_hand = self.sizes(), self._small.sizes()
         self.is_for_class = on
         self._chosen = (self.whole,) if on and self.whole else None
-        self._place()
-        self._reveal()
+        self._put()
         self.share()
         if not on and self._by_hand is not None:
             by_hand, self._by_hand = self._by_hand, None
