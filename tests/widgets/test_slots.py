@@ -11,7 +11,15 @@ from pytestqt.qtbot import QtBot
 
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate, counted_repaints, drag, seen, settle, show_scene
+from tests.support.window import (
+    activate,
+    counted_repaints,
+    drag,
+    present,
+    seen,
+    settle,
+    show_scene,
+)  # fmt: skip
 from widgets.window.main_window import MainWindow
 from widgets.window.slots import LAYOUTS
 
@@ -127,6 +135,17 @@ def test_the_focus_stays_in_a_pane_that_moves(window: MainWindow, name: str) -> 
     assert canvases["ndc"].hasFocus()
     window.slots.make_large("ndc")
     assert canvases["ndc"].hasFocus()
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("whole", ["", "world"])
+def test_no_pane_that_a_class_does_not_see_has_the_focus(window: MainWindow, whole: str) -> None:
+    window.slots.arrange("pictures", "world", whole)
+    present(window)
+    window.panes["world"].canvas.setFocus()
+    window.slots.make_large("image")
+    settle()
+    assert slots(window) == ("image",) and window.hasFocus()
 
 
 @pytest.mark.undrawn

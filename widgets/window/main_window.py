@@ -542,7 +542,7 @@ class MainWindow(QMainWindow):
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
-        if alone and held and not held.isVisible():  # Qt would give it to the choice of scenes
+        if alone and not presents and held and not held.isVisible():  # or Qt gives it to a menu
             self.panes[self.slots.whole].canvas.setFocus()
         self.drawer.set_presenting(presents, alone=is_slide)
         for pane in self.panes.values():

@@ -199,13 +199,12 @@ class Slots(QSplitter):
     def _put(self, moved: bool = True) -> None:
         """Give the panes their places; the focus stays in its pane, or goes to one that is seen."""
         held = QApplication.focusWidget()
-        is_in_pane = held and any(pane.isAncestorOf(held) for pane in self._panes.values())
         if moved:
             self._place()
         self._reveal()
-        if held and is_in_pane:
-            beside = self._panes[self.whole].canvas if self.whole else self.window()
-            (held if held.isVisible() else beside).setFocus()
+        if held and any(pane.isAncestorOf(held) for pane in self._panes.values()):
+            alone = None if self.is_for_class else self._panes.get(self.whole)
+            (held if held.isVisible() else alone.canvas if alone else self.window()).setFocus()
 
     def _place(self) -> None:
         """Put each docked pane into its slot."""
