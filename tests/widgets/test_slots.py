@@ -19,7 +19,7 @@ from tests.support.window import (
     seen,
     settle,
     show_scene,
-)  # fmt: skip
+)
 from widgets.window.main_window import MainWindow
 from widgets.window.slots import LAYOUTS
 
