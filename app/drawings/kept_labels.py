@@ -24,6 +24,7 @@ from app.document.files import write_bytes_atomically
 from app.drawings import label
 from app.lecture import typesetting
 from app.lecture.typesetting import Outline
+from app.strangers import open_regular
 
 _CONTENT = Path(__file__).parent / "content"
 LARGEST_BYTES = 2**23  # a larger file is not read
@@ -46,9 +47,8 @@ def load_shipped() -> None:
 def load(path: Path) -> None:
     """Take over the labels in a file; a file that cannot be read is no error."""
     try:
-        if path.stat().st_size > LARGEST_BYTES:
-            return
-        tree = json.loads(path.read_bytes())
+        content = _content(path)
+        tree = json.loads(content if len(content) <= LARGEST_BYTES else b"")
         if tree["made_by"] == _made_by():
             _take(tree)
     except FileNotFoundError:
@@ -68,11 +68,16 @@ def save(path: Path) -> None:
     """Write all labels that are set, unless the file has them; one that cannot be is no error."""
     content = json.dumps({"made_by": _made_by(), **tree_of(KEYS_SHIPPED)}).encode()
     try:
-        if not os.path.exists(path) or path.read_bytes() != content:
+        if not os.path.exists(path) or _content(path) != content:
             path.parent.mkdir(parents=True, exist_ok=True)
             write_bytes_atomically(path, content)
     except (OSError, ValueError) as error:
         _log.info("%s: labels are not kept: %s", path, error)
+
+
+def _content(path: Path) -> bytes:
+    with open_regular(path) as file:
+        return file.read(LARGEST_BYTES + 1)
 
 
 def tree_of(without: set[str]) -> dict[str, dict[str, Any]]:

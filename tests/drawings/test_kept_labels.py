@@ -149,6 +149,15 @@ def test_a_file_that_is_no_text_is_as_good_as_none(content: bytes, tmp_path: Pat
     assert not typesetting.SET and not label.TILES
 
 
+def test_a_pipe_stops_no_start(tmp_path: Path) -> None:
+    path = tmp_path / "labels.json"
+    os.mkfifo(path)
+    kept_labels.load(path)
+    drawn()
+    kept_labels.save(path)
+    assert path.is_fifo()
+
+
 def test_labels_that_cannot_be_written_are_no_error(tmp_path: Path) -> None:
     drawn()
     kept_labels.save(tmp_path)

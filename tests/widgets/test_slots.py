@@ -11,7 +11,15 @@ from pytestqt.qtbot import QtBot
 
 from app.model.projection import Perspective
 from app.scenes.scene import load
-from tests.support.window import activate, counted_repaints, drag, seen, settle, show_scene
+from tests.support.window import (
+    activate,
+    counted_repaints,
+    drag,
+    present,
+    seen,
+    settle,
+    show_scene,
+)
 from widgets.window.main_window import MainWindow
 from widgets.window.slots import LAYOUTS
 
@@ -108,6 +116,55 @@ def test_a_pane_is_brought_into_the_large_slot_then_alone_and_back(window: MainW
 
 
 @pytest.mark.undrawn
+@pytest.mark.undrawn
+@pytest.mark.parametrize("name", PANES)
+def test_the_focus_stays_in_a_pane_that_moves(window: MainWindow, name: str) -> None:
+    """A hidden pane gives it to the one that fills the window, not to a control."""
+    canvases = {each: pane.canvas for each, pane in window.panes.items()}
+    canvases[name].setFocus()
+    for large in (*PANES, *PANES):
+        window.slots.arrange("pictures", large)
+        assert canvases[name].hasFocus(), large
+    for layout in LAYOUTS[::-1]:
+        window.slots.arrange(layout, "image")
+        assert canvases[name].hasFocus(), layout
+    for _ in range(2):
+        window.comparing.toggle()
+        assert canvases[name].hasFocus(), "F6"
+    window.slots.arrange("pictures", "ndc", "ndc")
+    assert canvases["ndc"].hasFocus()
+    window.slots.make_large("ndc")
+    assert canvases["ndc"].hasFocus()
+
+
+@pytest.mark.undrawn
+@pytest.mark.parametrize("whole", ["", "world"])
+def test_no_pane_that_a_class_does_not_see_has_the_focus(window: MainWindow, whole: str) -> None:
+    window.slots.arrange("pictures", "world", whole)
+    present(window)
+    window.panes["world"].canvas.setFocus()
+    window.slots.make_large("image")
+    settle()
+    assert slots(window) == ("image",) and window.hasFocus()
+
+
+@pytest.mark.undrawn
+def test_a_pane_that_fills_the_window_takes_the_focus_of_a_hidden_control(
+    window: MainWindow,
+) -> None:
+    """Otherwise Qt gives it to the choice of scenes, where an arrow opens another scene."""
+    window.panels.open(window.matrices)
+    settle()
+    for control in (window.controls.search, window.matrices.views["view_from_world"]):
+        control.setFocus()
+        assert control.hasFocus()
+        window.slots.make_large("world")
+        settle()
+        assert is_whole(window) and window.panes["world"].canvas.hasFocus()
+        window.slots.make_large("world")
+        settle()
+
+
 def test_ctrl_0_goes_back_to_how_the_scene_opens(window: MainWindow) -> None:
     start = places(window)
     for name in ("image", "image", "ndc"):

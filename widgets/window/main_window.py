@@ -525,7 +525,7 @@ class MainWindow(QMainWindow):
 
     def show_beside(self) -> None:
         """Show or hide the dock, the lesson's card, the bottom row, the open panel and titles."""
-        alone, presents = bool(self.slots.whole), self.present.is_on
+        alone, presents, held = bool(self.slots.whole), self.present.is_on, self.focusWidget()
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
         # Below a lesson's card the controls take no extra width, so a narrow window shows them.
         wanted = self.menus.controls.isChecked() or (card and self._is_narrow)
@@ -542,6 +542,8 @@ class MainWindow(QMainWindow):
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
+        if alone and not presents and held and not held.isVisible():  # or Qt gives it to a menu
+            self.panes[self.slots.whole].canvas.setFocus()
         self.drawer.set_presenting(presents, alone=is_slide)
         for pane in self.panes.values():
             named = not presents or len(self.slots.slide) != 1

@@ -16,7 +16,7 @@ from collections.abc import Mapping
 from functools import partial
 
 from PySide6.QtCore import Qt, Signal
-from PySide6.QtWidgets import QSplitter
+from PySide6.QtWidgets import QApplication, QSplitter
 
 from app.document.view import LAYOUTS, PANES
 from widgets.panes.pane import Pane
@@ -102,8 +102,7 @@ class Slots(QSplitter):
 
     def _show_other_slide(self) -> None:
         if self.is_for_class:
-            self._place()
-            self._reveal()
+            self._put()
             self.share()
             self.rearranged.emit()
 
@@ -139,9 +138,7 @@ class Slots(QSplitter):
         self.layout_name, self.large, self.whole = layout, large, whole
         self.window().setUpdatesEnabled(False)  # no intermediate state may be visible
         try:
-            if moved:
-                self._place()
-            self._reveal()
+            self._put(moved)
             if moved and not (stays and self._resize(*kept)):
                 self.share()
         finally:
@@ -188,8 +185,7 @@ class Slots(QSplitter):
             pane.move_to(self.window(), lambda: pane.resize(size))
             if name == self.whole:
                 self.whole = ""
-            self._place()
-        self._reveal()
+        self._put()
         self.share()
         if plays:  # the strip was hidden on the way, which stops it
             self._strip.play()
@@ -199,6 +195,16 @@ class Slots(QSplitter):
         """Reset every pane's own camera; the model does not change."""
         for pane in self._panes.values():
             pane.reset_view()
+
+    def _put(self, moved: bool = True) -> None:
+        """Give the panes their places; the focus stays in its pane, or goes to one that is seen."""
+        held = QApplication.focusWidget()
+        if moved:
+            self._place()
+        self._reveal()
+        if held and any(pane.isAncestorOf(held) for pane in self._panes.values()):
+            alone = None if self.is_for_class else self._panes.get(self.whole)
+            (held if held.isVisible() else alone.canvas if alone else self.window()).setFocus()
 
     def _place(self) -> None:
         """Put each docked pane into its slot."""
@@ -232,8 +238,7 @@ class Slots(QSplitter):
             self._by_hand = self.sizes(), self._small.sizes()
         self.is_for_class = on
         self._chosen = (self.whole,) if on and self.whole else None
-        self._place()
-        self._reveal()
+        self._put()
         self.share()
         if not on and self._by_hand is not None:
             by_hand, self._by_hand = self._by_hand, None
