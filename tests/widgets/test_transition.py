@@ -13,17 +13,7 @@ from app.drawings.pane_view import Pose
 from app.lessons.contents import CONTENT
 from app.model.projection import Perspective
 from tests.support.lessons import lesson_of
-from tests.support.window import (
-    MakeWindow,
-    activate,
-    arrive,
-    go_to,
-    pixels,
-    present,
-    seen,
-    settle,
-    tick,
-)
+from tests.support.window import MakeWindow, activate, arrive, pixels, present, seen, settle, tick
 from widgets.panes import adaptive
 from widgets.window.lessons import TRANSITION_S
 from widgets.window.main_window import MainWindow
@@ -156,10 +146,11 @@ def test_another_scene_fades(window: MainWindow) -> None:
 
 
 def test_a_picture_that_fades_to_the_kinds_lies_over_no_later_slide(window: MainWindow) -> None:
-    go_to(window.lessons, 7)
+    window.lessons.go(7)
+    arrive(window.lessons)
     assert window.kinds_panel.isVisible() and not window.panes["world"].isVisible()
-    go_to(window.lessons, 3)
-    settle()
+    window.lessons.go(3)
+    arrive(window.lessons)
     assert window.panes["world"].isVisible() and not old_of(window).isVisible()
 
 
