@@ -152,6 +152,11 @@ def test_a_picture_that_fades_to_the_kinds_lies_over_no_later_slide(window: Main
     window.lessons.go(3)
     arrive(window.lessons)
     assert window.panes["world"].isVisible() and not old_of(window).isVisible()
+    window.lessons.go(7)
+    window.slide.hide()  # as another part of the window might
+    arrive(window.lessons)
+    window.slide.show()
+    assert not old_of(window).isVisible()
 
 
 def test_the_model_does_not_move_under_a_picture_that_fades(window: MainWindow) -> None:
