@@ -45,7 +45,8 @@ _NO_POWER = re.compile("([*x×] *10)?(?<![⁺⁻¹²³⁴-⁹])⁰(?![⁰¹²³�
 _FRACTION = re.compile("(?<![0-9])([0-9]*) ?([¼-¾⅐-⅞])")
 _HEAD = re.compile(  # text before a number: a name, and a sign that the number is rounded
     r"(?:[^\W\d][\w₀-₉]*['\u2032]* *:?(?=[=≈~]))?"
-    r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around|oko|око|otprilike|отприлике|približno|приближно|umbes)\b\.?)*"
+    r"(?:[=≈~≅≃\u223c ]|(?:ca|cca|circa|approx(?:imately)?|about|roughly|around|"
+    r"oko|око|otprilike|отприлике|približno|приближно|umbes)\b\.?)*"
 )
 _GROUPED = re.compile(  # a number whose thousands are certain to be separated
     r"(?<![0-9.,])(?:[0-9]{1,3}([ '_])[0-9]{3}(?:\1[0-9]{3})*|[1-9][0-9]{0,2}"
