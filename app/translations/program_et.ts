@@ -8430,6 +8430,10 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>vaja on {0}</translation>
     </message>
     <message>
+        <source>needs {0} among its tiles</source>
+        <translation>vajab oma lülide hulka ka {0}</translation>
+    </message>
+    <message>
         <source>pane = {0}: must be one of {1}.</source>
         <translation>pane = {0}: peab olema üks järgmistest: {1}.</translation>
     </message>

@@ -8446,6 +8446,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>treba {0}</translation>
     </message>
     <message>
+        <source>needs {0} among its tiles</source>
+        <translation>treba {0} među svojim pločicama</translation>
+    </message>
+    <message>
         <source>pane = {0}: must be one of {1}.</source>
         <translation>pane = {0}: mora biti jedno od {1}.</translation>
     </message>

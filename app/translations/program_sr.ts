@@ -8446,6 +8446,10 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>тражи {0}</translation>
     </message>
     <message>
+        <source>needs {0} among its tiles</source>
+        <translation>тражи {0} међу својим плочицама</translation>
+    </message>
+    <message>
         <source>pane = {0}: must be one of {1}.</source>
         <translation>pane = {0}: мора да буде једно од {1}.</translation>
     </message>
