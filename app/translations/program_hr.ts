@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0}: veliko okno</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Prozor predava&amp;ča</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Otvori ga kad se &amp;izlaže</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>&amp;Novo izlaganje odavde…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -8430,6 +8446,10 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>treba {0}</translation>
     </message>
     <message>
+        <source>needs {0} among its tiles</source>
+        <translation>treba {0} među svojim pločicama</translation>
+    </message>
+    <message>
         <source>pane = {0}: must be one of {1}.</source>
         <translation>pane = {0}: mora biti jedno od {1}.</translation>
     </message>
@@ -9514,25 +9534,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Step</source>
         <translation>Korak</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Prozor predava&amp;ča</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Otvori ga kad se &amp;izlaže</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>&amp;Novo izlaganje odavde…</translation>
     </message>
 </context>
 <context>

@@ -195,6 +195,7 @@ FILES = [
     ("---\nlecture: 001\n---\n# A\n", "line 1 lacks a line “title: ...”"),
     ("---\ntitel: T\n---\n# A\n", "line 2 = 'titel: T': must be one of title,"),
     ("---\ntitle: T\nletters: 009\n---\n# A\n", "line 3 = '009': must be one of own, 000"),
+    ("---\ntitle: T\nlanguage: de\n---\n# A\n", "line 3 = 'de': must be one of en, hr, sr, sr-L"),
     ("---\ntitle: T\nversion: 2\n---\n# A\n", "line 3 was written for a newer Frustum Lab"),
     ("---\ntitle: T\nminutes: many\n---\n# A\n", "line 3 = 'many': must be a number from 0"),
     ("---\ntitle: T\n\n# A\n", "line 4 = '# A': lacks a line --- above it, which ends"),

@@ -209,8 +209,13 @@ class OrderQuestion(MarkedQuestion):
         return "\n".join(lines)
 
     def check_values(self, here: Here) -> None:
-        right = self.factors(here)
-        if same(effect(self.factors(here, "; ".join(self.tiles))), effect(right)):
+        right, given = self.factors(here), self.factors(here, "; ".join(self.tiles))
+        kinds = [each.kind for each in given]  # of each the student may change the numbers
+        for factor in right:
+            if factor.kind not in kinds:
+                raise refused(self.right_line, REFUSALS["no-tile"], factor.text)
+            kinds.remove(factor.kind)
+        if same(effect(given), effect(right)):
             raise refused(self.right_line, REFUSALS["order-any"])
         stages = {each.name: each.matrix for each in here.document.projection.all_stages}
         own = Factor("", "", stages[OF.get(self.product, FROM_OBJECT)])
