@@ -178,7 +178,7 @@ def project(
     of lecture 004, the perspective matrix equation (13) of lecture 000. The eye is subtracted
     first, so that a scene far from the origin loses no digits.
     """
-    projection, given = _projection(of), _checked(points)
+    projection, given = _document(of).projection, _checked(points)
     flat = given.reshape(-1, given.shape[-1])
     has_w = flat.shape[1] == 4
     if precision is None:
@@ -197,7 +197,7 @@ def matrices(of: Source) -> dict[str, Array]:
     Column vectors: ``p_out = M @ p_in``. The divide by w comes between clip space and NDC. Each
     number is computed in rationals and rounded once. `Projection.stages` has the factors, too.
     """
-    return {stage.name: stage.matrix for stage in _projection(of).all_stages}
+    return {stage.name: stage.matrix for stage in _document(of).projection.all_stages}
 
 
 def describe(of: Source) -> Description:
@@ -334,10 +334,6 @@ def _rgb(colours: Any, count: int) -> Colours:
             return np.broadcast_to(np.rint(whole).astype(np.uint8), (count, 3))
     shown = colours if is_text else given.shape
     raise Refusal("colours", shown, REFUSALS["some-colours"], count)
-
-
-def _projection(of: Source) -> Projection:
-    return of if isinstance(of, Projection) else _document(of).projection
 
 
 def _document(of: Source) -> Document:

@@ -335,7 +335,7 @@ class Pipeline:
         ]
         view = _product("view_from_world", factors)
         # The product's zeros cancel only to the last bit of the frame.
-        for row, part in zip(view.exact, self.camera.exact_view((0.0, 0.0, 0.0)), strict=False):
+        for row, part in zip(view.exact, self.camera.exact_origin, strict=False):
             row[3] = part
         return view
 

@@ -6409,8 +6409,8 @@
         <translation>Selle sügavus on {0}. Kui kaugel kõrval see on, ei loe.</translation>
     </message>
     <message>
-        <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation>Paari number {0} sügavus on {1}, järgmisel {2}. Kaugtasand peab olema nende vahel.</translation>
+        <source>Pair number {0} is {1} deep, the next one {2}. A tree begins 1.5 nearer: far must be between the fronts of both pairs.</source>
+        <translation>Paari number {0} sügavus on {1}, järgmisel {2}. Puu algab 1.5 lähemal: kaugtasand peab olema mõlema paari esikülgede vahel.</translation>
     </message>
 </context>
 <context>
@@ -6444,8 +6444,8 @@
         <translation>Ainult seal joonistatakse punktid punktidena, aga kettaid kuni {0} peetakse punktideks. Vaadake ülalt: terav vahemik jätkub fookuse taga.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga ainult see, mis on 5 m kaugusel: 6 m kaugusel olev on kaugemast piirist 2 mm tagapool.</translation>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts those at 5 m and 6 m are outlined as sharp: the front of each is 15 cm nearer than its middle.</source>
+        <translation>Fookuse ees 0.713 m, aga taga 0.998 m. Mõlemad piirid on stseeni arvudes. Postidest on teravana kontuuriga need, mis on 5 m ja 6 m kaugusel: kummagi esikülg on 15 cm lähemal kui selle keskkoht.</translation>
     </message>
     <message>
         <source>The two limits</source>

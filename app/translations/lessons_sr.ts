@@ -6409,8 +6409,8 @@
         <translation>Његова дубина је {0}. Није важно колико је у страну.</translation>
     </message>
     <message>
-        <source>Pair number {0} is {1} deep, the next one {2}. Far must be between them.</source>
-        <translation>Пар број {0} је на дубини {1}, следећи на {2}. Задња раван мора бити између њих.</translation>
+        <source>Pair number {0} is {1} deep, the next one {2}. A tree begins 1.5 nearer: far must be between the fronts of both pairs.</source>
+        <translation>Пар број {0} је на дубини {1}, следећи на {2}. Дрво почиње 1.5 ближе: задња раван мора бити између предњих страна оба пара.</translation>
     </message>
 </context>
 <context>
@@ -6444,8 +6444,8 @@
         <translation>Само се тамо тачке цртају као тачке, али и дискови до {0} пролазе као тачке. Погледајте одозго: оштри опсег се наставља иза фокуса.</translation>
     </message>
     <message>
-        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts only that at 5 m is outlined as sharp: the one at 6 m stands 2 mm behind the far limit.</source>
-        <translation>0.713 m испред фокуса, али 0.998 m иза њега. Бројеви сцене имају обе границе. Од стубова је као оштар уоквирен само онај на 5 m: онај на 6 m стоји 2 mm иза даље границе.</translation>
+        <source>0.713 m in front of the focus, but 0.998 m behind it. The scene&apos;s numbers have both limits. Of the posts those at 5 m and 6 m are outlined as sharp: the front of each is 15 cm nearer than its middle.</source>
+        <translation>0.713 m испред фокуса, али 0.998 m иза њега. Бројеви сцене имају обе границе. Од стубова су као оштри уоквирени они на 5 m и 6 m: предња страна сваког је 15 cm ближе него његова средина.</translation>
     </message>
     <message>
         <source>The two limits</source>

@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0} suurelt</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Esineja &amp;aken</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Ava see ettekande esit&amp;lemisel</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>Lisa p&amp;raegune olek sammuna…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>Uus ettekanne siit e&amp;dasi…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -9510,25 +9526,6 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
     <message>
         <source>Step</source>
         <translation>Samm</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Esineja &amp;aken</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Ava see ettekande esit&amp;lemisel</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>Lisa p&amp;raegune olek sammuna…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>Uus ettekanne siit e&amp;dasi…</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0}: veliko okno</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Prozor predava&amp;ča</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Otvori ga kad se &amp;izlaže</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>&amp;Novo izlaganje odavde…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -9526,25 +9542,6 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
     <message>
         <source>Step</source>
         <translation>Korak</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Prozor predava&amp;ča</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Otvori ga kad se &amp;izlaže</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>&amp;Dodaj ovo stanje kao korak…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>&amp;Novo izlaganje odavde…</translation>
     </message>
 </context>
 <context>

@@ -471,6 +471,22 @@
         <source>{0} in large</source>
         <translation>{0} – велики приказ</translation>
     </message>
+    <message>
+        <source>Speaker&apos;s &amp;window</source>
+        <translation>Прозор пре&amp;давача</translation>
+    </message>
+    <message>
+        <source>Open it when a talk is presente&amp;d</source>
+        <translation>Отвори га при изл&amp;агању презентације</translation>
+    </message>
+    <message>
+        <source>Add th&amp;is state as a step…</source>
+        <translation>Дода&amp;ј ово стање као корак…</translation>
+    </message>
+    <message>
+        <source>A new talk fro&amp;m here…</source>
+        <translation>Нова презента&amp;ција одавде…</translation>
+    </message>
 </context>
 <context>
     <name>Adaptive</name>
@@ -9526,25 +9542,6 @@ An error in {3} is {2} times as large in u and v.</source>
     <message>
         <source>Step</source>
         <translation>Корак</translation>
-    </message>
-</context>
-<context>
-    <name>TalkActions</name>
-    <message>
-        <source>Speaker&apos;s &amp;window</source>
-        <translation>Прозор пре&amp;давача</translation>
-    </message>
-    <message>
-        <source>Open it when a talk is presente&amp;d</source>
-        <translation>Отвори га при изл&amp;агању презентације</translation>
-    </message>
-    <message>
-        <source>Add th&amp;is state as a step…</source>
-        <translation>Дода&amp;ј ово стање као корак…</translation>
-    </message>
-    <message>
-        <source>A new talk fro&amp;m here…</source>
-        <translation>Нова презента&amp;ција одавде…</translation>
     </message>
 </context>
 <context>
