@@ -7470,8 +7470,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>annab vastuse teist moodi: jätke alles üks nendest: {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>sisaldab HTML-i, mida õppetund näitab nii, nagu see on kirjutatud</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sisaldab võtit „{0}:”, mis käib ainult koos järgmistega: {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>

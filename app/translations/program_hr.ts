@@ -7486,8 +7486,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>daje odgovor na drugi način: zadržite jedno od {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>ima formulu koju upisuje samo „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>ima HTML, koji lekcija prikazuje onako kako je upisan</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sadrži „{0}:”, što pripada samo uz {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>

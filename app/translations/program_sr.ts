@@ -7486,8 +7486,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>даје одговор на други начин: задржите једно од {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>има формулу коју уписује само „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>садржи HTML, који лекција приказује онако како је откуцан</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>садржи „{0}:”, што иде само уз {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
