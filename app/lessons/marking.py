@@ -105,21 +105,13 @@ _TWO_READINGS = (
 )  # fmt: skip
 """Expressions that mean one thing by the rules, and often another one to who writes them."""
 
-_NUMBER, _ANGLE, _LENGTH, _UNIT, _PIXEL = "number", "angle", "length", "units", "px"
-_UNITS: dict[str, tuple[str, Fraction]] = {
-    **dict.fromkeys(("×", "x"), (_NUMBER, Fraction(1))), "%": (_NUMBER, Fraction(1, 100)),
-    **dict.fromkeys(("°", "deg", "degree", "degrees"), (_ANGLE, Fraction(1))),
-    **dict.fromkeys(("rad", "radian", "radians"), (_ANGLE, Fraction(math.degrees(1.0)))),
-    **dict.fromkeys(("unit", "units"), (_UNIT, Fraction(1))),
-    **dict.fromkeys(("px", "pixel", "pixels"), (_PIXEL, Fraction(1))),
-    "km": (_LENGTH, Fraction(1000)), "m": (_LENGTH, Fraction(1)),
-    "cm": (_LENGTH, Fraction(1, 100)), "mm": (_LENGTH, Fraction(1, 1000)),
-}  # fmt: skip
-"""What each unit measures, and how much of it one is."""
-UNITS = tuple(_UNITS)  # the units of questions; those of answers are converted
+_NUMBER, _ANGLE, _UNIT = "number", "angle", "units"
+_UNITS, UNITS = dict[str, tuple[str, Fraction]](), list[str]()
+"""What each unit measures, and how much of it one is; and the units that a question may have."""
 _PAGE = Path(__file__).with_name("units.md").read_text("utf-8")
-for _name, _words in re.findall("(?m)^- (.+?): (.+)", _PAGE):
-    _UNITS |= dict.fromkeys(_words.split(", "), _UNITS[_name])
+for _kind, _size, _own, _typed in re.findall("(?m)^- (.+) (.+?): (.+); (.+)", _PAGE):
+    UNITS += _own.split(", ")
+    _UNITS |= dict.fromkeys(f"{_own}, {_typed}".split(", "), (_kind, Fraction(_size)))
 
 
 class TypedNumber(NamedTuple):

@@ -7470,8 +7470,16 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>annab vastuse teist moodi: jätke alles üks nendest: {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>sisaldab valemit, mille kirjutab sisse ainult „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>sisaldab HTML-i, mida õppetund näitab nii, nagu see on kirjutatud</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sisaldab võtit „{0}:”, mis käib ainult koos järgmistega: {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -10819,8 +10827,8 @@ Vektori {3} viga on telgedel u ja v {2} korda nii suur.</translation>
         <translation>Päike</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 64 %, lähitasandi 0.1 korral 0 %, kaugtasandi 60 korral 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Pind 2 on pinna 1 taga, nende vahe on ette antud, ja ulatub kõrvalt välja. Kus sügavuspuhver salvestab mõlemad sama koodiga, on näha pind, mis joonistatakse viimasena: z-fighting. Perspektiivse objektiivi ja tavalise vahemiku puhul on enamik koode kohe lähitasandi taga, nii et lähitasand loeb palju rohkem kui kaugtasand. Kui stseen avaneb oma kaldteega, on valesid piksleid nende seas, mida mõlemad katavad, 63 %, lähitasandi 0.1 korral 0 %, kaugtasandi 60 korral 63 %. Pilt eristab kuni 24-bitised koodid täpselt.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

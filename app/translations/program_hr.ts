@@ -7486,8 +7486,16 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>daje odgovor na drugi način: zadržite jedno od {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>ima formulu koju upisuje samo „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>ima HTML, koji lekcija prikazuje onako kako je upisan</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>sadrži „{0}:”, što pripada samo uz {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -10835,8 +10843,8 @@ Pogreška u {3} postaje {2} puta veća u osima u i v.</translation>
         <translation>Sunce</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Ploha 2 leži iza plohe 1 za razmak, a sa strane viri izvan nje. Gdje spremnik dubine obje sprema istim kodom, vidi se ploha koja se crta posljednja: borba za dubinu (z-fighting). Kod perspektivnog objektiva i standardnog raspona većina kodova leži odmah iza bliske ravnine, pa je bliska ravnina mnogo važnija od daleke. Kad se scena otvori, sa svojom kosinom, pogrešno je 64 % piksela koje obje pokrivaju, 0 % s bliskom ravninom na 0.1, a 63 % s dalekom na 60. Slika egzaktno razlikuje kodove do 24 bita.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Ploha 2 leži iza plohe 1 za razmak, a sa strane viri izvan nje. Gdje spremnik dubine obje sprema istim kodom, vidi se ploha koja se crta posljednja: borba za dubinu (z-fighting). Kod perspektivnog objektiva i standardnog raspona većina kodova leži odmah iza bliske ravnine, pa je bliska ravnina mnogo važnija od daleke. Kad se scena otvori, sa svojom kosinom, pogrešno je 63 % piksela koje obje pokrivaju, 0 % s bliskom ravninom na 0.1, a 63 % s dalekom na 60. Slika egzaktno razlikuje kodove do 24 bita.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

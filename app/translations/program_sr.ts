@@ -7486,8 +7486,16 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>даје одговор на други начин: задржите једно од {0}</translation>
     </message>
     <message>
+        <source>has a formula that only an exercise writes in</source>
+        <translation>има формулу коју уписује само „exercise”</translation>
+    </message>
+    <message>
         <source>has HTML, which a lesson shows as it is typed</source>
         <translation>садржи HTML, који лекција приказује онако како је откуцан</translation>
+    </message>
+    <message>
+        <source>has “{0}:”, which belongs to {1} only</source>
+        <translation>садржи „{0}:”, што иде само уз {1}</translation>
     </message>
     <message>
         <source>has a CAMERA_ID that is not in cameras.txt</source>
@@ -10835,8 +10843,8 @@ An error in {3} is {2} times as large in u and v.</source>
         <translation>Сунце</translation>
     </message>
     <message>
-        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 64 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
-        <translation>Површ 2 лежи иза површи 1 на датом размаку, и вири са њене стране. Где бафер дубине обе чува под истим кодом, види се површ која је нацртана последња: борба за z (z-fighting). Са перспективним објективом и стандардним опсегом већина кодова лежи одмах иза предње равни, па је она много важнија од задње. Када се сцена отвори, са својом рампом, погрешно је 64 % пиксела које обе покривају, 0 % са предњом равни на 0.1, 63 % са задњом равни на 60. Слика тачно разликује кодове до 24 бита.</translation>
+        <source>Surface 2 lies behind surface 1 by the gap, and reaches out at its side. Where the depth buffer stores both with the same code, the surface that is drawn last is seen: z-fighting. With a perspective lens and the standard range most codes lie just behind near, so near matters much more than far. When the scene opens, with its ramp, 63 % of the pixels that both cover are wrong, 0 % with near 0.1, 63 % with far 60. The picture tells codes of up to 24 bits apart exactly.</source>
+        <translation>Површ 2 лежи иза површи 1 на датом размаку, и вири са њене стране. Где бафер дубине обе чува под истим кодом, види се површ која је нацртана последња: борба за z (z-fighting). Са перспективним објективом и стандардним опсегом већина кодова лежи одмах иза предње равни, па је она много важнија од задње. Када се сцена отвори, са својом рампом, погрешно је 63 % пиксела које обе покривају, 0 % са предњом равни на 0.1, 63 % са задњом равни на 60. Слика тачно разликује кодове до 24 бита.</translation>
     </message>
     <message>
         <source>Switch the detail on: what is saved?</source>

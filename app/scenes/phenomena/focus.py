@@ -37,10 +37,11 @@ _MM = 1e-3  # in world units, which are metres
 
 
 class Sharpness(NamedTuple):
-    """The limits of sharpness and the hyperfocal distance, in metres; `far` may be infinite."""
+    """The limits of sharpness, what is between them, and the hyperfocal distance, in metres."""
 
     near: float
-    far: float
+    far: float  # may be infinite
+    depth: float
     hyperfocal: float
 
 
@@ -54,7 +55,7 @@ def sharpness(f_mm: float, f_number: float, focus: float, confusion_mm: float) -
     share = (focus - f) / reach  # both formulas divided by H - f, so that no sum loses digits
     near = focus / (1.0 + share)
     far = focus / (1.0 - share) if share < 1.0 else math.inf
-    return Sharpness(near, far, reach + f)
+    return Sharpness(near, far, 2.0 * share * near * (far / focus), reach + f)
 
 
 def blur_mm(f_mm: float, f_number: float, focus: float, distances: Array) -> Array:
@@ -163,8 +164,7 @@ def _readings(
     """The readout; `note` says why a value is None."""
     near = far = depth = hyperfocal = None
     if sharp is not None:
-        near, far, hyperfocal = sharp
-        depth = far - near
+        near, far, depth, hyperfocal = sharp
     return (
         Reading.or_why(WORDS["sharp-from"], near, "m", note),
         Reading.or_why(WORDS["sharp-to"], far, "m", note),
