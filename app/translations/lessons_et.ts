@@ -7660,8 +7660,8 @@
         <translation>Kolmnurga nurkade vahel interpoleeritakse {0} pikslite kaupa ühtlaselt ja väiksem väärtus võidab. Kui sirged on kõverad või koode on liiga vähe, joonistatakse vale pind.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Öelge, mis läheb kõvera joonega valesti: pikslis interpoleeritud väärtus ei ole seal oleva sügavus. Siin on näha teist häda: 16-bitine puhver, lähitasand 0.01, pind 2 on pinnast 1 0.25 tagapool ja 64 % pikslitest on valed. Küsige, mis aitab. Kaugtasand 200-lt 60-le: 63 %. Lähitasand 0.01-lt 0.1-le: mitte ühtki. Enamik väärtusi on kohe lähitasandi taga.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Öelge, mis läheb kõvera joonega valesti: pikslis interpoleeritud väärtus ei ole seal oleva sügavus. Siin on näha teist häda: 16-bitine puhver, lähitasand 0.01, pind 2 on pinnast 1 0.25 tagapool ja 63 % pikslitest on valed. Küsige, mis aitab. Kaugtasand 200-lt 60-le: 63 %. Lähitasand 0.01-lt 0.1-le: mitte ühtki. Enamik väärtusi on kohe lähitasandi taga.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>

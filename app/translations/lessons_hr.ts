@@ -7660,8 +7660,8 @@
         <translation>Između vrhova trokuta {0} se interpolira jednoliko po pikselima, i pobjeđuje manja vrijednost. Ako su pravci savijeni ili je kodova premalo, crta se pogrešna ploha.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Recite što pođe po zlu kad je linija savijena: vrijednost interpolirana u pikselu nije dubina onoga što je ondje. Ovdje se vidi druga nevolja: spremnik od 16 bitova, bliska ravnina na 0.01, ploha 2 je 0.25 iza plohe 1, i 64 % piksela je pogrešno. Pitajte što pomaže. Daleka ravnina sa 200 na 60: 63 %. Bliska s 0.01 na 0.1: nijedan. Većina vrijednosti leži odmah iza bliske ravnine.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Recite što pođe po zlu kad je linija savijena: vrijednost interpolirana u pikselu nije dubina onoga što je ondje. Ovdje se vidi druga nevolja: spremnik od 16 bitova, bliska ravnina na 0.01, ploha 2 je 0.25 iza plohe 1, i 63 % piksela je pogrešno. Pitajte što pomaže. Daleka ravnina sa 200 na 60: 63 %. Bliska s 0.01 na 0.1: nijedan. Većina vrijednosti leži odmah iza bliske ravnine.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>

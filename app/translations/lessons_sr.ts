@@ -7660,8 +7660,8 @@
         <translation>Између темена троугла {0} се равномерно интерполира по пикселима, и побеђује мања вредност. Ако су линије савијене, или је кодова премало, црта се погрешна површ.</translation>
     </message>
     <message>
-        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 64 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
-        <translation>Реците шта је лоше код савијене линије: вредност интерполирана у пикселу није дубина онога што је тамо. Овде се види друга невоља: бафер од 16 бита, предња раван на 0.01, површ 2 је 0.25 иза површи 1, и 64 % пиксела је погрешно. Питајте шта помаже. Задња раван са 200 на 60: 63 %. Предња раван са 0.01 на 0.1: ниједан. Већина вредности лежи одмах иза предње равни.</translation>
+        <source>Say what goes wrong with a bent line: the value interpolated at a pixel is not the depth of what is there. What is seen here is the other trouble: a buffer of 16 bits, near at 0.01, surface 2 is 0.25 behind surface 1, and 63 % of the pixels are wrong. Ask what helps. Far from 200 to 60: 63 %. Near from 0.01 to 0.1: none. Most values lie just behind near.</source>
+        <translation>Реците шта је лоше код савијене линије: вредност интерполирана у пикселу није дубина онога што је тамо. Овде се види друга невоља: бафер од 16 бита, предња раван на 0.01, површ 2 је 0.25 иза површи 1, и 63 % пиксела је погрешно. Питајте шта помаже. Задња раван са 200 на 60: 63 %. Предња раван са 0.01 на 0.1: ниједан. Већина вредности лежи одмах иза предње равни.</translation>
     </message>
     <message>
         <source>Few bits for a vertex</source>
