@@ -18,7 +18,6 @@ import re
 import warnings
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from numbers import Real
 from typing import Any, Literal, TypeAlias
 
 import numpy as np
@@ -39,7 +38,7 @@ from app.model.infinity import homogeneous_rows
 from app.model.lenses import FreeMatrix, Frustum, Lens, Oblique, Orthographic, Perspective
 from app.model.pipeline import Stage, Trace, checked_points
 from app.model.projection import Array, Camera, Chain, Intrinsics, Projection, Space
-from app.model.refusal import REFUSALS, Refusal
+from app.model.refusal import REFUSALS, Refusal, is_number
 from app.picking.picking import Probe
 from app.precision.levels import Precision, precision_for_reading, predict, trace, trace_homogeneous
 from app.scenes.mesh import Colours
@@ -369,7 +368,7 @@ def _points(size: str | float | None, name: str = "text_size") -> float | None:
 
 
 def _number(value: float) -> float:
-    if not isinstance(value, Real) or isinstance(value, bool):
+    if not is_number(value):
         raise TypeError(value)
     return float(value)
 

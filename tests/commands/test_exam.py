@@ -308,7 +308,9 @@ def test_a_fault_of_a_lesson_is_said_with_its_file(lesson: Path, tmp_path: Path)
     text = lesson.read_text("utf-8")
     lesson.write_text(text.replace("scene=letter-f", "scene=letter-f\nlens.near=-3", 1), "utf-8")
     words = "lesson", "print", "--topics", lesson, "--seeds", "1", "--out", tmp_path / "t"
-    said = one_sentence(run_here(*words), 2)
+    done = run_here(*words)
+    said = done.stderr
+    assert done.returncode == 2 and said.count("\n") == 1
     assert said.startswith(f"{lesson}: line ") and "lens.near = -3: must be greater" in said
 
 
