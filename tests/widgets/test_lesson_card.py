@@ -1317,3 +1317,24 @@ def test_nothing_that_a_step_needs_is_below_the_fold(window: MainWindow, number:
             assert page.widget().height() <= page.viewport().height() + 1, where
             answers = [*page.findChildren(QLineEdit), *page.findChildren(QPushButton)]
             assert all(is_in_view(page, each) for each in answers if each.isVisible()), where
+
+
+@pytest.mark.undrawn
+def test_a_step_that_is_done_moves_no_mark_and_widens_nothing(window: MainWindow) -> None:
+    card = window.lesson_card
+    card.open(CONTENT / "l01-camera-frame.md")
+    settle()
+    marks = card.findChild(QWidget, "stepMarks").findChildren(QToolButton)
+
+    def widths() -> list[int]:
+        return [*(mark.width() for mark in marks), card.minimumSizeHint().width(), card.width()]
+
+    before, player = widths(), window.lessons.player
+    assert player is not None
+    for step in player.lesson.steps:
+        for name in [part.name for part in step.asked] or [""]:
+            player.keep_answer(f"{step.name}/{name}", DONE)
+    window.lessons.go(1)
+    settle()
+    assert [mark.text() for mark in marks[:3]] == ["✓", "2", "✓"]
+    assert widths() == before
