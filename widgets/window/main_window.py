@@ -186,6 +186,7 @@ class MainWindow(QMainWindow):
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
             self.messages.show_message(f"{sentence(settings.problem)} {WORDS.say('defaults')}")
+        self.panes["world"].canvas.setFocus()  # or Qt would give it to the button of an offer
         QTimer.singleShot(0, self, self.recovery.offer)
 
     def open_panes(self) -> None:
