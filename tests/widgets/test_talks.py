@@ -627,6 +627,10 @@ def test_the_speakers_window(window: MainWindow) -> None:
     window.talks.open_speaker()
     speaker = window.talks.speaker
     assert speaker is not None and speaker.isVisible() and speaker.isWindow()
+    activate(speaker)
+    for presents in (False, True):
+        QTest.keyClick(speaker, Qt.Key.Key_F5)
+        assert window.present.is_on is presents
     assert is_asked(window)
     assert "Only the speaker reads this." in speaker.notes.toPlainText()
     assert "Next: A vote" in read_on(speaker)
