@@ -1225,6 +1225,7 @@ def test_every_response_is_seen_whole_and_announced(
 
 @pytest.mark.undrawn
 def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: Path) -> None:
+    activate(window)
     card = window.lesson_card
     card.open(lesson)
     role_of = QAccessible.queryAccessibleInterface
@@ -1236,6 +1237,11 @@ def test_a_screen_reader_meets_a_document_and_tabs(window: MainWindow, lesson: P
     tabs = [role_of(mark) for mark in marks.findChildren(QToolButton)]
     assert [tab.role() for tab in tabs] == [QAccessible.Role.PageTab] * 4
     assert [tab.state().selected for tab in tabs] == [1, 0, 0, 0]
+    for mark in marks.findChildren(QToolButton)[:2]:
+        mark.setFocus()
+        seen_with_focus = mark.grab().toImage()
+        mark.clearFocus()
+        assert mark.grab().toImage() != seen_with_focus
     assert "Practice" not in texts(card)
     assert tabs[1].text(QAccessible.Text.Name) == "Step 2: By hand"
     window.lessons.go(1)

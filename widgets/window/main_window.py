@@ -553,7 +553,7 @@ class MainWindow(QMainWindow):
         if held and not held.isVisible() and (presents or whole):  # no pane of a slide has a ring
             (self if presents else self.panes[whole].canvas).setFocus()
             return True
-        return focus_next(self, forwards)
+        return focus_next(self.cover or self, forwards)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)
