@@ -32,6 +32,7 @@ from app.scenes.scene import Scene
 
 _Frame = TypeVar("_Frame")
 
+_OPTIONS = {"text size": "--text-size", "pane": "--panes", "scale": "--scale"}  # as a refusal names
 _OF_BATCH, _OF_FILMS = ("resume", "format"), ("frames", "fps", "loop")
 
 
@@ -203,9 +204,8 @@ def _figure(
     except Refusal as error:
         asked = "size" if options.size else "" if options.width is None else "width"
         of_size = asked and str(error).startswith(("width", "height"))
-        text = str(error).replace(
-            "text size =", "--text-size =", int(error.bound == REFUSALS["text"])
-        )
+        option = _OPTIONS.get(error.bound.partition(" = ")[0])
+        text = f"{option} = {str(error).partition(' = ')[2]}" if option else str(error)
         named = f"--{asked} {text.removeprefix('width ') if asked == 'width' else text}"
         raise CliError(named if of_size else text) from error
 

@@ -290,9 +290,9 @@ def test_table_has_a_block_for_each_point_with_the_numbers_aligned(by_hand: Path
         f"computed in float64; errors are below: {errors}", done.stdout.split("\n")[-2]
     )
     assert last is not None
-    # Of the middle of the picture, (100, 50), half an ulp is 7.1e-15.
+    # Of the middle of the picture, (100, 50), half an ulp is 7.105e-15.
     single, double, exactly = map(float, last.groups())
-    assert 7.1e-15 <= exactly < 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
+    assert 2.0**-47 < exactly == 7.2e-15 < double < 1e-12 < 1e-6 < single < 1e-3
     assert done.stdout.splitlines()[2:11] == [
         "point 1     x  y   z     w",
         "     world  0  0   6",
@@ -1239,7 +1239,10 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     [
         (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex, or in .html"),
         (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
-        (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
+        (["figure.svg", "--panes", "world,depth"], "--panes = 'depth': must be one of world, ndc"),
+        (["a.png", "--panes=depth", "--language=hr"], "--panes = 'depth': mora biti jedno od"),
+        (["a.png", "--text-size=0", "--language=hr"], "--text-size = 0: mora biti od 0.24 do 38.4"),
+        (["a.png", "--scale=0", "--language=et"], "--scale = 0: peab olema suurem kui 0"),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (
             ["figure.png", "--size", "960x100000"],
@@ -1266,7 +1269,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["a.svg", "--panes=world,ndc/image"], "must be a row or a column, not both"),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
-        (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),
+        (["figure.png", "--scale", "0"], "--scale = 0: must be greater than 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),

@@ -255,12 +255,12 @@ def test_a_test_that_is_handed_in_shows_its_marks_and_saves_them(
     outcomes = {key[1]: each.outcome for key, each in standings(attempts.values()).items()}
     assert outcomes["practise/choose"] == outcomes["practise/set"] == "alone"
     out = tmp_path / "mine.json"
-    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana ", True))
+    monkeypatch.setattr(QInputDialog, "getText", lambda *_: ("  Ana\tB\n", True))
     monkeypatch.setattr(QFileDialog, "getSaveFileName", lambda *_: (str(out), ""))
     press(KEY.Key_Return)
     assert with_test.messages.text == f"The result is in {out}."
     result = read(out)
-    assert result.student == "Ana" and len(result.attempts) == 3
+    assert result.student == "Ana B" and len(result.attempts) == 3
     assert {each.exercise.partition("/")[2]: each.typed for each in result.attempts} == given
     press(KEY.Key_Tab)
     press(KEY.Key_Return)

@@ -73,7 +73,7 @@ from widgets.window.slots import Slots
 from widgets.window.start_card import StartCard
 from widgets.window.status_line import StatusLine
 from widgets.window.talk_band import TalkBand
-from widgets.window.talks import TalkActions, Talks
+from widgets.window.talks import Talks
 from widgets.window.transition import Transition
 from widgets.window.wiring import wire
 
@@ -297,10 +297,6 @@ class MainWindow(QMainWindow):
             self, self.lessons, self.present, self.store, self.messages, self.settings, self.band,
             self.slide.question, self.slide.pen, self.look,
         )  # fmt: skip
-        self.talk_actions = TalkActions(self.talks, self, self.settings)
-        self.menus.lesson_menu.addSeparator()
-        self.menus.lesson_menu.addActions(self.talk_actions.all)
-        self.lessons.opened.connect(self.talk_actions.show_lesson)
         self.recovery = Recovery(data_folder(), self.store, self.messages, self.files, self)
         self._listeners: tuple[Listener, ...] = (
             *self.cursors.values(),

@@ -116,7 +116,7 @@ def _wire_components(window: Any) -> None:
 def _wire_lesson(window: Any) -> None:
     """Connect the lesson's card to its keys, and to everything that a task may require."""
     card, menus = window.lesson_card, window.menus
-    menus.lesson_menu.wire(card, window.settings, window.practice)
+    menus.lesson_menu.wire(card, window.settings, window.practice, window.talks)
     card.begun_again.connect(window.offer_answers)
     cursors = window.cursors.values()
     card.page.hidden.connect(partial(hide, window.panels, window.controls, cursors, window.panes))
