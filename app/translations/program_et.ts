@@ -3615,6 +3615,10 @@
         <translation>Vaateid failis: {0}</translation>
     </message>
     <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Sulgege õppetund, siis toob „Võta tagasi“ dokumendi {0} salvestamata muudatused tagasi.</translation>
+    </message>
+    <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
         <translation>„Võta tagasi“ toob dokumendi {0} salvestamata muudatused tagasi.</translation>
     </message>

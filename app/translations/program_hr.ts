@@ -3630,6 +3630,10 @@
         <translation>Datoteka ima više pogleda ({0}):</translation>
     </message>
     <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Zatvorite lekciju, a Poništi zatim vraća nespremljene promjene: {0}.</translation>
+    </message>
+    <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
         <translation>Poništi vraća nespremljene promjene: {0}.</translation>
     </message>

@@ -3630,6 +3630,10 @@
         <translation>Број погледа у датотеци: {0}</translation>
     </message>
     <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Затворите лекцију, а „Опозови” затим враћа несачуване измене: {0}.</translation>
+    </message>
+    <message>
         <source>Undo brings back the unsaved changes to {0}.</source>
         <translation>„Опозови” враћа несачуване измене: {0}.</translation>
     </message>
