@@ -3036,12 +3036,12 @@
         <translation>Frustumi vasaku ja parema külje vaheline nurk silmast vaadates: vertikaalne frustumi nurk ja kuvasuhe ühes arvus.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Projektsioonikiirte nurk x-teljega: loengu 002 H liidab x-ile (z + lähitasand) cot(alfa). Lähitasandi punktid ei liigu.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Projektsioonikiirte nurk x-teljega ülalt vaadatuna: loengu 002 H liidab x-ile (z + lähitasand) cot(alfa). Lähitasandi punktid ei liigu.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Projektsioonikiirte nurk y-teljega: loengu 002 H liidab y-ile (z + lähitasand) cot(beeta). Lähitasandi punktid ei liigu.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Projektsioonikiirte nurk y-teljega küljelt vaadatuna: loengu 002 H liidab y-ile (z + lähitasand) cot(beeta). Lähitasandi punktid ei liigu.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3120,8 +3120,8 @@
         <translation>Kaugus silmast kaugtasandini: midagi kaugemat ei joonistata. Perspektiivne objektiiv lubab liuguri otsas ka inf (∞).</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Kaugus silmast lähitasandini: midagi lähemat ei joonistata. Mida lähemal 0-le, seda jämedam on sügavuspuhver.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Kaugus silmast lähitasandini: midagi lähemat ei joonistata. Mida lähemal 0-le, seda jämedam on perspektiivse objektiivi sügavuspuhver.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3613,6 +3613,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Vaateid failis: {0}</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Sulgege õppetund, siis toob „Võta tagasi“ dokumendi {0} salvestamata muudatused tagasi.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>

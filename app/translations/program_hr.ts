@@ -3051,12 +3051,12 @@
         <translation>Kut između lijeve i desne strane krnje piramide, gledano iz kamere: vertikalno vidno polje i omjer stranica u jednom broju.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Kut zraka projiciranja s osi x: H iz predavanja 002 dodaje (z + near) cot(alpha) koordinati x. Točke na bliskoj ravnini ne pomiču se.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Kut zraka projiciranja s osi x, gledano odozgo: H iz predavanja 002 dodaje (z + near) cot(alpha) koordinati x. Točke na bliskoj ravnini ne pomiču se.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Kut zraka projiciranja s osi y: H iz predavanja 002 dodaje (z + near) cot(beta) koordinati y. Točke na bliskoj ravnini ne pomiču se.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Kut zraka projiciranja s osi y, gledano sa strane: H iz predavanja 002 dodaje (z + near) cot(beta) koordinati y. Točke na bliskoj ravnini ne pomiču se.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3135,8 +3135,8 @@
         <translation>Udaljenost od kamere do daleke ravnine: ništa udaljenije se ne crta. Perspektivni objektiv prima i inf (∞), na kraju klizača.</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Udaljenost od kamere do bliske ravnine: ništa bliže se ne crta. Što je bliža 0, to je spremnik dubine grublji.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Udaljenost od kamere do bliske ravnine: ništa bliže se ne crta. Što je bliža 0, to je spremnik dubine perspektivnog objektiva grublji.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3628,6 +3628,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Datoteka ima više pogleda ({0}):</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Zatvorite lekciju, a Poništi zatim vraća nespremljene promjene: {0}.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>

@@ -3051,12 +3051,12 @@
         <translation>Угао између леве и десне стране зарубљене пирамиде, гледано из позиције камере: вертикално видно поље и однос ширине и висине у једном броју.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the x axis: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
-        <translation>Угао зрака пројекције са осом x: H из предавања 002 додаје (z + near) cot(alpha) на x. Тачке на предњој равни се не померају.</translation>
+        <source>Angle of the projectors with the x axis, seen from above: H of lecture 002 adds (z + near) cot(alpha) to x. Points on the near plane do not move.</source>
+        <translation>Угао зрака пројекције са осом x, гледано одозго: H из предавања 002 додаје (z + near) cot(alpha) на x. Тачке на предњој равни се не померају.</translation>
     </message>
     <message>
-        <source>Angle of the projectors with the y axis: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
-        <translation>Угао зрака пројекције са осом y: H из предавања 002 додаје (z + near) cot(beta) на y. Тачке на предњој равни се не померају.</translation>
+        <source>Angle of the projectors with the y axis, seen from the side: H of lecture 002 adds (z + near) cot(beta) to y. Points on the near plane do not move.</source>
+        <translation>Угао зрака пројекције са осом y, гледано са стране: H из предавања 002 додаје (z + near) cot(beta) на y. Тачке на предњој равни се не померају.</translation>
     </message>
     <message>
         <source>Any four by four matrix with an inverse that leaves w alone.</source>
@@ -3135,8 +3135,8 @@
         <translation>Растојање од позиције камере до задње равни: ништа даље се не црта. Перспективни објектив прима и inf (∞), на крају клизача.</translation>
     </message>
     <message>
-        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer.</source>
-        <translation>Растојање од позиције камере до предње равни: ништа ближе се не црта. Што је ближе 0, то је бафер дубине грубљи.</translation>
+        <source>Distance from the eye to the near plane: nothing nearer is drawn. The closer to 0, the coarser the depth buffer of a perspective lens.</source>
+        <translation>Растојање од позиције камере до предње равни: ништа ближе се не црта. Што је ближе 0, то је бафер дубине перспективног објектива грубљи.</translation>
     </message>
     <message>
         <source>Distance from the target to the eye.</source>
@@ -3628,6 +3628,10 @@
     <message>
         <source>The file has {0} views:</source>
         <translation>Број погледа у датотеци: {0}</translation>
+    </message>
+    <message>
+        <source>Close the lesson, and Undo brings back the unsaved changes to {0}.</source>
+        <translation>Затворите лекцију, а „Опозови” затим враћа несачуване измене: {0}.</translation>
     </message>
     <message>
         <source>Undo brings back the unsaved changes to {0}.</source>

@@ -8,7 +8,15 @@ import numpy as np
 import pytest
 
 from app.model.lenses.perspective import focal_length_35mm
-from app.model.projection import Camera, Frustum, Oblique, Orthographic, Perspective, Projection
+from app.model.projection import (
+    Camera,
+    Frustum,
+    Oblique,
+    Orbit,
+    Orthographic,
+    Perspective,
+    Projection,
+)
 from app.scenes.phenomena.focus import PHENOMENON, blur_mm, sharpness
 from app.scenes.phenomena.illustration import OwnMesh, Subject
 from app.scenes.phenomena.marks import Aperture
@@ -115,6 +123,13 @@ def test_l24_by_hand() -> None:
     at_h = readings(show(projection, focus=50.06, aperture=2.0, confusion=0.025))
     assert at_h["sharp to"] is None
     assert at_h["sharp from"] == pytest.approx(25.03, rel=1e-3)
+
+
+def test_a_target_in_focus_has_no_disc_from_whichever_side_it_is_seen() -> None:
+    for elevation_deg in range(-60, 61, 5):
+        camera = Camera.from_orbit((-1.6, 0.5, 1.8), Orbit(45.0, elevation_deg, 5.0))
+        found = show(Projection(camera, Perspective(28.0, 1.7, 22.0)), focus=5.0)
+        assert readings(found)["blur of the target"] == 0.0
 
 
 @pytest.mark.parametrize("fov", [1e-4, 1e-2, 1.0, 28.0])

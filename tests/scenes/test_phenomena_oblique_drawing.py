@@ -155,6 +155,14 @@ def test_a_window_of_any_size_stretches_nothing(scale: float) -> None:
         assert found.note is None and found.value == pytest.approx(1.0, abs=5e-5)
 
 
+def test_an_orthographic_lens_draws_receding_edges_with_no_length_at_all() -> None:
+    dice = random.Random(13)
+    for _ in range(100):
+        eye, target = (tuple(round(dice.uniform(-9, 9), 1) for _ in range(3)) for _ in range(2))
+        seen = replace(PHENOMENON.start, camera=Camera(eye, target)).with_lens("orthographic")
+        assert value(shown(seen), "receding scale") == 0.0
+
+
 def test_the_plane_through_the_target_stays() -> None:
     plane = np.array([(x, y, 0.0) for x in (-1.0, 1.0) for y in (0.0, 2.0)])
     image = PHENOMENON.start.trace(plane).image

@@ -186,6 +186,7 @@ class MainWindow(QMainWindow):
             self.resize(QSize(*AT_FIRST_PX).boundedTo(self.screen().availableSize()))
         if settings.problem is not None:
             self.messages.show_message(f"{sentence(settings.problem)} {WORDS.say('defaults')}")
+        self.panes["world"].canvas.setFocus()  # or Qt would give it to the button of an offer
         QTimer.singleShot(0, self, self.recovery.offer)
 
     def open_panes(self) -> None:
@@ -521,7 +522,7 @@ class MainWindow(QMainWindow):
 
     def show_beside(self) -> None:
         """Show or hide the dock, the lesson's card, the bottom row, the open panel and titles."""
-        alone, presents, held = bool(self.slots.whole), self.present.is_on, self.focusWidget()
+        alone, presents = bool(self.slots.whole), self.present.is_on
         card = self.lesson_card.is_on and not alone and not self.talks.is_on
         # Below a lesson's card the controls take no extra width, so a narrow window shows them.
         wanted = self.menus.controls.isChecked() or (card and self._is_narrow)
@@ -538,15 +539,17 @@ class MainWindow(QMainWindow):
         elif not folds and self._folded is not None:
             self.panels.open(self._folded)
             self._folded = None
-        if alone and not presents and held and not held.isVisible():  # or Qt gives it to a menu
-            self.panes[self.slots.whole].canvas.setFocus()
         self.drawer.set_presenting(presents, alone=is_slide)
         for pane in self.panes.values():
             named = not presents or len(self.slots.slide) != 1
             pane.set_presenting(presents and not pane.isWindow(), named=named)
 
     def focusNextPrevChild(self, forwards: bool) -> bool:
-        return focus_next(self, forwards)
+        held, presents, whole = self.focusWidget(), self.present.is_on, self.slots.whole
+        if held and not held.isVisible() and (presents or whole):  # no pane of a slide has a ring
+            (self if presents else self.panes[whole].canvas).setFocus()
+            return True
+        return focus_next(self.cover or self, forwards)
 
     def paintEvent(self, event: QtGui.QPaintEvent) -> None:
         super().paintEvent(event)

@@ -65,6 +65,7 @@ def _wire_components(window: Any) -> None:
         (menus.view_menu.aboutToShow, window.show_motion),
         (menus.find.triggered, window.find_control),
         (menus.play.triggered, controls.animation.toggle),
+        (menus.undo.triggered, window.status.clearMessage),  # it may be what brings changes back
         (menus.theme_chosen, look.set_theme),
         (menus.language_chosen, window.choose_language),
         (menus.present.triggered, window.lesson_card.reopen, window.present.toggle),

@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 
 from app.model.lenses.central import FULL_FRAME_DIAGONAL_MM
 from app.model.parameter import Settings, number
+from app.model.parameters import tidy
 from app.model.projection import Array, Projection
 from app.scenes import shapes
 from app.scenes.phenomena.illustration import Illustration, Phenomenon, Subject
@@ -139,7 +140,7 @@ def _show(projection: Projection, settings: Settings, subject: Subject) -> Illus
     sharp = sharpness(f_mm, n, focus, c_mm)
     lens = _Focused(n, focus, c_mm, f_mm, sharp)
     with np.errstate(over="ignore"):
-        disc_mm = float(lens.blur_mm(np.array(projection.camera.distance)))
+        disc_mm = float(lens.blur_mm(np.array(tidy(projection.camera.distance))))
     to_infinity = WORDS.phrase("to-infinity")
     is_seen = projection.lens.near <= focus <= projection.lens.far
     return Illustration(

@@ -25,7 +25,7 @@ from app.scenes.shapes import Coloured, box_corners, cubes, edges_of, ground_gri
 WORDS = PhenomenonWords("oblique-drawing")
 
 _SQUARE = 1e-6  # by how much v may be drawn longer than u, relative to 1
-_LEAST = 1e-9  # of the largest pixel: a shorter edge is one of rounding
+_LEAST = 1e-9  # of the largest pixel, and of the edge along u: a shorter edge is one of rounding
 _SCALES = {"cavalier": 1.0, "cabinet": 0.5}
 _COLOURS = ("u", "v", "n")
 _ARC = 0.1  # of the near distance: radius of the angles' arcs
@@ -66,7 +66,9 @@ def measured(ends_px: Array) -> DrawnEdge | None:
     x, y = (back[0] - corner[0]) / across, (corner[1] - back[1]) / across
     if not math.isfinite(math.hypot(x, y) + up / across):
         return None
-    return DrawnEdge(math.hypot(x, y), up / across, math.degrees(math.atan2(y, x)))
+    scale = math.hypot(x, y)
+    turn_deg = math.degrees(math.atan2(y, x))
+    return DrawnEdge(scale if scale > _LEAST else 0.0, up / across, turn_deg)
 
 
 def oblique(projection: Projection, scale: float, angle_deg: float) -> Projection:
