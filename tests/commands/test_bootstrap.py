@@ -1215,7 +1215,12 @@ def test_the_tested_versions_are_within_the_bounds() -> None:
 
 @pytest.mark.parametrize(
     "name, crashed_or_was_wrong",
-    [("numpy", "2.2.1"), ("matplotlib", "3.11.0"), ("mapbox-earcut", "2.0.0")],
+    [
+        ("numpy", "2.2.1"),
+        ("matplotlib", "3.11.0"),
+        ("mapbox-earcut", "2.0.0"),
+        ("PySide6-Essentials", "6.11.1"),
+    ],
 )
 def test_a_version_with_which_tests_failed_is_outside(name: str, crashed_or_was_wrong: str) -> None:
     (requirement,) = (each for each in requirements(bootstrap.ROOT) if each.name == name)
