@@ -1239,7 +1239,10 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
     [
         (["figure.jpg"], "OUT = 'figure.jpg': must end in .png, .svg, .pdf or .tex, or in .html"),
         (["figure.svg", "--scale", "2"], "--scale: is for .png; shapes are as fine at every scale"),
-        (["figure.svg", "--panes", "world,depth"], "'depth': must be one of world, ndc, image"),
+        (
+            ["figure.svg", "--panes", "world,depth"],
+            "--panes = 'depth': must be one of world",
+        ),
         (["no/such/folder/figure.png"], "there is no folder no/such/folder"),
         (
             ["figure.png", "--size", "960x100000"],
@@ -1266,7 +1269,7 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
         (["a.svg", "--panes=world,ndc/image"], "must be a row or a column, not both"),
         (["figure.png", "--size", "9000x900", "--scale", "2"], "--size width = 9000 times scale 2"),
         (["figure.png", "--size", "big"], "--size = 'big': must be WIDTHxHEIGHT"),
-        (["figure.png", "--scale", "0"], "scale = 0: must be greater than 0"),
+        (["figure.png", "--scale", "0"], "--scale = 0: must be greater than 0"),
         (["figure.png", "--scale", "2x"], "--scale = '2x': must be a finite number"),
         (["figure.png", "--text-size", "big"], "--text-size = 'big': must be a number of points."),
         (["figure.png", "--text-size", "0"], "--text-size = 0: must be from 0.24 to 38.4 points"),
@@ -1278,6 +1281,31 @@ def test_export_writes_shapes_as_svg_and_pdf(tmp_path: Path, by_hand: Path) -> N
 def test_bad_export_is_refused(arguments: list[str], words: str) -> None:
     assert words in refused("export", *arguments)
     assert not (ROOT / "figure.png").exists()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "option"),
+    [
+        (["export", "{}.png", "{}.png"], "OUT"),
+        (["export", "{}-%02d.png", "{}-01.png", "--orbit=90", "--frames=2"], "OUT"),
+        (["measure", "{}.json", "--json={}.json"], "--json"),
+        (["measure", "{}.png", "--chart={}.png"], "--chart"),
+        (["talk", "{}.html", "--handout={}.html"], "--handout"),
+        (["lesson", "results", "{}.json", "--csv={}.json"], "--csv"),
+        (["{}.png", "--screenshot={}.png"], "--screenshot"),
+    ],
+    ids=lambda value: value[-1] if isinstance(value, list) else value,
+)
+def test_no_command_overwrites_what_it_reads(
+    tmp_path: Path, arguments: list[str], option: str
+) -> None:
+    files = [tmp_path / name for name in ("a.png", "a-01.png", "a.json", "a.html")]
+    for file in files:
+        file.write_text("kept", encoding="utf-8")
+    *others, last = (each.format(tmp_path / "a") for each in arguments)
+    said = one_sentence(run_here(*others, last), 2)
+    assert said.startswith(f"{option} = ") and "is read by this command" in said
+    assert {file.read_text(encoding="utf-8") for file in files} == {"kept"}
 
 
 def test_export_to_a_full_disk_is_a_sentence(
