@@ -74,7 +74,7 @@ is_by_columns = re.compile(
 _CHARACTERS = str.maketrans(
     {
         **dict.fromkeys("\u2212\u2013\u2010\u2011\ufe63\uff0d", "-"),
-        **dict.fromkeys("\ufeff\u200b\u00a0\u2007\u2009\u202f\t\r\f\v~`⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠│┃", " "),
+        **dict.fromkeys("\ufeff\u200b\u00a0\u2007\u2009\u202f\t\r\f\v~`⎡⎢⎣⎤⎥⎦⎛⎜⎝⎞⎟⎠│┃┌┐└┘", " "),
         **dict.fromkeys("\u2028\u2029\x85", "\n"),
     }
 )
@@ -109,7 +109,7 @@ _TOKEN = re.compile(
     r"|(?P<sign>[+-])|(?P<times>\*)|(?P<other>\.\w*|.)",
     re.IGNORECASE,
 )
-_FUNCTION = re.compile(r"(?i)(?:^|[.:]|XMMatrix)(?:p?inv|inver\w+|transpose|\w*[hn]stack|c_|dot)$")
+_FUNCTION = re.compile(r"(?i)(?:^|\W|XMMatrix)(?:p?inv|inver\w+|transpose|\w*[hn]_?stack|c_|dot)$")
 _NAMES = re.compile(r"[^\W\d]\w*").fullmatch
 _ITEM = re.compile(r"- (- )?(\S+)")
 _QUOTED = re.compile(rf".[+-]?{_UNSIGNED}.")

@@ -129,6 +129,8 @@ AS_WRITTEN = {
     "Mathematica": "{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, -525*^-2}, {0, 0, 0, 1}}",
     "Fortran": "1.0D+00 0 0 0 0 1 0 0 0 0 1 -5.25D+00 0 0 0 1",
     "Unicode": "⎡1  0  0  0  ⎤\n⎢0  1  0  0  ⎥\n⎢0  0  1  −21/4⎥\n⎣0  0  0  1  ⎦",
+    "nalgebra printed": "\n  ┌                ┐\n  │ 1 0 0     0 │\n  │ 0 1 0     0 │\n"
+                        "  │ 0 0 1 -5.25 │\n  │ 0 0 0     1 │\n  └                ┘\n",
     "powers": "1 0 0 0\n0 1 0 0\n0 0 1 -52.5·10⁻¹\n0 0 0 1",
     "a table": "| 1 | 0 | 0 | 0 |\n| 0 | 1 | 0 | 0 |\n| 0 | 0 | 1 | -5.25 |\n| 0 | 0 | 0 | 1 |",
     "quoted": '"1","0","0","0"\r\n"0","1","0","0"\r\n"0","0","1","-5.25"\r\n"0","0","0","1"\r\n',
@@ -254,6 +256,7 @@ def test_three_rows_are_read_too(text: str, rows: Any) -> None:
         ("np.linalg.inv([[1, 0, 0], [0, 1, 0], [0, 0, 1]])", r"has np.linalg.inv\(...\)"),
         ("glm::inverse(glm::mat3(1, 0, 0, 0, 1, 0, 0, 0, 1))", r"has glm::inverse\(...\)"),
         ("np.hstack(([[1, 0, 0], [0, 1, 0], [0, 0, 1]], [[7], [8], [9]]))", r"np.hstack\(...\)"),
+        ("np.column_stack(([1, 0, 0], [0, 1, 0], [0, 0, 1]))", r"np.column_stack\(...\)"),
         ("XMMatrixTranspose(XMMATRIX(" + "1, " * 15 + "1))", r"has XMMatrixTranspose\(...\)"),
         ("[1 0 0; 0 1 0; 0 0 1]'", "numbers, but has '"),
         ("1,5 0 0 0 0,5 0 0 0 1,5", "9 numbers with decimal commas or as 12 numbers"),
